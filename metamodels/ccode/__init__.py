@@ -1,0 +1,1670 @@
+"""A C or C++ program as its text says it: files, declarations, statements, expressions, preprocessor. No judgement about any platform is in it.
+
+Generated from ccode.ecore by robosmi metamodels generate. Do not edit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, MutableSequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import pyecore.ecore as Ecore
+from pyecore.ecore import EBoolean, EDouble, EInt, ELong, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
+
+from robosmi.model.strict import Element
+
+name = "ccode"
+nsURI = "http://robosmi.org/ccode/1"
+nsPrefix = "ccode"
+
+eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClassifiers: dict[str, Any] = {}
+getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+
+if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
+
+    class Storage(EnumLiteral):
+        """Storage class specifier of a declaration (ISO C99 6.7.1)."""
+
+        unspecified: ClassVar[Storage]
+        externStorage: ClassVar[Storage]
+        staticStorage: ClassVar[Storage]
+        registerStorage: ClassVar[Storage]
+        autoStorage: ClassVar[Storage]
+
+    class Linkage(EnumLiteral):
+        """How a declaration is known: written in the program's own files, read in a header that was found, or inferred from its uses because no header was found."""
+
+        defined: ClassVar[Linkage]
+        declaredInHeader: ClassVar[Linkage]
+        inferred: ClassVar[Linkage]
+
+    class RecordKind(EnumLiteral):
+        """Kind of a record type."""
+
+        structType: ClassVar[RecordKind]
+        unionType: ClassVar[RecordKind]
+        classType: ClassVar[RecordKind]
+
+    class LoopForm(EnumLiteral):
+        """Form of a loop statement."""
+
+        whileLoop: ClassVar[LoopForm]
+        doLoop: ClassVar[LoopForm]
+        forLoop: ClassVar[LoopForm]
+
+    class SymbolUse(EnumLiteral):
+        """How the program uses a name that nothing declares."""
+
+        called: ClassVar[SymbolUse]
+        constantUse: ClassVar[SymbolUse]
+        writtenUse: ClassVar[SymbolUse]
+        indexedUse: ClassVar[SymbolUse]
+        typeUse: ClassVar[SymbolUse]
+
+else:
+    from robosmi.model.strict import enumeration
+
+    Storage = enumeration("Storage", {"unspecified": 0, "externStorage": 1, "staticStorage": 2, "registerStorage": 3, "autoStorage": 4})
+    Linkage = enumeration("Linkage", {"defined": 0, "declaredInHeader": 1, "inferred": 2})
+    RecordKind = enumeration("RecordKind", {"structType": 0, "unionType": 1, "classType": 2})
+    LoopForm = enumeration("LoopForm", {"whileLoop": 0, "doLoop": 1, "forLoop": 2})
+    SymbolUse = enumeration("SymbolUse", {"called": 0, "constantUse": 1, "writtenUse": 2, "indexedUse": 3, "typeUse": 4})
+
+
+class Program(Element, metaclass=MetaEClass):
+    """One program: all source units that are compiled together."""
+
+    name: str = EAttribute(eType=EString, default_value='')
+    """Base name of the first source file, without extension."""
+    languages: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Languages of the units, e.g. C."""
+    includeFolders: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Folders given for include search, as given."""
+    defines: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Macros defined from outside, NAME or NAME=VALUE."""
+    units: MutableSequence[SourceUnit] = EReference(upper=-1, containment=True)
+    """The source files, in the order given."""
+    externals: MutableSequence[Declaration] = EReference(upper=-1, containment=True)
+    """Declarations from outside the units: found in headers, or inferred from uses."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            languages: Iterable[str] | None = None,
+            includeFolders: Iterable[str] | None = None,
+            defines: Iterable[str] | None = None,
+            units: Iterable[SourceUnit] | None = None,
+            externals: Iterable[Declaration] | None = None,
+        ) -> None: ...
+
+
+class SourceUnit(Element, metaclass=MetaEClass):
+    """One source file."""
+
+    program: Program | None = EReference()
+    """The program it belongs to."""
+    path: str = EAttribute(eType=EString, lower=1)
+    """Path relative to the model's own folder once stored, else as given."""
+    encoding: str = EAttribute(eType=EString, default_value='UTF-8')
+    """Encoding of the bytes."""
+    digest: str = EAttribute(eType=EString, default_value='')
+    """SHA-256 of the bytes, hexadecimal."""
+    language: str = EAttribute(eType=EString, default_value='C')
+    """C or C++."""
+    size: int = EAttribute(eType=EInt)
+    """Length in bytes."""
+    callsInText: int = EAttribute(eType=EInt)
+    """Number of calls found in the token stream (identifier followed by an opening parenthesis, outside declarations and macro definitions)."""
+    callsInModel: int = EAttribute(eType=EInt)
+    """Number of those calls that are in this model."""
+    includes: MutableSequence[Include] = EReference(upper=-1, containment=True)
+    """Include directives."""
+    macros: MutableSequence[Macro] = EReference(upper=-1, containment=True)
+    """Macros that the file defines."""
+    macroUses: MutableSequence[MacroUse] = EReference(upper=-1, containment=True)
+    """Uses of macros, the file's own and others."""
+    declarations: MutableSequence[Declaration] = EReference(upper=-1, containment=True)
+    """Declarations at file scope, in text order."""
+    comments: MutableSequence[Comment] = EReference(upper=-1, containment=True)
+    """Comments, in text order."""
+    conditionals: MutableSequence[PreprocessorConditional] = EReference(upper=-1, containment=True)
+    """Conditional directives."""
+    unresolved: MutableSequence[UnresolvedCall] = EReference(upper=-1, containment=True)
+    """Calls seen in the tokens that the parser lost."""
+    problems: MutableSequence[SyntaxProblem] = EReference(upper=-1, containment=True)
+    """What the parser complained about."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            program: Program | None = None,
+            path: str | None = None,
+            encoding: str | None = None,
+            digest: str | None = None,
+            language: str | None = None,
+            size: int | None = None,
+            callsInText: int | None = None,
+            callsInModel: int | None = None,
+            includes: Iterable[Include] | None = None,
+            macros: Iterable[Macro] | None = None,
+            macroUses: Iterable[MacroUse] | None = None,
+            declarations: Iterable[Declaration] | None = None,
+            comments: Iterable[Comment] | None = None,
+            conditionals: Iterable[PreprocessorConditional] | None = None,
+            unresolved: Iterable[UnresolvedCall] | None = None,
+            problems: Iterable[SyntaxProblem] | None = None,
+        ) -> None: ...
+
+
+@abstract
+class Located(Element, metaclass=MetaEClass):
+    """Anything with a place in a source file. Offsets count bytes from 0, lines and columns from 1 (columns in bytes)."""
+
+    startOffset: int = EAttribute(eType=EInt)
+    """Offset of the first byte."""
+    endOffset: int = EAttribute(eType=EInt)
+    """Offset behind the last byte."""
+    line: int = EAttribute(eType=EInt)
+    """Line of the first byte."""
+    column: int = EAttribute(eType=EInt)
+    """Column of the first byte."""
+    endLine: int = EAttribute(eType=EInt)
+    """Line of the last byte."""
+    endColumn: int = EAttribute(eType=EInt)
+    """Column behind the last byte."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+        ) -> None: ...
+
+
+class Include(Located):
+    """An include directive."""
+
+    header: str = EAttribute(eType=EString, lower=1)
+    """The name as written, without its delimiters."""
+    system: bool = EAttribute(eType=EBoolean)
+    """True for angle brackets, false for quotes."""
+    resolvedPath: str = EAttribute(eType=EString, default_value='')
+    """Path of the file found, empty when none was found."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            header: str | None = None,
+            system: bool | None = None,
+            resolvedPath: str | None = None,
+        ) -> None: ...
+
+
+class Macro(Located):
+    """A macro definition in a unit."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    functionLike: bool = EAttribute(eType=EBoolean)
+    """True when it takes parameters."""
+    parameters: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Names of its parameters."""
+    body: str = EAttribute(eType=EString, default_value='')
+    """The replacement text."""
+    uses: MutableSequence[MacroUse] = EReference(upper=-1)
+    """Where it is used."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            functionLike: bool | None = None,
+            parameters: Iterable[str] | None = None,
+            body: str | None = None,
+            uses: Iterable[MacroUse] | None = None,
+        ) -> None: ...
+
+
+class MacroUse(Located):
+    """A use of a macro."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Name of the macro."""
+    text: str = EAttribute(eType=EString, default_value='')
+    """The use as written, with arguments."""
+    functionLike: bool = EAttribute(eType=EBoolean)
+    """True when used with arguments."""
+    header: str = EAttribute(eType=EString, default_value='')
+    """Header that defines the macro when it is not the program's own, empty when unknown."""
+    macro: Macro | None = EReference()
+    """The program's own macro, if it is one."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            text: str | None = None,
+            functionLike: bool | None = None,
+            header: str | None = None,
+            macro: Macro | None = None,
+        ) -> None: ...
+
+
+class PreprocessorConditional(Located):
+    """An if, ifdef, ifndef, elif, else or endif directive."""
+
+    directive: str = EAttribute(eType=EString, lower=1)
+    """The directive's word."""
+    condition: str = EAttribute(eType=EString, default_value='')
+    """Its condition as written."""
+    active: bool = EAttribute(eType=EBoolean)
+    """True when the text it governs was compiled."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            directive: str | None = None,
+            condition: str | None = None,
+            active: bool | None = None,
+        ) -> None: ...
+
+
+class Comment(Located):
+    """A comment."""
+
+    text: str = EAttribute(eType=EString, default_value='')
+    """Its text with its delimiters."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+        ) -> None: ...
+
+
+class UnresolvedCall(Located):
+    """A call in the text for which the parser made no call expression."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """The called name."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+        ) -> None: ...
+
+
+class SyntaxProblem(Located):
+    """A complaint of the parser that is not about a missing declaration."""
+
+    message: str = EAttribute(eType=EString, default_value='')
+    """The parser's words."""
+    fatal: bool = EAttribute(eType=EBoolean)
+    """True when text was lost by it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            message: str | None = None,
+            fatal: bool | None = None,
+        ) -> None: ...
+
+
+class TypeUse(Element, metaclass=MetaEClass):
+    """A type as used in a declaration."""
+
+    spelling: str = EAttribute(eType=EString, lower=1)
+    """The type as written."""
+    canonical: str = EAttribute(eType=EString, default_value='')
+    """The type with typedefs resolved."""
+    bits: int = EAttribute(eType=EInt)
+    """Width on the source platform in bits; 0 when it has none or it is not known."""
+    signed: bool = EAttribute(eType=EBoolean)
+    """True for a signed arithmetic type of the source platform."""
+    pointerDepth: int = EAttribute(eType=EInt)
+    """Number of pointer levels."""
+    arrayDims: str = EAttribute(eType=EString, default_value='')
+    """Array dimensions as written, e.g. [4][2], empty for none."""
+    constant: bool = EAttribute(eType=EBoolean)
+    """True for a const-qualified type."""
+    declaration: Declaration | None = EReference()
+    """The type's declaration, if the program has it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            spelling: str | None = None,
+            canonical: str | None = None,
+            bits: int | None = None,
+            signed: bool | None = None,
+            pointerDepth: int | None = None,
+            arrayDims: str | None = None,
+            constant: bool | None = None,
+            declaration: Declaration | None = None,
+        ) -> None: ...
+
+
+@abstract
+class Declaration(Located):
+    """A named declaration."""
+
+    name: str = EAttribute(eType=EString, default_value='')
+    """Its name; empty for an unnamed record or enumeration."""
+    linkage: Linkage = EAttribute(eType=Linkage, default_value=Linkage.defined)
+    """How it is known."""
+    header: str = EAttribute(eType=EString, default_value='')
+    """Header that declares it, empty for the program's own and for inferred ones."""
+    comment: str = EAttribute(eType=EString, default_value='')
+    """The comment that stands directly before it or behind it on its line, with delimiters."""
+    references: MutableSequence[NameReference] = EReference(upper=-1)
+    """Where its name is used."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+        ) -> None: ...
+
+
+class Function(Declaration):
+    """A function: definition, prototype or external."""
+
+    storage: Storage = EAttribute(eType=Storage)
+    """Storage class."""
+    variadic: bool = EAttribute(eType=EBoolean)
+    """True when it takes further arguments."""
+    definition: bool = EAttribute(eType=EBoolean)
+    """True when it has a body here."""
+    signature: str = EAttribute(eType=EString, default_value='')
+    """The declarator as written, from the return type to the closing parenthesis (the paper's raw signature)."""
+    returnType: TypeUse | None = EReference(containment=True)
+    """Type of its value."""
+    parameters: MutableSequence[Parameter] = EReference(upper=-1, containment=True)
+    """Its parameters."""
+    body: Block | None = EReference(containment=True)
+    """Its body, if this is the definition."""
+    calls: MutableSequence[Call] = EReference(upper=-1)
+    """Where it is called."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            storage: Storage | None = None,
+            variadic: bool | None = None,
+            definition: bool | None = None,
+            signature: str | None = None,
+            returnType: TypeUse | None = None,
+            parameters: Iterable[Parameter] | None = None,
+            body: Block | None = None,
+            calls: Iterable[Call] | None = None,
+        ) -> None: ...
+
+
+class Parameter(Declaration):
+    """A parameter of a function."""
+
+    valueType: TypeUse | None = EReference(containment=True)
+    """Its type."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            valueType: TypeUse | None = None,
+        ) -> None: ...
+
+
+class Variable(Declaration):
+    """A variable, global or local."""
+
+    storage: Storage = EAttribute(eType=Storage)
+    """Storage class."""
+    initialised: bool = EAttribute(eType=EBoolean)
+    """True when an initializer is written."""
+    shared: bool = EAttribute(eType=EBoolean)
+    """True when the declaration statement declares other names too."""
+    valueType: TypeUse | None = EReference(containment=True)
+    """Its type."""
+    initializer: Expression | None = EReference(containment=True)
+    """Its initial value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            storage: Storage | None = None,
+            initialised: bool | None = None,
+            shared: bool | None = None,
+            valueType: TypeUse | None = None,
+            initializer: Expression | None = None,
+        ) -> None: ...
+
+
+class Field(Declaration):
+    """A member of a record."""
+
+    bitWidth: int = EAttribute(eType=EInt)
+    """Width of a bit field, 0 for an ordinary member."""
+    valueType: TypeUse | None = EReference(containment=True)
+    """Its type."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            bitWidth: int | None = None,
+            valueType: TypeUse | None = None,
+        ) -> None: ...
+
+
+class Typedef(Declaration):
+    """A name for a type."""
+
+    aliased: TypeUse | None = EReference(containment=True)
+    """The type it names."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            aliased: TypeUse | None = None,
+        ) -> None: ...
+
+
+class Record(Declaration):
+    """A struct, union or class."""
+
+    recordKind: RecordKind = EAttribute(eType=RecordKind)
+    """Its kind."""
+    fields: MutableSequence[Field] = EReference(upper=-1, containment=True)
+    """Its members."""
+    methods: MutableSequence[Function] = EReference(upper=-1, containment=True)
+    """Its member functions."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            recordKind: RecordKind | None = None,
+            fields: Iterable[Field] | None = None,
+            methods: Iterable[Function] | None = None,
+        ) -> None: ...
+
+
+class Enumeration(Declaration):
+    """An enumeration."""
+
+    literals: MutableSequence[EnumerationLiteral] = EReference(upper=-1, containment=True)
+    """Its constants."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            literals: Iterable[EnumerationLiteral] | None = None,
+        ) -> None: ...
+
+
+class EnumerationLiteral(Declaration):
+    """A constant of an enumeration."""
+
+    value: int = EAttribute(eType=ELong)
+    """Its value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            value: int | None = None,
+        ) -> None: ...
+
+
+class ExternalSymbol(Declaration):
+    """A name that no declaration explains and that is no function: a constant, a register, a variable or a type of a platform."""
+
+    use: SymbolUse = EAttribute(eType=SymbolUse)
+    """How the program uses it, the strongest use found."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            use: SymbolUse | None = None,
+        ) -> None: ...
+
+
+class Namespace(Declaration):
+    """A namespace of C++."""
+
+    declarations: MutableSequence[Declaration] = EReference(upper=-1, containment=True)
+    """What it holds."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            linkage: Linkage | None = None,
+            header: str | None = None,
+            comment: str | None = None,
+            references: Iterable[NameReference] | None = None,
+            declarations: Iterable[Declaration] | None = None,
+        ) -> None: ...
+
+
+@abstract
+class Statement(Located):
+    """A statement."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+        ) -> None: ...
+
+
+class Block(Statement):
+    """A compound statement."""
+
+    statements: MutableSequence[Statement] = EReference(upper=-1, containment=True)
+    """Its statements."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            statements: Iterable[Statement] | None = None,
+        ) -> None: ...
+
+
+class If(Statement):
+    """A selection by condition."""
+
+    condition: Expression | None = EReference(containment=True)
+    """The condition."""
+    thenBranch: Statement | None = EReference(containment=True)
+    """Taken when true."""
+    elseBranch: Statement | None = EReference(containment=True)
+    """Taken when false."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            condition: Expression | None = None,
+            thenBranch: Statement | None = None,
+            elseBranch: Statement | None = None,
+        ) -> None: ...
+
+
+@abstract
+class Loop(Statement):
+    """A loop."""
+
+    form: LoopForm = EAttribute(eType=LoopForm)
+    """Its form."""
+    endless: bool = EAttribute(eType=EBoolean)
+    """True when the condition is absent or a constant other than zero."""
+    condition: Expression | None = EReference(containment=True)
+    """The condition, if written."""
+    body: Statement | None = EReference(containment=True)
+    """What is repeated."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            form: LoopForm | None = None,
+            endless: bool | None = None,
+            condition: Expression | None = None,
+            body: Statement | None = None,
+        ) -> None: ...
+
+
+class While(Loop):
+    """A while loop."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            form: LoopForm | None = None,
+            endless: bool | None = None,
+            condition: Expression | None = None,
+            body: Statement | None = None,
+        ) -> None: ...
+
+
+class DoWhile(Loop):
+    """A do loop."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            form: LoopForm | None = None,
+            endless: bool | None = None,
+            condition: Expression | None = None,
+            body: Statement | None = None,
+        ) -> None: ...
+
+
+class For(Loop):
+    """A for loop."""
+
+    initial: Statement | None = EReference(containment=True)
+    """Its first clause."""
+    step: Expression | None = EReference(containment=True)
+    """Its third clause."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            form: LoopForm | None = None,
+            endless: bool | None = None,
+            condition: Expression | None = None,
+            body: Statement | None = None,
+            initial: Statement | None = None,
+            step: Expression | None = None,
+        ) -> None: ...
+
+
+class Switch(Statement):
+    """A selection by value."""
+
+    selector: Expression | None = EReference(containment=True)
+    """The value."""
+    body: Statement | None = EReference(containment=True)
+    """The body with its case labels."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            selector: Expression | None = None,
+            body: Statement | None = None,
+        ) -> None: ...
+
+
+class Case(Statement):
+    """A case label and its statement."""
+
+    constant: Expression | None = EReference(containment=True)
+    """The constant."""
+    statement: Statement | None = EReference(containment=True)
+    """The labelled statement."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            constant: Expression | None = None,
+            statement: Statement | None = None,
+        ) -> None: ...
+
+
+class Default(Statement):
+    """A default label and its statement."""
+
+    statement: Statement | None = EReference(containment=True)
+    """The labelled statement."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            statement: Statement | None = None,
+        ) -> None: ...
+
+
+class Break(Statement):
+    """A break."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+        ) -> None: ...
+
+
+class Continue(Statement):
+    """A continue."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+        ) -> None: ...
+
+
+class Return(Statement):
+    """A return."""
+
+    value: Expression | None = EReference(containment=True)
+    """The value, if any."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            value: Expression | None = None,
+        ) -> None: ...
+
+
+class Goto(Statement):
+    """A goto."""
+
+    labelName: str = EAttribute(eType=EString, default_value='')
+    """Name of the label."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            labelName: str | None = None,
+        ) -> None: ...
+
+
+class Label(Statement):
+    """A label and its statement."""
+
+    name: str = EAttribute(eType=EString, default_value='')
+    """Its name."""
+    statement: Statement | None = EReference(containment=True)
+    """The labelled statement."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            statement: Statement | None = None,
+        ) -> None: ...
+
+
+class ExpressionStatement(Statement):
+    """An expression as a statement."""
+
+    expression: Expression | None = EReference(containment=True)
+    """The expression."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            expression: Expression | None = None,
+        ) -> None: ...
+
+
+class DeclarationStatement(Statement):
+    """A declaration as a statement."""
+
+    declarations: MutableSequence[Declaration] = EReference(upper=-1, containment=True)
+    """What it declares."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            declarations: Iterable[Declaration] | None = None,
+        ) -> None: ...
+
+
+class EmptyStatement(Statement):
+    """A lone semicolon."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+        ) -> None: ...
+
+
+class UnknownStatement(Statement):
+    """A statement of a form that the reader does not take apart."""
+
+    text: str = EAttribute(eType=EString, default_value='')
+    """The statement as written."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+        ) -> None: ...
+
+
+@abstract
+class Expression(Located):
+    """An expression."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+        ) -> None: ...
+
+
+class Call(Expression):
+    """A function call."""
+
+    calleeName: str = EAttribute(eType=EString, lower=1)
+    """The called name as the user wrote it, empty for a computed callee."""
+    viaMacro: bool = EAttribute(eType=EBoolean)
+    """True when the call stands in the body of one of the program's own macros that is used here."""
+    callee: Function | None = EReference()
+    """The called function."""
+    arguments: MutableSequence[Expression] = EReference(upper=-1, containment=True)
+    """The arguments."""
+    calleeExpression: Expression | None = EReference(containment=True)
+    """The callee, when it is computed."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            calleeName: str | None = None,
+            viaMacro: bool | None = None,
+            callee: Function | None = None,
+            arguments: Iterable[Expression] | None = None,
+            calleeExpression: Expression | None = None,
+        ) -> None: ...
+
+
+class NameReference(Expression):
+    """A use of a name."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """The name as written."""
+    target: Declaration | None = EReference()
+    """What it means."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            target: Declaration | None = None,
+        ) -> None: ...
+
+
+class Member(Expression):
+    """A member of a record."""
+
+    name: str = EAttribute(eType=EString, default_value='')
+    """Name of the member."""
+    arrow: bool = EAttribute(eType=EBoolean)
+    """True for access through a pointer."""
+    object: Expression | None = EReference(containment=True)
+    """The record."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            name: str | None = None,
+            arrow: bool | None = None,
+            object: Expression | None = None,
+        ) -> None: ...
+
+
+class Index(Expression):
+    """An array element."""
+
+    array: Expression | None = EReference(containment=True)
+    """The array."""
+    index: Expression | None = EReference(containment=True)
+    """The index."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            array: Expression | None = None,
+            index: Expression | None = None,
+        ) -> None: ...
+
+
+class Unary(Expression):
+    """An operator with one operand."""
+
+    operator: str = EAttribute(eType=EString, default_value='')
+    """The operator."""
+    postfix: bool = EAttribute(eType=EBoolean)
+    """True when it stands behind the operand."""
+    operand: Expression | None = EReference(containment=True)
+    """The operand."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            operator: str | None = None,
+            postfix: bool | None = None,
+            operand: Expression | None = None,
+        ) -> None: ...
+
+
+class Binary(Expression):
+    """An operator with two operands."""
+
+    operator: str = EAttribute(eType=EString, default_value='')
+    """The operator."""
+    left: Expression | None = EReference(containment=True)
+    """The left operand."""
+    right: Expression | None = EReference(containment=True)
+    """The right operand."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            operator: str | None = None,
+            left: Expression | None = None,
+            right: Expression | None = None,
+        ) -> None: ...
+
+
+class Assignment(Expression):
+    """An assignment, plain or compound."""
+
+    operator: str = EAttribute(eType=EString, default_value='')
+    """The operator."""
+    left: Expression | None = EReference(containment=True)
+    """What is assigned to."""
+    right: Expression | None = EReference(containment=True)
+    """The value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            operator: str | None = None,
+            left: Expression | None = None,
+            right: Expression | None = None,
+        ) -> None: ...
+
+
+class ConditionalExpression(Expression):
+    """A choice between two values."""
+
+    condition: Expression | None = EReference(containment=True)
+    """The condition."""
+    whenTrue: Expression | None = EReference(containment=True)
+    """The value when true."""
+    whenFalse: Expression | None = EReference(containment=True)
+    """The value when false."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            condition: Expression | None = None,
+            whenTrue: Expression | None = None,
+            whenFalse: Expression | None = None,
+        ) -> None: ...
+
+
+class Cast(Expression):
+    """An explicit conversion."""
+
+    target: TypeUse | None = EReference(containment=True)
+    """The type converted to."""
+    operand: Expression | None = EReference(containment=True)
+    """The operand."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            target: TypeUse | None = None,
+            operand: Expression | None = None,
+        ) -> None: ...
+
+
+class SizeOf(Expression):
+    """The size of a type or value."""
+
+    measured: TypeUse | None = EReference(containment=True)
+    """The type, if one is written."""
+    operand: Expression | None = EReference(containment=True)
+    """The operand, if one is written."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            measured: TypeUse | None = None,
+            operand: Expression | None = None,
+        ) -> None: ...
+
+
+class IntegerLiteral(Expression):
+    """An integer constant."""
+
+    text: str = EAttribute(eType=EString, lower=1)
+    """As written."""
+    radix: int = EAttribute(eType=EInt, default_value=10)
+    """2, 8, 10 or 16."""
+    value: int = EAttribute(eType=ELong)
+    """Its value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+            radix: int | None = None,
+            value: int | None = None,
+        ) -> None: ...
+
+
+class FloatingLiteral(Expression):
+    """A floating constant."""
+
+    text: str = EAttribute(eType=EString, lower=1)
+    """As written."""
+    value: float = EAttribute(eType=EDouble)
+    """Its value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+            value: float | None = None,
+        ) -> None: ...
+
+
+class CharacterLiteral(Expression):
+    """A character constant."""
+
+    text: str = EAttribute(eType=EString, lower=1)
+    """As written."""
+    value: int = EAttribute(eType=EInt)
+    """Its value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+            value: int | None = None,
+        ) -> None: ...
+
+
+class StringLiteral(Expression):
+    """A string."""
+
+    text: str = EAttribute(eType=EString, lower=1)
+    """As written."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+        ) -> None: ...
+
+
+class InitializerList(Expression):
+    """A list in braces."""
+
+    elements: MutableSequence[Expression] = EReference(upper=-1, containment=True)
+    """Its elements."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            elements: Iterable[Expression] | None = None,
+        ) -> None: ...
+
+
+class UnknownExpression(Expression):
+    """An expression of a form that the reader does not take apart."""
+
+    text: str = EAttribute(eType=EString, default_value='')
+    """The expression as written."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            endLine: int | None = None,
+            endColumn: int | None = None,
+            text: str | None = None,
+        ) -> None: ...
+
+
+Program.units.eType = SourceUnit
+Program.externals.eType = Declaration
+SourceUnit.program.eType = Program
+SourceUnit.includes.eType = Include
+SourceUnit.macros.eType = Macro
+SourceUnit.macroUses.eType = MacroUse
+SourceUnit.declarations.eType = Declaration
+SourceUnit.comments.eType = Comment
+SourceUnit.conditionals.eType = PreprocessorConditional
+SourceUnit.unresolved.eType = UnresolvedCall
+SourceUnit.problems.eType = SyntaxProblem
+Macro.uses.eType = MacroUse
+MacroUse.macro.eType = Macro
+TypeUse.declaration.eType = Declaration
+Declaration.references.eType = NameReference
+Function.returnType.eType = TypeUse
+Function.parameters.eType = Parameter
+Function.body.eType = Block
+Function.calls.eType = Call
+Parameter.valueType.eType = TypeUse
+Variable.valueType.eType = TypeUse
+Variable.initializer.eType = Expression
+Field.valueType.eType = TypeUse
+Typedef.aliased.eType = TypeUse
+Record.fields.eType = Field
+Record.methods.eType = Function
+Enumeration.literals.eType = EnumerationLiteral
+Namespace.declarations.eType = Declaration
+Block.statements.eType = Statement
+If.condition.eType = Expression
+If.thenBranch.eType = Statement
+If.elseBranch.eType = Statement
+Loop.condition.eType = Expression
+Loop.body.eType = Statement
+For.initial.eType = Statement
+For.step.eType = Expression
+Switch.selector.eType = Expression
+Switch.body.eType = Statement
+Case.constant.eType = Expression
+Case.statement.eType = Statement
+Default.statement.eType = Statement
+Return.value.eType = Expression
+Label.statement.eType = Statement
+ExpressionStatement.expression.eType = Expression
+DeclarationStatement.declarations.eType = Declaration
+Call.callee.eType = Function
+Call.arguments.eType = Expression
+Call.calleeExpression.eType = Expression
+NameReference.target.eType = Declaration
+Member.object.eType = Expression
+Index.array.eType = Expression
+Index.index.eType = Expression
+Unary.operand.eType = Expression
+Binary.left.eType = Expression
+Binary.right.eType = Expression
+Assignment.left.eType = Expression
+Assignment.right.eType = Expression
+ConditionalExpression.condition.eType = Expression
+ConditionalExpression.whenTrue.eType = Expression
+ConditionalExpression.whenFalse.eType = Expression
+Cast.target.eType = TypeUse
+Cast.operand.eType = Expression
+SizeOf.measured.eType = TypeUse
+SizeOf.operand.eType = Expression
+InitializerList.elements.eType = Expression
+Program.units.eOpposite = SourceUnit.program
+Macro.uses.eOpposite = MacroUse.macro
+Declaration.references.eOpposite = NameReference.target
+Function.calls.eOpposite = Call.callee
+eClassifiers["Storage"] = Storage
+eClass.eClassifiers.append(Storage)
+eClassifiers["Linkage"] = Linkage
+eClass.eClassifiers.append(Linkage)
+eClassifiers["RecordKind"] = RecordKind
+eClass.eClassifiers.append(RecordKind)
+eClassifiers["LoopForm"] = LoopForm
+eClass.eClassifiers.append(LoopForm)
+eClassifiers["SymbolUse"] = SymbolUse
+eClass.eClassifiers.append(SymbolUse)

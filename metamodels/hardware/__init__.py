@@ -1,0 +1,286 @@
+"""A circuit as its drawing says it, whatever drawing tool made it: components, connectors, nets, wires; and what the catalogue of parts says of each component.
+
+Generated from hardware.ecore by robosmi metamodels generate. Do not edit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, MutableSequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import pyecore.ecore as Ecore
+from pyecore.ecore import EBoolean, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
+
+from robosmi.model.strict import Element
+
+name = "hardware"
+nsURI = "http://robosmi.org/hardware/1"
+nsPrefix = "hardware"
+
+eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClassifiers: dict[str, Any] = {}
+getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+
+if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
+
+    class Role(EnumLiteral):
+        """What a component is for the software: the board itself, gives input, takes output, both, is walked through, supplies, or does not matter (paper 3.2, "auxiliary" is Passive)."""
+
+        Unknown: ClassVar[Role]
+        Board: ClassVar[Role]
+        Input: ClassVar[Role]
+        Output: ClassVar[Role]
+        Both: ClassVar[Role]
+        Passive: ClassVar[Role]
+        Power: ClassVar[Role]
+        Decoration: ClassVar[Role]
+
+    class ConnectorKind(EnumLiteral):
+        """What a connector carries."""
+
+        unknown: ClassVar[ConnectorKind]
+        signal: ClassVar[ConnectorKind]
+        supply: ClassVar[ConnectorKind]
+        ground: ClassVar[ConnectorKind]
+
+else:
+    from robosmi.model.strict import enumeration
+
+    Role = enumeration("Role", {"Unknown": 0, "Board": 1, "Input": 2, "Output": 3, "Both": 4, "Passive": 5, "Power": 6, "Decoration": 7})
+    ConnectorKind = enumeration("ConnectorKind", {"unknown": 0, "signal": 1, "supply": 2, "ground": 3})
+
+
+class Circuit(Element, metaclass=MetaEClass):
+    """A whole drawing."""
+
+    name: str = EAttribute(eType=EString, default_value='')
+    """Base name of the file, without extension."""
+    path: str = EAttribute(eType=EString, default_value='')
+    """Path relative to the model's own folder once stored, else as given."""
+    digest: str = EAttribute(eType=EString, default_value='')
+    """SHA-256 of the file's bytes, hexadecimal."""
+    tool: str = EAttribute(eType=EString, default_value='')
+    """Name of the drawing tool."""
+    toolVersion: str = EAttribute(eType=EString, default_value='')
+    """Its version as written in the file."""
+    view: str = EAttribute(eType=EString, default_value='')
+    """The view of the drawing from which the connections were read."""
+    components: MutableSequence[Component] = EReference(upper=-1, containment=True)
+    """Everything placed in the drawing but wires."""
+    nets: MutableSequence[Net] = EReference(upper=-1, containment=True)
+    """Sets of connectors that are one node electrically."""
+    wires: MutableSequence[Wire] = EReference(upper=-1, containment=True)
+    """The wires drawn."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            path: str | None = None,
+            digest: str | None = None,
+            tool: str | None = None,
+            toolVersion: str | None = None,
+            view: str | None = None,
+            components: Iterable[Component] | None = None,
+            nets: Iterable[Net] | None = None,
+            wires: Iterable[Wire] | None = None,
+        ) -> None: ...
+
+
+class Component(Element, metaclass=MetaEClass):
+    """A part placed in the drawing."""
+
+    circuit: Circuit | None = EReference()
+    """The drawing."""
+    elementId: str = EAttribute(eType=EString, lower=1)
+    """Identity in the drawing (for Fritzing the model index)."""
+    title: str = EAttribute(eType=EString, default_value='')
+    """Its label in the drawing, not unique."""
+    partId: str = EAttribute(eType=EString, default_value='')
+    """Identity of the part in the tool's catalogue (for Fritzing the module id)."""
+    partTitle: str = EAttribute(eType=EString, default_value='')
+    """Title of the part."""
+    family: str = EAttribute(eType=EString, default_value='')
+    """Family of the part."""
+    tags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Tags of the part."""
+    role: Role = EAttribute(eType=Role)
+    """What it is for the software."""
+    roleEvidence: str = EAttribute(eType=EString, default_value='')
+    """Why it has that role."""
+    driver: bool = EAttribute(eType=EBoolean)
+    """True when it drives a load of its own (motor driver, transistor, shift register)."""
+    properties: MutableSequence[Property] = EReference(upper=-1, containment=True)
+    """Properties of this instance and its part."""
+    connectors: MutableSequence[Connector] = EReference(upper=-1, containment=True)
+    """Its connectors, in the part's order."""
+    buses: MutableSequence[Bus] = EReference(upper=-1, containment=True)
+    """Connectors joined inside the part."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            circuit: Circuit | None = None,
+            elementId: str | None = None,
+            title: str | None = None,
+            partId: str | None = None,
+            partTitle: str | None = None,
+            family: str | None = None,
+            tags: Iterable[str] | None = None,
+            role: Role | None = None,
+            roleEvidence: str | None = None,
+            driver: bool | None = None,
+            properties: Iterable[Property] | None = None,
+            connectors: Iterable[Connector] | None = None,
+            buses: Iterable[Bus] | None = None,
+        ) -> None: ...
+
+
+class Property(Element, metaclass=MetaEClass):
+    """A named value."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    value: str = EAttribute(eType=EString, default_value='')
+    """Its value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            value: str | None = None,
+        ) -> None: ...
+
+
+class Connector(Element, metaclass=MetaEClass):
+    """A connector of a component."""
+
+    component: Component | None = EReference()
+    """The component."""
+    connectorId: str = EAttribute(eType=EString, lower=1)
+    """Identity in the part."""
+    name: str = EAttribute(eType=EString, default_value='')
+    """Its name in the drawing."""
+    kind: ConnectorKind = EAttribute(eType=ConnectorKind)
+    """What it carries."""
+    pin: str = EAttribute(eType=EString, default_value='')
+    """For a board the normalised label of its pin (D9, A0), else empty."""
+    net: Net | None = EReference()
+    """The net it is in."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            component: Component | None = None,
+            connectorId: str | None = None,
+            name: str | None = None,
+            kind: ConnectorKind | None = None,
+            pin: str | None = None,
+            net: Net | None = None,
+        ) -> None: ...
+
+
+class Bus(Element, metaclass=MetaEClass):
+    """Connectors joined inside a component."""
+
+    name: str = EAttribute(eType=EString, default_value='')
+    """Its identity in the part."""
+    connectors: MutableSequence[Connector] = EReference(upper=-1)
+    """The connectors."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            connectors: Iterable[Connector] | None = None,
+        ) -> None: ...
+
+
+class Net(Element, metaclass=MetaEClass):
+    """One electrical node."""
+
+    circuit: Circuit | None = EReference()
+    """The drawing."""
+    name: str = EAttribute(eType=EString, lower=1)
+    """Made of the smallest connector in it, stable between runs."""
+    rail: bool = EAttribute(eType=EBoolean)
+    """True when it distributes a supply or ground."""
+    railEvidence: str = EAttribute(eType=EString, default_value='')
+    """Why it is a rail."""
+    voltage: str = EAttribute(eType=EString, default_value='')
+    """Label of the supply, empty when unknown."""
+    connectors: MutableSequence[Connector] = EReference(upper=-1)
+    """The connectors in it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            circuit: Circuit | None = None,
+            name: str | None = None,
+            rail: bool | None = None,
+            railEvidence: str | None = None,
+            voltage: str | None = None,
+            connectors: Iterable[Connector] | None = None,
+        ) -> None: ...
+
+
+class Wire(Element, metaclass=MetaEClass):
+    """A wire drawn."""
+
+    elementId: str = EAttribute(eType=EString, lower=1)
+    """Identity in the drawing."""
+    color: str = EAttribute(eType=EString, default_value='')
+    """Its colour."""
+    ends: MutableSequence[Connector] = EReference(upper=-1)
+    """The connectors of components at its ends; fewer than two where it ends at another wire."""
+    net: Net | None = EReference()
+    """The net it is part of."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            elementId: str | None = None,
+            color: str | None = None,
+            ends: Iterable[Connector] | None = None,
+            net: Net | None = None,
+        ) -> None: ...
+
+
+Circuit.components.eType = Component
+Circuit.nets.eType = Net
+Circuit.wires.eType = Wire
+Component.circuit.eType = Circuit
+Component.properties.eType = Property
+Component.connectors.eType = Connector
+Component.buses.eType = Bus
+Connector.component.eType = Component
+Connector.net.eType = Net
+Bus.connectors.eType = Connector
+Net.circuit.eType = Circuit
+Net.connectors.eType = Connector
+Wire.ends.eType = Connector
+Wire.net.eType = Net
+Circuit.components.eOpposite = Component.circuit
+Circuit.nets.eOpposite = Net.circuit
+Component.connectors.eOpposite = Connector.component
+Connector.net.eOpposite = Net.connectors
+eClassifiers["Role"] = Role
+eClass.eClassifiers.append(Role)
+eClassifiers["ConnectorKind"] = ConnectorKind
+eClass.eClassifiers.append(ConnectorKind)

@@ -1,0 +1,607 @@
+"""The migration plan, the hub of a migration: every decision as data, with its options, evidence, choice and who made it. It refers to the code, hardware and platform models and copies nothing of them.
+
+Generated from migration.ecore by robosmi metamodels generate. Do not edit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, MutableSequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import pyecore.ecore as Ecore
+from pyecore.ecore import EBoolean, EDouble, EInt, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
+
+from robosmi.model.strict import Element
+
+if TYPE_CHECKING:
+    from ..ccode import Call, Located, NameReference, Program, SourceUnit
+    from ..hardware import Circuit, Component, Connector
+    from ..platform import Adapter, ApiFunction, ApiSymbol, Board, Library, Pin, PinConvention, Platform
+    from ..trace import Trace
+
+name = "migration"
+nsURI = "http://robosmi.org/migration/1"
+nsPrefix = "migration"
+
+eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClassifiers: dict[str, Any] = {}
+getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+
+if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
+
+    class ChosenBy(EnumLiteral):
+        """Who made a choice."""
+
+        nobody: ClassVar[ChosenBy]
+        rule: ClassVar[ChosenBy]
+        history: ClassVar[ChosenBy]
+        person: ClassVar[ChosenBy]
+        defaultValue: ClassVar[ChosenBy]
+
+    class Action(EnumLiteral):
+        """What happens to an element of the program."""
+
+        retain: ClassVar[Action]
+        adapt: ClassVar[Action]
+        drop: ClassVar[Action]
+        hoist: ClassVar[Action]
+        rewrite: ClassVar[Action]
+        unsupported: ClassVar[Action]
+
+    class Step(EnumLiteral):
+        """The step of the method a decision belongs to (paper sections 3.1 to 3.4)."""
+
+        none: ClassVar[Step]
+        code: ClassVar[Step]
+        hardware: ClassVar[Step]
+        libraries: ClassVar[Step]
+        generation: ClassVar[Step]
+
+    class AdapterStatus(EnumLiteral):
+        """State of an adapter."""
+
+        todo: ClassVar[AdapterStatus]
+        filled: ClassVar[AdapterStatus]
+        care: ClassVar[AdapterStatus]
+        unsupported: ClassVar[AdapterStatus]
+
+    class SeverityLevel(EnumLiteral):
+        """How bad a finding is."""
+
+        info: ClassVar[SeverityLevel]
+        warning: ClassVar[SeverityLevel]
+        error: ClassVar[SeverityLevel]
+
+    class ProgramStructure(EnumLiteral):
+        """Whether the main function of the program has an endless loop of its own."""
+
+        loopForever: ClassVar[ProgramStructure]
+        runOnce: ClassVar[ProgramStructure]
+
+    class Signal(EnumLiteral):
+        """Direction of a connection seen from the board."""
+
+        read: ClassVar[Signal]
+        write: ClassVar[Signal]
+        bus: ClassVar[Signal]
+
+else:
+    from robosmi.model.strict import enumeration
+
+    ChosenBy = enumeration("ChosenBy", {"nobody": 0, "rule": 1, "history": 2, "person": 3, "defaultValue": 4})
+    Action = enumeration("Action", {"retain": 0, "adapt": 1, "drop": 2, "hoist": 3, "rewrite": 4, "unsupported": 5})
+    Step = enumeration("Step", {"none": 0, "code": 1, "hardware": 2, "libraries": 3, "generation": 4})
+    AdapterStatus = enumeration("AdapterStatus", {"todo": 0, "filled": 1, "care": 2, "unsupported": 3})
+    SeverityLevel = enumeration("SeverityLevel", {"info": 0, "warning": 1, "error": 2})
+    ProgramStructure = enumeration("ProgramStructure", {"loopForever": 0, "runOnce": 1})
+    Signal = enumeration("Signal", {"read": 0, "write": 1, "bus": 2})
+
+
+class MigrationPlan(Element, metaclass=MetaEClass):
+    """One migration of one program to one board."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Name of the sketch to be made."""
+    toolVersion: str = EAttribute(eType=EString, default_value='')
+    """Version of the tool that made the plan."""
+    structure: ProgramStructure = EAttribute(eType=ProgramStructure)
+    """How main is divided."""
+    program: Program | None = EReference()
+    """The program."""
+    circuit: Circuit | None = EReference()
+    """The circuit of the target, if a drawing was given."""
+    source: Platform | None = EReference()
+    """The source platform."""
+    target: Platform | None = EReference()
+    """The target platform."""
+    board: Board | None = EReference()
+    """The target board."""
+    boardComponent: Component | None = EReference()
+    """The board in the drawing."""
+    inputs: MutableSequence[Input] = EReference(upper=-1, containment=True)
+    """The files the plan was made from."""
+    dispositions: MutableSequence[Disposition] = EReference(upper=-1, containment=True)
+    """What happens to each element of the program."""
+    connections: MutableSequence[Connection] = EReference(upper=-1, containment=True)
+    """Which board pin reaches which component (paper, MAPPINGS)."""
+    portBindings: MutableSequence[PortBinding] = EReference(upper=-1, containment=True)
+    """Which port of the source is which connection of the target."""
+    libraryChoices: MutableSequence[LibraryChoice] = EReference(upper=-1, containment=True)
+    """Which library drives which component."""
+    adapterUses: MutableSequence[AdapterUse] = EReference(upper=-1, containment=True)
+    """The platform functions that are called, and how each is adapted."""
+    symbolUses: MutableSequence[SymbolUse] = EReference(upper=-1, containment=True)
+    """The platform symbols that are used, and their placeholders."""
+    edits: MutableSequence[Edit] = EReference(upper=-1, containment=True)
+    """Minimal changes of the text that is carried over."""
+    tasks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
+    """Work that is left for a person."""
+    findings: MutableSequence[PlanFinding] = EReference(upper=-1, containment=True)
+    """What is worth knowing."""
+    trace: Trace | None = EReference(containment=True)
+    """Which elements each decision and each generated line comes from."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            toolVersion: str | None = None,
+            structure: ProgramStructure | None = None,
+            program: Program | None = None,
+            circuit: Circuit | None = None,
+            source: Platform | None = None,
+            target: Platform | None = None,
+            board: Board | None = None,
+            boardComponent: Component | None = None,
+            inputs: Iterable[Input] | None = None,
+            dispositions: Iterable[Disposition] | None = None,
+            connections: Iterable[Connection] | None = None,
+            portBindings: Iterable[PortBinding] | None = None,
+            libraryChoices: Iterable[LibraryChoice] | None = None,
+            adapterUses: Iterable[AdapterUse] | None = None,
+            symbolUses: Iterable[SymbolUse] | None = None,
+            edits: Iterable[Edit] | None = None,
+            tasks: Iterable[PlanTask] | None = None,
+            findings: Iterable[PlanFinding] | None = None,
+            trace: Trace | None = None,
+        ) -> None: ...
+
+
+class Input(Element, metaclass=MetaEClass):
+    """A file the plan was made from."""
+
+    path: str = EAttribute(eType=EString, lower=1)
+    """Its copy, relative to the plan."""
+    digest: str = EAttribute(eType=EString, lower=1)
+    """SHA-256 of its bytes, hexadecimal."""
+    kind: str = EAttribute(eType=EString, default_value='')
+    """source, drawing, code, hardware or platform."""
+    origin: str = EAttribute(eType=EString, default_value='')
+    """Base name of the file as given."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            path: str | None = None,
+            digest: str | None = None,
+            kind: str | None = None,
+            origin: str | None = None,
+        ) -> None: ...
+
+
+@abstract
+class Decision(Element, metaclass=MetaEClass):
+    """Something that can be decided in more than one way."""
+
+    confidence: float = EAttribute(eType=EDouble)
+    """Between 0 and 1."""
+    chosenBy: ChosenBy = EAttribute(eType=ChosenBy)
+    """Who chose."""
+    evidence: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """What speaks for the choice."""
+    open: bool = EAttribute(eType=EBoolean)
+    """True when nothing is chosen."""
+    choice: str = EAttribute(eType=EString, default_value='')
+    """Label of the chosen option, empty when open."""
+    options: MutableSequence[Option] = EReference(upper=-1, containment=True)
+    """The options, best first."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+        ) -> None: ...
+
+
+class Option(Element, metaclass=MetaEClass):
+    """One way to decide."""
+
+    label: str = EAttribute(eType=EString, lower=1)
+    """Its label."""
+    score: float = EAttribute(eType=EDouble)
+    """How well it does; comparable within one decision."""
+    reasons: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Why."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            label: str | None = None,
+            score: float | None = None,
+            reasons: Iterable[str] | None = None,
+        ) -> None: ...
+
+
+class Disposition(Decision):
+    """What happens to an element of the program (paper 3.1)."""
+
+    action: Action = EAttribute(eType=Action)
+    """What is done."""
+    rule: str = EAttribute(eType=EString, default_value='')
+    """Id of the rule that decided."""
+    reason: str = EAttribute(eType=EString, default_value='')
+    """Why, one sentence."""
+    element: Located | None = EReference()
+    """The element."""
+    inLoop: bool = EAttribute(eType=EBoolean)
+    """True for a statement of main that belongs to the repeated part."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+            action: Action | None = None,
+            rule: str | None = None,
+            reason: str | None = None,
+            element: Located | None = None,
+            inLoop: bool | None = None,
+        ) -> None: ...
+
+
+class Connection(Element, metaclass=MetaEClass):
+    """A connector of the board reaches a component (paper 3.2)."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Identifier, unique in the plan (BasicServo2WriteP1)."""
+    signal: Signal = EAttribute(eType=Signal)
+    """Direction."""
+    pin: Pin | None = EReference()
+    """The board's pin."""
+    boardConnectors: MutableSequence[Connector] = EReference(upper=-1)
+    """The connectors of the board that are this pin."""
+    component: Component | None = EReference()
+    """The component."""
+    connectors: MutableSequence[Connector] = EReference(upper=-1)
+    """Its connectors."""
+    via: MutableSequence[Component] = EReference(upper=-1)
+    """Passive components on the way."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            signal: Signal | None = None,
+            pin: Pin | None = None,
+            boardConnectors: Iterable[Connector] | None = None,
+            component: Component | None = None,
+            connectors: Iterable[Connector] | None = None,
+            via: Iterable[Component] | None = None,
+        ) -> None: ...
+
+
+class PortBinding(Decision):
+    """Which connection a port of the source becomes."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Name of the constant or variable, or P12 for a bare pin."""
+    sourcePin: int = EAttribute(eType=EInt, default_value=-1)
+    """Its number on the source board, -1 when not known."""
+    signal: Signal = EAttribute(eType=Signal)
+    """Direction of its uses in the program."""
+    origin: str = EAttribute(eType=EString, default_value='')
+    """declaration, literal or convention."""
+    what: str = EAttribute(eType=EString, default_value='')
+    """What the source says is connected there."""
+    element: Located | None = EReference()
+    """The declaration or the first use."""
+    convention: PinConvention | None = EReference()
+    """The convention of an API, if it is one."""
+    connection: Connection | None = EReference()
+    """The connection chosen."""
+    pin: Pin | None = EReference()
+    """The pin chosen when no connection has it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+            name: str | None = None,
+            sourcePin: int | None = None,
+            signal: Signal | None = None,
+            origin: str | None = None,
+            what: str | None = None,
+            element: Located | None = None,
+            convention: PinConvention | None = None,
+            connection: Connection | None = None,
+            pin: Pin | None = None,
+        ) -> None: ...
+
+
+class LibraryChoice(Decision):
+    """Which library drives a component (paper 3.3)."""
+
+    component: Component | None = EReference()
+    """The component."""
+    chosen: Library | None = EReference()
+    """The library chosen."""
+    candidates: MutableSequence[Library] = EReference(upper=-1)
+    """The candidates, best first."""
+    recommendation: str = EAttribute(eType=EString, default_value='')
+    """library, optional or none."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+            component: Component | None = None,
+            chosen: Library | None = None,
+            candidates: Iterable[Library] | None = None,
+            recommendation: str | None = None,
+        ) -> None: ...
+
+
+class AdapterUse(Element, metaclass=MetaEClass):
+    """A platform function that the program calls (paper 3.4)."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    signature: str = EAttribute(eType=EString, default_value='')
+    """Its raw signature."""
+    targetSignature: str = EAttribute(eType=EString, default_value='')
+    """The signature that is generated: the widths of the source platform, written for the target."""
+    signatureSource: str = EAttribute(eType=EString, default_value='')
+    """header or repository."""
+    status: AdapterStatus = EAttribute(eType=AdapterStatus)
+    """Its state."""
+    notes: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """What is worth knowing about it."""
+    function: ApiFunction | None = EReference()
+    """The function."""
+    adapter: Adapter | None = EReference()
+    """The adapter that fills it, if any."""
+    calls: MutableSequence[Call] = EReference(upper=-1)
+    """The calls."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            signature: str | None = None,
+            targetSignature: str | None = None,
+            signatureSource: str | None = None,
+            status: AdapterStatus | None = None,
+            notes: Iterable[str] | None = None,
+            function: ApiFunction | None = None,
+            adapter: Adapter | None = None,
+            calls: Iterable[Call] | None = None,
+        ) -> None: ...
+
+
+class SymbolUse(Element, metaclass=MetaEClass):
+    """A platform symbol that the program uses."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    placeholder: str = EAttribute(eType=EString, default_value='')
+    """The declaration that is generated for it."""
+    status: AdapterStatus = EAttribute(eType=AdapterStatus)
+    """Its state."""
+    symbol: ApiSymbol | None = EReference()
+    """The symbol."""
+    uses: MutableSequence[NameReference] = EReference(upper=-1)
+    """The uses."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            placeholder: str | None = None,
+            status: AdapterStatus | None = None,
+            symbol: ApiSymbol | None = None,
+            uses: Iterable[NameReference] | None = None,
+        ) -> None: ...
+
+
+class Edit(Element, metaclass=MetaEClass):
+    """A change of the text that is carried over. Edits of a unit never overlap."""
+
+    unit: SourceUnit | None = EReference()
+    """The unit."""
+    startOffset: int = EAttribute(eType=EInt)
+    """Offset of the first byte replaced."""
+    endOffset: int = EAttribute(eType=EInt)
+    """Offset behind the last byte replaced."""
+    replacement: str = EAttribute(eType=EString, default_value='')
+    """The new text."""
+    reason: str = EAttribute(eType=EString, default_value='')
+    """Why."""
+    step: Step = EAttribute(eType=Step)
+    """The step of the method that wants it."""
+    decision: Decision | None = EReference()
+    """The decision that wants it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            unit: SourceUnit | None = None,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            replacement: str | None = None,
+            reason: str | None = None,
+            step: Step | None = None,
+            decision: Decision | None = None,
+        ) -> None: ...
+
+
+class PlanTask(Element, metaclass=MetaEClass):
+    """Work that is left for a person."""
+
+    rule: str = EAttribute(eType=EString, default_value='')
+    """Id of the rule."""
+    severity: SeverityLevel = EAttribute(eType=SeverityLevel)
+    """How urgent."""
+    message: str = EAttribute(eType=EString, default_value='')
+    """What to do, one sentence."""
+    path: str = EAttribute(eType=EString, default_value='')
+    """File it is about, relative to the model's own folder."""
+    line: int = EAttribute(eType=EInt)
+    """Line in it, 0 for none."""
+    column: int = EAttribute(eType=EInt)
+    """Column in it, 0 for none."""
+    effort: str = EAttribute(eType=EString, default_value='')
+    """Rough effort: small, medium or large."""
+    fix: str = EAttribute(eType=EString, default_value='')
+    """How, if known."""
+    elements: MutableSequence[Element] = EReference(upper=-1)
+    """Elements it is about."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            rule: str | None = None,
+            severity: SeverityLevel | None = None,
+            message: str | None = None,
+            path: str | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            effort: str | None = None,
+            fix: str | None = None,
+            elements: Iterable[Element] | None = None,
+        ) -> None: ...
+
+
+class PlanFinding(PlanTask):
+    """Something worth knowing that needs no work."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            rule: str | None = None,
+            severity: SeverityLevel | None = None,
+            message: str | None = None,
+            path: str | None = None,
+            line: int | None = None,
+            column: int | None = None,
+            effort: str | None = None,
+            fix: str | None = None,
+            elements: Iterable[Element] | None = None,
+        ) -> None: ...
+
+
+from ..ccode import Call, Located, NameReference, Program, SourceUnit  # noqa: E402, F811 (after the classes: packages may refer to each other)
+from ..hardware import Circuit, Component, Connector  # noqa: E402, F811 (after the classes: packages may refer to each other)
+from ..platform import Adapter, ApiFunction, ApiSymbol, Board, Library, Pin, PinConvention, Platform  # noqa: E402, F811 (after the classes: packages may refer to each other)
+from ..trace import Trace  # noqa: E402, F811 (after the classes: packages may refer to each other)
+
+
+MigrationPlan.program.eType = Program
+MigrationPlan.circuit.eType = Circuit
+MigrationPlan.source.eType = Platform
+MigrationPlan.target.eType = Platform
+MigrationPlan.board.eType = Board
+MigrationPlan.boardComponent.eType = Component
+MigrationPlan.inputs.eType = Input
+MigrationPlan.dispositions.eType = Disposition
+MigrationPlan.connections.eType = Connection
+MigrationPlan.portBindings.eType = PortBinding
+MigrationPlan.libraryChoices.eType = LibraryChoice
+MigrationPlan.adapterUses.eType = AdapterUse
+MigrationPlan.symbolUses.eType = SymbolUse
+MigrationPlan.edits.eType = Edit
+MigrationPlan.tasks.eType = PlanTask
+MigrationPlan.findings.eType = PlanFinding
+MigrationPlan.trace.eType = Trace
+Decision.options.eType = Option
+Disposition.element.eType = Located
+Connection.pin.eType = Pin
+Connection.boardConnectors.eType = Connector
+Connection.component.eType = Component
+Connection.connectors.eType = Connector
+Connection.via.eType = Component
+PortBinding.element.eType = Located
+PortBinding.convention.eType = PinConvention
+PortBinding.connection.eType = Connection
+PortBinding.pin.eType = Pin
+LibraryChoice.component.eType = Component
+LibraryChoice.chosen.eType = Library
+LibraryChoice.candidates.eType = Library
+AdapterUse.function.eType = ApiFunction
+AdapterUse.adapter.eType = Adapter
+AdapterUse.calls.eType = Call
+SymbolUse.symbol.eType = ApiSymbol
+SymbolUse.uses.eType = NameReference
+Edit.unit.eType = SourceUnit
+Edit.decision.eType = Decision
+PlanTask.elements.eType = EObject
+eClassifiers["ChosenBy"] = ChosenBy
+eClass.eClassifiers.append(ChosenBy)
+eClassifiers["Action"] = Action
+eClass.eClassifiers.append(Action)
+eClassifiers["Step"] = Step
+eClass.eClassifiers.append(Step)
+eClassifiers["AdapterStatus"] = AdapterStatus
+eClass.eClassifiers.append(AdapterStatus)
+eClassifiers["SeverityLevel"] = SeverityLevel
+eClass.eClassifiers.append(SeverityLevel)
+eClassifiers["ProgramStructure"] = ProgramStructure
+eClass.eClassifiers.append(ProgramStructure)
+eClassifiers["Signal"] = Signal
+eClass.eClassifiers.append(Signal)

@@ -1,0 +1,102 @@
+"""Where things come from: links from sources to targets of a transformation, and from lines of generated text to model elements.
+
+Generated from trace.ecore by robosmi metamodels generate. Do not edit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, MutableSequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import pyecore.ecore as Ecore
+from pyecore.ecore import EInt, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
+
+from robosmi.model.strict import Element
+
+name = "trace"
+nsURI = "http://robosmi.org/trace/1"
+nsPrefix = "trace"
+
+eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClassifiers: dict[str, Any] = {}
+getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+
+
+class Trace(Element, metaclass=MetaEClass):
+    """All links of one run."""
+
+    links: MutableSequence[TraceLink] = EReference(upper=-1, containment=True)
+    """Links between model elements."""
+    texts: MutableSequence[TextTrace] = EReference(upper=-1, containment=True)
+    """Links from text."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            links: Iterable[TraceLink] | None = None,
+            texts: Iterable[TextTrace] | None = None,
+        ) -> None: ...
+
+
+class TraceLink(Element, metaclass=MetaEClass):
+    """A rule made targets from sources."""
+
+    rule: str = EAttribute(eType=EString, lower=1)
+    """Name of the rule."""
+    step: str = EAttribute(eType=EString, default_value='')
+    """Step of the method."""
+    sources: MutableSequence[Element] = EReference(upper=-1)
+    """What it was made from."""
+    targets: MutableSequence[Element] = EReference(upper=-1)
+    """What was made."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            rule: str | None = None,
+            step: str | None = None,
+            sources: Iterable[Element] | None = None,
+            targets: Iterable[Element] | None = None,
+        ) -> None: ...
+
+
+class TextTrace(Element, metaclass=MetaEClass):
+    """Lines of a generated file come from elements."""
+
+    path: str = EAttribute(eType=EString, lower=1)
+    """The generated file, relative to the output folder."""
+    line: int = EAttribute(eType=EInt)
+    """First line, from 1."""
+    endLine: int = EAttribute(eType=EInt)
+    """Last line."""
+    step: str = EAttribute(eType=EString, default_value='')
+    """Step of the method that made them."""
+    rule: str = EAttribute(eType=EString, default_value='')
+    """Part of the template that made them."""
+    elements: MutableSequence[Element] = EReference(upper=-1)
+    """The elements they come from."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            path: str | None = None,
+            line: int | None = None,
+            endLine: int | None = None,
+            step: str | None = None,
+            rule: str | None = None,
+            elements: Iterable[Element] | None = None,
+        ) -> None: ...
+
+
+Trace.links.eType = TraceLink
+Trace.texts.eType = TextTrace
+TraceLink.sources.eType = EObject
+TraceLink.targets.eType = EObject
+TextTrace.elements.eType = EObject

@@ -1,0 +1,98 @@
+"""What is said about an input: places, findings and tasks, as plain values with the JSON form of the contract.
+
+A finding is a fact about what was read or made; a task is work that is left for a person. Both have a stable `id`
+(same input, same id), so that scripts can follow them. Exceptions live in `errors`; texts for a terminal in `report`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import Any
+
+
+class Severity(IntEnum):
+    """How bad a finding is; comparable (`Severity.error > Severity.warning`)."""
+
+    info = 0
+    warning = 1
+    error = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Location:
+    """A place in a text file. Lines and columns count from 1; columns count bytes, as compilers do."""
+
+    path: str
+    line: int | None = None
+    column: int | None = None
+    end_line: int | None = None
+    end_column: int | None = None
+
+    def __str__(self) -> str:
+        parts = [self.path]
+        if self.line is not None:
+            parts.append(str(self.line))
+            if self.column is not None:
+                parts.append(str(self.column))
+        return ":".join(parts)
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form of a place."""
+        return {
+            "path": self.path,
+            "line": self.line,
+            "column": self.column,
+            "end_line": self.end_line,
+            "end_column": self.end_column,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing worth knowing about an input or a result.
+
+    Attributes:
+        rule: stable id of the rule, e.g. `RS301` (docs/reference/rules.md lists them).
+        severity: error, warning or info.
+        message: one sentence with the cause.
+        location: where, or None.
+        element: URI of the model element, or None.
+        fix: what to do, or None.
+        evidence: what the finding rests on, JSON values only.
+    """
+
+    rule: str
+    severity: Severity
+    message: str
+    location: Location | None = None
+    element: str | None = None
+    fix: str | None = None
+    evidence: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def id(self) -> str:
+        """Stable over runs with the same input: made of rule, place, element and message."""
+        place = str(self.location) if self.location else ""
+        text = "\0".join([self.rule, place, self.element or "", self.message])
+        return f"{self.rule}-{hashlib.sha256(text.encode()).hexdigest()[:10]}"
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form of a finding or task."""
+        return {
+            "id": self.id,
+            "rule": self.rule,
+            "severity": self.severity.name,
+            "message": self.message,
+            "location": self.location.to_json() if self.location else None,
+            "element": self.element,
+            "fix": self.fix,
+            "evidence": self.evidence,
+        }
+
+
+class Task(Finding):
+    """Work that is left for a person. Same form as a finding (contract: "finding / task")."""
+
+    __slots__ = ()

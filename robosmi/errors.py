@@ -1,0 +1,99 @@
+"""Every error that the framework raises on purpose, and the exit code it stands for.
+
+One root, `RobosmiError`, which is never raised itself. The leaves say whose fault it is: the arguments, the user's
+file, an entry of the platform repository, a tool that is not there, or our own code. An error knows the place, the
+cause and what to do next; its text is `path:line:column: cause` with the next step on a line of its own. Nothing here
+knows a platform, a board or a drawing tool.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robosmi.diagnostics import Location
+
+
+class RobosmiError(Exception):
+    """Root of all errors of this package.
+
+    Args:
+        message: the cause, one sentence without a full stop.
+        location: where, or None if it has no place in a file.
+        fix: what to do next, one sentence; None if there is nothing to advise.
+    """
+
+    exit_code = 70
+
+    def __init__(self, message: str, *, location: Location | None = None, fix: str | None = None) -> None:
+        if type(self) is RobosmiError:
+            raise TypeError("RobosmiError is abstract: raise one of its leaves")
+        super().__init__(message)
+        self.message = message
+        self.location = location
+        self.fix = fix
+
+    def __str__(self) -> str:
+        place = f"{self.location}: " if self.location else ""
+        advice = f"\n  do: {self.fix}" if self.fix else ""
+        return f"{place}{self.message}{advice}"
+
+
+class UsageError(RobosmiError):
+    """The arguments are wrong: unknown option value, ambiguous name, contradiction (exit code 2)."""
+
+    exit_code = 2
+
+
+class SourceError(RobosmiError):
+    """A file of the user's cannot be read, or cannot be used by this command (exit code 3)."""
+
+    exit_code = 3
+
+
+class PlatformDataError(RobosmiError):
+    """An entry of the platform repository is damaged or contradicts another (exit code 3)."""
+
+    exit_code = 3
+
+
+class ModelError(RobosmiError):
+    """A model or metamodel is used against its definition: unknown feature, wrong kind of value, dangling reference (exit code 3)."""
+
+    exit_code = 3
+
+
+class MissingToolError(RobosmiError):
+    """A program that the command needs is not installed (exit code 4)."""
+
+    exit_code = 4
+
+
+class StoppedError(RobosmiError):
+    """Generation stopped: an open choice under `--strict`, or a person's edit that would be lost (exit code 5)."""
+
+    exit_code = 5
+
+
+class CompileError(RobosmiError):
+    """The generated program does not compile or link (exit code 6)."""
+
+    exit_code = 6
+
+
+class InternalError(RobosmiError):
+    """Our own bug (exit code 70)."""
+
+    exit_code = 70
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """The closest of the known words as ` (did you mean 'x'?)`, or an empty text when none is close.
+
+    Args:
+        word: what was written.
+        known: an iterable of the words that exist.
+    """
+    import difflib  # 4 ms, wanted only when something is wrong
+
+    close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f" (did you mean '{close[0]}'?)" if close else ""

@@ -1,0 +1,147 @@
+"""The base class of every generated model class: a pyecore EObject that refuses what Ecore does not know.
+
+pyecore takes a misspelt feature, a misspelt constructor keyword and a text where an enumeration literal is wanted
+without a word; `Element` refuses all three and says what was meant. To type checkers it is a plain typed class, since
+pyecore has no annotations. Generated packages import this module and pyecore, nothing else; it imports no model code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from robosmi.errors import ModelError, did_you_mean
+
+if TYPE_CHECKING:
+
+    class _Base:
+        """What of pyecore's EObject the typed code uses."""
+
+        eClass: ClassVar[Any]
+        eResource: Any
+        eContents: Sequence[Element]
+
+        def __init__(self, **features: Any) -> None: ...
+        def eContainer(self) -> Element | None: ...
+        def eContainmentFeature(self) -> Any: ...
+        def eAllContents(self) -> Iterator[Element]: ...
+        def eIsSet(self, feature: str) -> bool: ...
+        def eGet(self, feature: str) -> Any: ...
+        def eSet(self, feature: str, value: Any) -> None: ...
+        def delete(self, recursive: bool = True) -> None: ...
+
+    class EnumLiteral:
+        """A literal of an enumeration."""
+
+        name: str
+        value: int
+
+else:
+    from pyecore.ecore import EEnum, EEnumLiteral, EObject, EStructuralFeature
+    from pyecore.innerutils import InternalSet
+
+    _Base = EObject
+    EnumLiteral = EEnumLiteral
+
+
+class UnknownFeatureError(ModelError, AttributeError):
+    """A feature that the element's class does not have."""
+
+
+class FeatureValueError(ModelError, TypeError):
+    """A value that the feature does not take."""
+
+
+class Element(_Base):
+    """A model element: a pyecore EObject with strict construction and assignment.
+
+    Args:
+        features: initial values by feature name; many-valued features take any iterable; None is left out.
+
+    Raises:
+        UnknownFeatureError: a name is no feature of the class.
+        FeatureValueError: a value is of the wrong kind.
+    """
+
+    if not TYPE_CHECKING:
+
+        def __new__(cls, *args: Any, **features: Any) -> Any:
+            # As pyecore's, without its process-wide set of all instances and without a guarded assignment each.
+            instance = object.__new__(cls)
+            instance.__dict__.update(
+                _internal_id=None, _isset=InternalSet(), _container=None, _containment_feature=None, _eresource=None, listeners=[],
+                _eternal_listener=[], _inverse_rels=set(), _staticEClass=False, dyn_inst=instance,
+            )  # fmt: skip
+            return instance
+
+    def __init__(self, **features: Any) -> None:
+        from robosmi.model.construct import initialise  # it needs this module's errors
+
+        initialise(self, features)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        enumerations = _features(type(self))
+        expected = enumerations.get(name, _MISSING)
+        if expected is _MISSING:
+            if name in _INTERNAL or name[0] == "_":
+                object.__setattr__(self, name, value)
+                return
+            raise unknown_feature(self, name)
+        if expected is not None and value.__class__ is str:
+            literals = [literal.name for literal in expected.eLiterals]
+            raise FeatureValueError(
+                f"{type(self).__name__}.{name} takes a literal of {expected.name}, not the text '{value}'",
+                fix=f"use one of: {', '.join(f'{expected.name}.{literal}' for literal in literals)}",
+            )
+        try:
+            object.__setattr__(self, name, value)
+        except TypeError as error:
+            raise FeatureValueError(f"{type(self).__name__}.{name} does not take {value!r}: {error}") from error
+
+    def __getattr__(self, name: str) -> Any:
+        if name[:2] == "__":
+            raise AttributeError(name)
+        raise unknown_feature(self, name)
+
+    def __repr__(self) -> str:
+        known = _features(type(self))
+        shown = [f"{n}={self.eGet(n)!r}" for n in ("name", "title", "label", "path", "elementId", "line") if n in known and self.eIsSet(n)]
+        return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
+
+
+_MISSING: Any = object()
+_INTERNAL = frozenset({"listeners", "dyn_inst", "eResource"})
+_CACHE: dict[type, dict[str, Any]] = {}
+
+
+def _features(cls: type) -> dict[str, Any]:
+    """Feature name -> its enumeration, or None where it is of another type."""
+    known = _CACHE.get(cls)
+    if known is None:
+        known = {}
+        for base in reversed(cls.__mro__):
+            for name, feature in base.__dict__.items():
+                if isinstance(feature, EStructuralFeature):
+                    known[name] = feature.eType if isinstance(feature.eType, EEnum) else None
+        if getattr(cls, "eClass", None) is not None:
+            _CACHE[cls] = known
+    return known
+
+
+def unknown_feature(element: Element, name: str) -> UnknownFeatureError:
+    """The error for a name that is no feature of the element, with the nearest that is."""
+    known = _features(type(element))
+    return UnknownFeatureError(
+        f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
+        fix=f"use one of: {', '.join(sorted(known))}",
+    )
+
+
+if not TYPE_CHECKING:
+
+    def enumeration(name: str, literals: dict[str, int]) -> Any:
+        """An Ecore enumeration with these names and values (pyecoregen's own code would number them anew)."""
+        result = EEnum(name)
+        for literal, value in literals.items():
+            result.eLiterals.append(EEnumLiteral(name=literal, value=value))
+        return result

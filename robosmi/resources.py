@@ -1,0 +1,76 @@
+"""Where data files come from: the one place that knows the search order.
+
+Order (first hit wins): `.robosmi/<kind>` in the project folder, each folder of `ROBOSMI_PATH` + `/<kind>`, the user's
+data folder, the data built into the package. So a user overrides a template or adds a board without forking. This
+module reads no data itself and caches nothing but the built-in folders.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+from robosmi.errors import PlatformDataError
+
+KINDS = ("metamodels", "templates", "platform_repo")
+"""The kinds of data there are; each is a folder of the package of that name."""
+
+
+@cache
+def built_in(kind: str) -> Path:
+    """The folder of built-in data of a kind, in a wheel or in a source checkout.
+
+    Raises:
+        PlatformDataError: the installation is incomplete.
+    """
+    import robosmi
+
+    for root in robosmi.__path__:
+        folder = Path(root) / kind
+        if folder.is_dir():
+            return folder
+    raise PlatformDataError(f"the built-in data '{kind}' is not installed", fix="install robosmi again")
+
+
+def user_data() -> Path:
+    """The user's own data folder (XDG base directory specification; `ROBOSMI_HOME` overrides it). It need not exist."""
+    if own := os.environ.get("ROBOSMI_HOME"):
+        return Path(own)
+    return Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share") / "robosmi"
+
+
+def cache_dir() -> Path:
+    """The folder for what can be made again, e.g. compiled cores (XDG base directory specification)."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "robosmi"
+
+
+def folders(kind: str, project: Path | None = None) -> Iterator[Path]:
+    """The existing folders of a kind of data, in search order.
+
+    Args:
+        kind: one of `KINDS`.
+        project: the project folder; the current folder if None.
+    """
+    if kind not in KINDS:
+        raise ValueError(f"no kind of data is called '{kind}'")
+    own = [(project or Path.cwd()) / ".robosmi"]
+    own += [Path(p) for p in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if p]
+    own.append(user_data())
+    for root in own:
+        if (root / kind).is_dir():
+            yield root / kind
+    yield built_in(kind)
+
+
+def find(kind: str, name: str, project: Path | None = None) -> Path:
+    """The first file or folder of that relative name, in search order.
+
+    Raises:
+        PlatformDataError: there is none.
+    """
+    for folder in folders(kind, project):
+        if (folder / name).exists():
+            return folder / name
+    raise PlatformDataError(f"there is no '{name}' among the {kind}", fix="check its name, or the folders in ROBOSMI_PATH")

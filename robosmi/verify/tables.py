@@ -1,0 +1,124 @@
+"""Typed reading of the repository's TOML files: a value of the wrong kind is an error that names file and key.
+
+`Table` is one table of such a file. What the keys mean is known to `boards`, `toolchain_data` and `libraries`; nothing here
+knows a key.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi import resources
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
+
+KIND = "platform_repo"
+"""The kind of data (see `robosmi.resources`) that toolchains, boards and stand-ins are."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """One table of a TOML file of the repository.
+
+    Attributes:
+        path: the file.
+        values: what the table holds.
+        prefix: the keys that lead to the table, with a dot at the end; empty for the whole file.
+    """
+
+    path: Path
+    values: dict[str, Any]
+    prefix: str = ""
+
+    @staticmethod
+    def read(path: Path) -> Table:
+        """The whole file.
+
+        Raises:
+            PlatformDataError: it cannot be read, or is no TOML.
+        """
+        try:
+            return Table(path, tomllib.loads(path.read_text(encoding="utf-8")))
+        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+            raise PlatformDataError(f"the file cannot be read: {error}", location=Location(str(path))) from error
+
+    def error(self, key: str, problem: str) -> PlatformDataError:
+        """An error about a key of this table, to be raised by the caller."""
+        fix = "mend the entry, or remove the file if it is your own"
+        return PlatformDataError(f"'{self.prefix}{key}' {problem}", location=Location(str(self.path)), fix=fix)
+
+    def _get(self, key: str, kind: type | tuple[type, ...], called: str) -> Any:
+        if key not in self.values:
+            raise self.error(key, f"is missing{did_you_mean(key, self.values)}")
+        value = self.values[key]
+        if not isinstance(value, kind) or isinstance(value, bool):
+            raise self.error(key, f"must be {called}, it is {value!r}")
+        return value
+
+    def text(self, key: str, default: str | None = None) -> str:
+        """A text; missing is an error unless there is a default."""
+        if default is not None and key not in self.values:
+            return default
+        return str(self._get(key, str, "a text"))
+
+    def number(self, key: str) -> int:
+        """A whole number."""
+        return int(self._get(key, int, "a whole number"))
+
+    def decimal(self, key: str) -> float:
+        """A number with or without a fraction."""
+        return float(self._get(key, (int, float), "a number"))
+
+    def optional_number(self, key: str) -> int | None:
+        """A whole number, or None if the key is not there."""
+        return self.number(key) if key in self.values else None
+
+    def texts(self, key: str, default: tuple[str, ...] | None = None) -> tuple[str, ...]:
+        """A list of texts; missing is an error unless there is a default."""
+        if default is not None and key not in self.values:
+            return default
+        items = self._get(key, list, "a list of texts")
+        if not all(isinstance(item, str) for item in items):
+            raise self.error(key, f"must be a list of texts, it is {items!r}")
+        return tuple(items)
+
+    def pattern(self, key: str) -> re.Pattern[str]:
+        """A regular expression, compiled so that `^` and `$` match at each line."""
+        try:
+            return re.compile(self.text(key), re.MULTILINE)
+        except re.error as error:
+            raise self.error(key, f"is no regular expression: {error}") from error
+
+    def table(self, key: str) -> Table:
+        """A table inside."""
+        return Table(self.path, self._get(key, dict, "a table"), f"{self.prefix}{key}.")
+
+    def tables(self, key: str, needed: bool = True) -> list[Table]:
+        """A list of tables inside; empty if the key is missing and not needed."""
+        if not needed and key not in self.values:
+            return []
+        items = self._get(key, list, "a list of tables")
+        if not all(isinstance(item, dict) for item in items):
+            raise self.error(key, "must be a list of tables")
+        return [Table(self.path, item, f"{self.prefix}{key}[{index}].") for index, item in enumerate(items)]
+
+
+def find_files(pattern: str, project: Path | None = None) -> Iterator[Path]:
+    """The files or folders of the repository that match, each relative name once: the first in search order wins.
+
+    Args:
+        pattern: as in `Path.glob`, relative to a folder of the repository.
+        project: the project folder; the current folder if None.
+    """
+    seen: set[str] = set()
+    for folder in resources.folders(KIND, project):
+        for path in sorted(folder.glob(pattern)):
+            name = path.relative_to(folder).as_posix()
+            if name not in seen:
+                seen.add(name)
+                yield path

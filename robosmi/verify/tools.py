@@ -1,0 +1,134 @@
+"""The machine's side of a toolchain: where its programs and its core are, their versions, running one.
+
+Everything that starts a process is here. What to start is data (`toolchain_data`); what the output means is read by
+`messages` and `toolchain`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import MissingToolError
+from robosmi.verify.toolchain_data import Toolchain, ToolEntry, places
+
+
+@dataclass(frozen=True)
+class Installed:
+    """A toolchain as found on this machine.
+
+    Attributes:
+        commands: tool key -> path of the program.
+        core: the core's folder.
+        core_version: what the core says about its version, or `unknown`.
+        version: the version of the tool that links.
+    """
+
+    commands: Mapping[str, str]
+    core: Path
+    core_version: str
+    version: str
+    environment: Mapping[str, str]
+
+    def run(self, tool: str, arguments: Sequence[str], cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        """Run a tool to its end, with its output as text."""
+        return run([self.commands[tool], *arguments], cwd, self.environment)
+
+
+def run(
+    command: Sequence[str], cwd: Path | None = None, environment: Mapping[str, str] | None = None
+) -> subprocess.CompletedProcess[str]:
+    """Run a command without input to its end.
+
+    Raises:
+        MissingToolError: the program cannot be started.
+    """
+    try:
+        return subprocess.run(
+            command, cwd=cwd, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace"
+        )
+    except OSError as error:
+        raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
+
+
+def find_tool(entry: ToolEntry, toolchain: Toolchain) -> str | None:
+    """The path of a program: on PATH, else in one of the toolchain's own places."""
+    path = os.environ.get("PATH", os.defpath)
+    for folders in (path, *map(str, places(toolchain.tool_places))):
+        if folders and (found := shutil.which(entry.command, path=folders)):
+            return found
+    return None
+
+
+def find_core(toolchain: Toolchain) -> Path | None:
+    """The core's folder: the one the environment variable names, else the first of the toolchain's places that holds one.
+
+    Raises:
+        MissingToolError: the environment variable names a folder without a core.
+    """
+    env, needed = toolchain.core.text("env"), toolchain.core.text("must_have")
+    if named := os.environ.get(env):
+        if not (Path(named) / needed).is_file():
+            raise MissingToolError(
+                f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",
+                location=Location(named),
+                fix=f"let {env} name the folder that holds {needed}, or unset it",
+            )
+        return Path(named)
+    return next((place for place in places(toolchain.core.texts("places")) if (place / needed).is_file()), None)
+
+
+def core_version(toolchain: Toolchain, core: Path) -> str:
+    """What the core says about its version, or `unknown`."""
+    file = core / toolchain.core.text("version_file")
+    if file.is_file() and (found := toolchain.core.pattern("version_pattern").search(file.read_text(errors="replace"))):
+        return found[1].strip()
+    return "unknown"
+
+
+def tool_version(path: str, arguments: Sequence[str], environment: Mapping[str, str] | None = None) -> str:
+    """The version that a program tells (the last number with dots of its first line), or `unknown`."""
+    first = (run([path, *arguments], environment=environment).stdout.splitlines() or [""])[0]
+    numbers = re.findall(r"\d+(?:\.\d+)+", first)
+    return numbers[-1] if numbers else "unknown"
+
+
+def install_fix(toolchain: Toolchain, packages: Iterable[str]) -> str:
+    """How packages are installed."""
+    return toolchain.install.replace("{packages}", " ".join(dict.fromkeys(packages)))
+
+
+def environment(toolchain: Toolchain) -> dict[str, str]:
+    """The environment that the tools run in."""
+    unset = toolchain.environment.texts("unset", ())
+    result = {name: value for name, value in os.environ.items() if name not in unset}
+    settings = toolchain.environment.table("set")
+    return result | {name: settings.text(name) for name in settings.values}
+
+
+def find_installed(toolchain: Toolchain) -> Installed:
+    """The toolchain's tools and core on this machine.
+
+    Raises:
+        MissingToolError: something is missing; all that is missing is named, with the command that installs it.
+    """
+    found = {key: find_tool(entry, toolchain) for key, entry in toolchain.tools.items()}
+    missing = [toolchain.tools[key].command for key, path in found.items() if path is None]
+    packages = [toolchain.tools[key].package for key, path in found.items() if path is None]
+    core = find_core(toolchain)
+    if core is None:
+        missing.append(toolchain.core.text("name"))
+        packages += toolchain.core.texts("packages")
+    if missing or core is None:
+        raise MissingToolError(f"not installed: {', '.join(missing)}", fix=install_fix(toolchain, packages))
+    commands = {key: path for key, path in found.items() if path is not None}
+    linker = toolchain.tool(toolchain.link)
+    env = environment(toolchain)
+    version = tool_version(commands[linker.key], linker.version, env)
+    return Installed(commands, core, core_version(toolchain, core), version, env)
