@@ -1,1 +1,1 @@
-"""Package."""
+"""The metamodels (.ecore) and one package generated from each."""

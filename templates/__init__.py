@@ -1,1 +1,1 @@
-"""Package."""
+"""Jinja2 templates, free of logic; read through `robosmi.resources`."""

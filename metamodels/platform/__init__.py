@@ -120,6 +120,10 @@ class Platform(Element, metaclass=MetaEClass):
     """True when it runs several cores that a program starts itself."""
     architecture: str = EAttribute(eType=EString, default_value='')
     """Name of the processor architecture as libraries declare it."""
+    coreVersion: str = EAttribute(eType=EString, default_value='')
+    """Version of the target's core that a project names."""
+    mainHeader: str = EAttribute(eType=EString, default_value='')
+    """Header that every program of the platform includes."""
     headers: MutableSequence[Header] = EReference(upper=-1, containment=True)
     """Headers of its API."""
     boards: MutableSequence[Board] = EReference(upper=-1, containment=True)
@@ -143,6 +147,8 @@ class Platform(Element, metaclass=MetaEClass):
             charSigned: bool | None = None,
             hasCogs: bool | None = None,
             architecture: str | None = None,
+            coreVersion: str | None = None,
+            mainHeader: str | None = None,
             headers: Iterable[Header] | None = None,
             boards: Iterable[Board] | None = None,
             libraries: Iterable[Library] | None = None,

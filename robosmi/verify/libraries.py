@@ -1,7 +1,7 @@
 """Which libraries a sketch needs, and where they are: installed ones first, stand-ins of the repository after them.
 
-The preprocessor itself names the headers it cannot find, so conditions and macros count and comments do not. For each such header a
-library that offers it is added, until no header is missing or nothing offers it. Compiling is done by `toolchain`.
+The preprocessor itself names the headers it cannot find, so conditions and macros count and comments do not. For each such
+header a library that offers it is added, until no header is missing or nothing offers it. Compiling is done by `build`.
 """
 
 from __future__ import annotations
@@ -41,11 +41,16 @@ class Library:
     deep: bool
     flat: tuple[str, ...]
 
+    def own_includes(self) -> list[Path]:
+        """The folders that its own sources find headers in, `include` first."""
+        inner = [] if self.deep else [self.include / name for name in self.flat]
+        return [self.include, *(folder for folder in inner if folder.is_dir())]
+
     def files(self, suffixes: Iterable[str]) -> list[Path]:
         """Its source files of these suffixes, sorted."""
         wanted = tuple(suffixes)
-        folders = [self.include, *(self.include / name for name in self.flat)]
-        found = self.include.rglob("*") if self.deep else (path for folder in folders for path in folder.glob("*"))
+        flat = (path for folder in self.own_includes() for path in folder.glob("*"))
+        found = self.include.rglob("*") if self.deep else flat
         return sorted(path for path in found if path.suffix in wanted and path.is_file())
 
     def to_json(self) -> dict[str, str]:
@@ -138,14 +143,12 @@ def resolve(
     waiting = list(sources)
     while waiting:
         source = waiting.pop(0)
-        asked: set[str] = set()
-        while new := [header for header in missing(source, used) if header not in asked]:
-            asked.update(new)
-            # One at a time: the first library may bring the other headers with it.
-            found = next((library for header in new if (library := index.find(header)) and library not in used), None)
+        while True:
+            # One at a time: a library may bring the other headers with it.
+            offers = (index.find(header) for header in missing(source, used))
+            found = next((library for library in offers if library and library not in used), None)
             if found is None:
                 break
-            asked.difference_update(new)
             used.append(found)
             waiting += found.files(suffixes)
     return used

@@ -1,8 +1,8 @@
 """The project file beside a sketch: which board and which libraries it was generated for.
 
-The file is YAML (its name comes from the toolchain's data). Read here is the part of YAML that such
-files are written in: block mappings and lists, comments, quoted texts. Anything else is refused with its line, not guessed. Lines are
-kept, because errors name them; that, and one dependency less, is why no YAML library is used.
+The file is YAML; its name comes from the toolchain's data. Read here is the part of YAML that such files are written in: block
+mappings and lists, comments, quoted texts. Anything else is refused with its line, not guessed. Lines are kept, because errors
+name them; that, and one dependency less, is why no YAML library is used.
 """
 
 from __future__ import annotations
@@ -93,7 +93,9 @@ def parse(text: str, path: Path) -> list[Entry]:
     counts: dict[tuple[str | int, ...], int] = {}
 
     def refuse(line: int, why: str) -> SourceError:
-        return SourceError(f"{why}", location=Location(str(path), line), fix="write it as plain `key: value` lines, indented by spaces")
+        return SourceError(
+            f"{why}", location=Location(str(path), line), fix="write it as plain `key: value` lines, indented by spaces"
+        )
 
     for number, raw in enumerate(text.splitlines(), 1):
         line = raw.rstrip()

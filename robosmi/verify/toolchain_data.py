@@ -145,7 +145,7 @@ def _language(entry: Table, tools: Mapping[str, ToolEntry]) -> Language:
 
 
 def load_toolchains(project: Path | None = None) -> list[Toolchain]:
-    """All toolchains for sketches in the repository, by platform: the files `<platform>/toolchain.toml` with a table `[sketch]`."""
+    """All toolchains for sketches, by platform: the repository's files `<platform>/toolchain.toml` with a table `[sketch]`."""
     paths = find_files("*/toolchain.toml", project)
     return [load_toolchain(path) for path in paths if "sketch" in Table.read(path).values]
 
@@ -166,14 +166,11 @@ def fill(texts: Iterable[str], values: Mapping[str, str], lists: Mapping[str, It
         if lists and text[:1] == "{" and text[1:-1] in lists:
             result += lists[text[1:-1]]
         else:
-            result.append(re.sub(r"\{(\w+)\}", lambda name: _value(name[1], values, text), text))
+            unknown = [name for name in re.findall(r"\{(\w+)\}", text) if name not in values]
+            if unknown:
+                raise PlatformDataError(f"nothing is known for '{{{unknown[0]}}}' in '{text}'", fix="mend the toolchain's data")
+            result.append(re.sub(r"\{(\w+)\}", lambda name: values[name[1]], text))
     return result
-
-
-def _value(name: str, values: Mapping[str, str], text: str) -> str:
-    if name not in values:
-        raise PlatformDataError(f"nothing is known for '{{{name}}}' in '{text}'", fix="mend the toolchain's data")
-    return values[name]
 
 
 def places(texts: Iterable[str], env: str | None = None) -> list[Path]:

@@ -1,1 +1,1 @@
-"""Package."""
+"""Model to model: from code, hardware and platform models to the migration plan."""

@@ -1,1 +1,1 @@
-"""Package."""
+"""EOL-style operations on each metamodel, reused by rules, constraints and templates."""

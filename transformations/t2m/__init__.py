@@ -1,1 +1,1 @@
-"""Package."""
+"""Text to model: readers of programs, drawings and the platform repository."""

@@ -1,0 +1,42 @@
+# make demo   set everything up, move the line follower, show what was made
+# make test   set everything up (system packages too, where this may) and run all tests
+# make lint   ruff and mypy, in an environment of its own
+# make bench  the figures of the README, measured
+# make wheel  build the wheel, install it in a clean environment, use it from another folder
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+.PHONY: demo test lint bench wheel metamodels system-packages clean
+
+$(VENV)/.ready: pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade pip
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[test]'
+	touch $@
+
+demo: $(VENV)/.ready
+	$(BIN)/robosmi migrate docs/examples/line_follower/line_follower.c -o out/line_follower
+	@echo; echo "--- out/line_follower/line_follower/line_follower.ino ---"; cat out/line_follower/line_follower/line_follower.ino
+
+system-packages:
+	@sh .ci/system-packages
+
+test: $(VENV)/.ready system-packages
+	$(BIN)/python -m pytest
+
+lint:
+	@sh .ci/lint
+
+bench: $(VENV)/.ready
+	$(BIN)/python tests/bench/bench.py
+
+wheel:
+	@sh .ci/wheel
+
+metamodels: $(VENV)/.ready
+	$(BIN)/python -m robosmi.model.codegen
+	$(BIN)/python -m robosmi.model.diagram
+
+clean:
+	rm -rf $(VENV) .venv-lint .venv-wheel build dist out *.egg-info

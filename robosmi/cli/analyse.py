@@ -1,0 +1,32 @@
+"""`robosmi analyse FILE...`: what a program uses of its platform."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.cli.common import add_source_options, project_of, write_model
+from robosmi.plugins import content
+from robosmi.project import defaults
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    add_source_options(parser)
+    parser.add_argument("-o", dest="output", metavar="code.xmi", type=Path, help="store the code model as XMI")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("analyse")
+    project = project_of(arguments.files[0])
+    platform = arguments.source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
+    done = content("chain", "analyse")(
+        arguments.files, source_platform=platform, include_dirs=arguments.include_dirs, defines=arguments.defines
+    )
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    report.judge(project.severity, project.accept)
+    if arguments.output:
+        report.artifacts.append(write_model(done.program, arguments.output))
+    return report

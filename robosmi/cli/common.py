@@ -1,0 +1,63 @@
+"""What several commands share: options, pairs `NAME=VALUE`, the project file's place, inputs read by their ending."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, UsageError
+from robosmi.plugins import content
+from robosmi.project import Project, defaults, load_project
+
+
+def add_source_options(parser: argparse.ArgumentParser) -> None:
+    """The options that say how a program is read."""
+    parser.add_argument("files", nargs="+", metavar="FILE", type=Path, help="source file(s) of one program")
+    parser.add_argument("--source-platform", metavar="NAME", help="platform the program was written for")
+    parser.add_argument("-I", dest="include_dirs", action="append", default=[], metavar="DIR", type=Path, help="folder with headers")
+    parser.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="macro defined from outside")
+
+
+def pairs(texts: list[str], option: str) -> dict[str, str]:
+    """`NAME=VALUE` texts as a dict.
+
+    Raises:
+        UsageError: a text has no `=`, or a name comes twice with different values.
+    """
+    result: dict[str, str] = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals or not name.strip() or not value.strip():
+            raise UsageError(f"{option} {text}: this is no NAME=VALUE", fix=f'write {option} "NAME=VALUE"')
+        if result.setdefault(name.strip(), value.strip()) != value.strip():
+            raise UsageError(f"{option} gives '{name.strip()}' two values", fix="give one of them")
+    return result
+
+
+def project_of(first: Path) -> Project:
+    """The project file beside an input."""
+    return load_project(first.parent if first.parent.parts else Path())
+
+
+def reader_for(path: Path) -> Any:
+    """The registered reader for a file's ending.
+
+    Raises:
+        SourceError: no reader takes such a file.
+    """
+    readers = defaults()["readers"]
+    name = readers.get(path.suffix.lower())
+    if name is None:
+        known = ", ".join(sorted(readers))
+        raise SourceError(f"no reader takes a '{path.suffix or path.name}' file", location=Location(str(path)), fix=f"give one of: {known}")
+    return content("reader", name)
+
+
+def write_model(root: Any, path: Path) -> dict[str, str]:
+    """Store a model where the user wants it; the artifact's entry of the report."""
+    from robosmi.model import save_model
+
+    save_model(root, path)
+    return {"path": str(path), "kind": "model"}

@@ -1,0 +1,41 @@
+"""`robosmi compile OUT`: compile a generated sketch with the target's real toolchain."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from robosmi.report import Report
+
+if TYPE_CHECKING:
+    from robosmi.verify.compile_report import CompileReport
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
+    parser.add_argument("--board", metavar="NAME", help="another board than the one in sketch.yaml")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    from robosmi.verify.toolchain import compile_sketch
+
+    compiled = compile_sketch(arguments.output, arguments.board)
+    report = Report("compile", ok=compiled.exit_code == 0, failure_code=compiled.exit_code)
+    report.result = compiled.to_json()
+    report.findings = list(compiled.diagnostics)
+    report.lines = _lines(compiled)
+    return report
+
+
+def _lines(compiled: CompileReport) -> list[str]:
+    lines = [f"compiled for {compiled.board} with {compiled.tool}" if compiled.ok else f"does not compile for {compiled.board}"]
+    for what, used, limit in (("flash", compiled.flash_bytes, compiled.flash_limit), ("RAM", compiled.ram_bytes, compiled.ram_limit)):
+        if used is not None:
+            lines.append(f"  {what}: {used} of {limit} bytes ({100 * used / limit:.0f} %)")
+    lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]
+    if compiled.ok and not compiled.fits:
+        lines.append(f"  too big for this board{f'; it fits on {compiled.fits_on}' if compiled.fits_on else ''}")
+    return lines

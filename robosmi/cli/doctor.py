@@ -1,0 +1,27 @@
+"""`robosmi doctor`: what is installed, what is missing, and what does not work without it."""
+
+from __future__ import annotations
+
+import argparse
+
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """The command has no options of its own."""
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    from robosmi.verify.doctor import tools
+
+    report = Report("doctor")
+    found = tools()
+    report.result = {"tools": [tool.to_json() for tool in found]}
+    width = max(len(tool.name) for tool in found)
+    for tool in found:
+        state = f"{tool.version or 'found'}" if tool.found else "missing"
+        report.lines.append(f"{tool.name:{width}}  {state:12}  {tool.needed_for}")
+        if not tool.found and tool.fix:
+            report.lines.append(f"{'':{width}}  do: {tool.fix}")
+    return report

@@ -1,0 +1,24 @@
+"""`robosmi generate plan.xmi -o OUT`: the sketch again, from a stored plan and the models beside it alone."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.cli.migrate import report_of
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("plan", metavar="plan.xmi", type=Path, help="a stored plan, perhaps edited")
+    parser.add_argument("-o", dest="output", metavar="OUT", type=Path, required=True, help="output folder")
+    parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
+    parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    done = content("chain", "generate")(arguments.plan, arguments.output, dry_run=arguments.dry_run, strict=arguments.strict)
+    return report_of(done, "generate", {}, ())

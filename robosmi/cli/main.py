@@ -1,0 +1,150 @@
+"""The entry point: reads the arguments, runs one command, prints its report, turns errors into exit codes.
+
+Each command is a module of this package with `configure(parser)` and `run(arguments) -> Report`; only the one that is
+asked for is imported. With `--json`, stdout is exactly one document, also when the command failed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import json
+import os
+import sys
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import (
+    CompileError,
+    InternalError,
+    MissingToolError,
+    ModelError,
+    PlatformDataError,
+    RobosmiError,
+    SourceError,
+    StoppedError,
+    UsageError,
+    did_you_mean,
+)
+
+COMMANDS = {
+    "analyse": "what a program uses of its platform",
+    "hardware": "which pin of a drawn board drives which component",
+    "recommend": "which library drives which component",
+    "migrate": "move a program to the board of a drawing",
+    "generate": "make the sketch again from a stored plan",
+    "compile": "compile a generated sketch",
+    "metamodels": "hand out the metamodels, or generate Python packages from one",
+    "doctor": "what is installed and what is missing",
+}
+
+ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
+    (UsageError, "RS901"),
+    (ModelError, "RS907"),
+    (SourceError, "RS902"),
+    (PlatformDataError, "RS903"),
+    (MissingToolError, "RS904"),
+    (StoppedError, "RS905"),
+    (CompileError, "RS906"),
+    (RobosmiError, "RS970"),
+)
+
+
+class _Parser(argparse.ArgumentParser):
+    """An argument parser that raises what `main` reports, instead of ending the process."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(message, fix=f"see: {self.prog} --help")
+
+
+def build_parser(command: str | None = None) -> argparse.ArgumentParser:
+    """The parser, with the options of one command only (all others are listed with their summaries).
+
+    Args:
+        command: the command whose options are wanted, or None for the summaries alone.
+    """
+    from robosmi import __version__
+
+    parser = _Parser(prog="robosmi", description="Move robot software between microcontroller boards with models.")
+    parser.add_argument("--version", action="version", version=f"robosmi {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=_Parser)
+    for name, summary in COMMANDS.items():
+        sub = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
+        sub.add_argument("--json", action="store_true", help="print one JSON document to stdout and nothing else")
+        sub.add_argument(
+            "--fail-on", choices=("info", "warning", "error", "never"), default="error",
+            help="exit with 1 when there is a finding of at least this severity (default: error)",
+        )  # fmt: skip
+        if name == command:
+            importlib.import_module(f"robosmi.cli.{name}").configure(sub)
+    return parser
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command.
+
+    Args:
+        arguments: without the program's name; those of the process if None.
+
+    Returns:
+        The exit code of the contract.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    as_json = "--json" in words
+    name = next((w for w in words if not w.startswith("-")), "")
+    try:
+        if name and name not in COMMANDS:
+            raise UsageError(
+                f"there is no command '{name}'{did_you_mean(name, COMMANDS)}", fix=f"use one of: {', '.join(COMMANDS)}"
+            )
+        parsed = build_parser(name).parse_args(words)
+        return _run(parsed)
+    except RobosmiError as error:
+        return _failed(error, name, as_json)
+    except KeyboardInterrupt:
+        print("robosmi: interrupted", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or the interpreter complains at its end
+        return 0
+    except Exception as error:
+        if os.environ.get("ROBOSMI_DEBUG"):
+            raise
+        bug = InternalError(
+            f"{type(error).__name__}: {error}", fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened"
+        )
+        return _failed(bug, name, as_json)
+
+
+def _run(parsed: argparse.Namespace) -> int:
+    from robosmi.report import terminal_text
+
+    report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
+    if parsed.json:
+        _print_json(report.to_json())
+    elif text := terminal_text(report):
+        print(text)
+    sys.stdout.flush()
+    return int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
+
+
+def _failed(error: RobosmiError, command: str, as_json: bool) -> int:
+    if as_json:
+        rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
+        finding = Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
+        document = {
+            "schema": "robosmi/1", "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
+            "artifacts": [], "timings": {},
+        }  # fmt: skip
+        _print_json(document)
+    print(f"robosmi: error: {error}", file=sys.stderr)
+    return error.exit_code
+
+
+def _print_json(document: dict[str, Any]) -> None:
+    print(json.dumps(document, indent=1, ensure_ascii=False))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

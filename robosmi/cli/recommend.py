@@ -1,0 +1,33 @@
+"""`robosmi recommend SKETCH` or `--components FILE.json`: which library drives which component."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.cli.common import project_of
+from robosmi.errors import UsageError
+from robosmi.plugins import content
+from robosmi.project import defaults
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("sketch", metavar="SKETCH", nargs="?", type=Path, help="the drawing")
+    parser.add_argument("--components", metavar="FILE.json", type=Path, help="components as JSON instead of a drawing")
+    parser.add_argument("--ranker", metavar="NAME", help="how to rank")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    if (arguments.sketch is None) == (arguments.components is None):
+        raise UsageError("give a drawing or --components, one of them", fix="see: robosmi recommend --help")
+    report = Report("recommend")
+    project = project_of(arguments.sketch or arguments.components)
+    done = content("chain", "recommend")(
+        arguments.sketch, components=arguments.components, ranker=arguments.ranker or defaults()["rank"]["ranker"], roles=project.roles
+    )
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    report.judge(project.severity, project.accept)
+    return report

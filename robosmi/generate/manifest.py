@@ -1,0 +1,95 @@
+"""The manifest: what the last run made, so that nothing a person changed is ever overwritten.
+
+`.robosmi.json` in the output folder lists every generated file with the digest it had. A file whose digest is not that
+one was edited; the run stops before anything is written. Files that no run made are never touched.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, StoppedError
+from robosmi.model.files import digest
+
+NAME = ".robosmi.json"
+SCHEMA = "robosmi-manifest/1"
+
+
+@dataclass
+class Manifest:
+    """Relative path (with slashes) -> SHA-256 of what the last run wrote there."""
+
+    files: dict[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def load(cls, folder: Path) -> Manifest:
+        """The manifest in an output folder; an empty one where there is none.
+
+        Raises:
+            SourceError: it is damaged, so that edits could not be told from generated text.
+        """
+        path = folder / NAME
+        if not path.is_file():
+            return cls()
+        try:
+            data = json.loads(path.read_text(encoding="utf-8"))
+            files = {str(k): str(v) for k, v in data["files"].items()}
+        except (OSError, ValueError, KeyError, AttributeError, TypeError) as error:
+            raise SourceError(
+                f"the record of the last run cannot be read: {error}",
+                location=Location(str(path)),
+                fix="remove it together with the generated files, or give another output folder",
+            ) from error
+        return cls(files)
+
+    @classmethod
+    def of(cls, contents: Mapping[str, bytes]) -> Manifest:
+        """The manifest for new contents."""
+        return cls({name: digest(data) for name, data in contents.items()})
+
+    def to_bytes(self) -> bytes:
+        """The file's bytes, the same for the same contents."""
+        return (json.dumps({"schema": SCHEMA, "files": self.files}, indent=1, sort_keys=True) + "\n").encode()
+
+    def guard(self, folder: Path, contents: Mapping[str, bytes], *, inputs: Iterable[str] = ()) -> frozenset[str]:
+        """Make sure that writing these contents loses nothing.
+
+        Args:
+            folder: the output folder.
+            contents: what is about to be written, relative path -> bytes.
+            inputs: paths among them that the run has read as its input, so that an edit there is already in.
+
+        Returns:
+            Files of the last run that this one no longer makes and nobody changed.
+
+        Raises:
+            StoppedError: a file was changed since the last run, or was never made by a run; all are named.
+        """
+        exempt = set(inputs)
+        edited, foreign, obsolete = [], [], []
+        for name in sorted({*contents, *self.files} - exempt):
+            path = folder / name
+            if not path.is_file():
+                continue
+            data = path.read_bytes()
+            if contents.get(name) == data:
+                continue
+            if name not in self.files:
+                foreign.append(name)
+            elif digest(data) != self.files[name]:
+                if name in contents:
+                    edited.append(name)
+            elif name not in contents:
+                obsolete.append(name)
+        if edited or foreign:
+            why = [f"'{n}' was changed since the last run" for n in edited] + [f"'{n}' was not made by robosmi" for n in foreign]
+            raise StoppedError(
+                f"{'; '.join(why)}: writing would lose it, so nothing was written",
+                location=Location(str(folder / (edited + foreign)[0])),
+                fix="move the file away (or give another output folder with -o), run again, and put your changes back in",
+            )
+        return frozenset(obsolete)

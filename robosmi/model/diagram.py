@@ -1,0 +1,73 @@
+"""Class diagrams of metamodels as Mermaid text, and the README of the built-in ones that shows them.
+
+`python -m robosmi.model.diagram` writes the README anew; a test compares. Mermaid is text that code hosts draw, so the
+diagram needs no tool and cannot fall behind unseen.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from robosmi import resources
+from robosmi.model.codegen import documentation
+
+ORDER = ("ccode", "hardware", "platform", "migration", "trace")
+
+INTRODUCTION = """# The metamodels
+
+Five metamodels are the contract between the rooms of the house: what a program says (`ccode`), what a drawing says
+(`hardware`), what is known of platforms (`platform`), what is decided (`migration`, the plan, the hub), and where
+everything comes from (`trace`). The `.ecore` files are written by hand and are the truth; each package beside them is
+generated (`make metamodels`) and never edited. Eclipse EMF accepts all five; `robosmi metamodels export DIR` hands them
+out. Every class and feature is documented in its `.ecore`.
+
+Facts and decisions are apart: `ccode` and `hardware` hold what a file says and are the same whatever the target; the
+plan refers to them and copies nothing. Diagrams below show classes, containments (filled) and references; attributes
+are in the `.ecore`.
+"""
+
+
+def to_mermaid(package: Any) -> str:
+    """The classes of an EPackage with their inheritance, containments and references.
+
+    Args:
+        package: an EPackage; references to other packages are shown with the other class's name.
+    """
+    lines = ["classDiagram"]
+    for eclass in package.eClassifiers:
+        if not hasattr(eclass, "eReferences"):
+            continue
+        if eclass.abstract:
+            lines += [f"  class {eclass.name} {{", "    <<abstract>>", "  }"]
+        elif not eclass.eReferences and not eclass.eSuperTypes:
+            lines.append(f"  class {eclass.name}")
+        lines += [f"  {base.name} <|-- {eclass.name}" for base in eclass.eSuperTypes]
+        for reference in eclass.eReferences:
+            if reference.eOpposite is not None and reference.eOpposite.containment:
+                continue  # the container's side shows it
+            many = ' "*"' if reference.many else ' "0..1"'
+            arrow = "*--" if reference.containment else "-->"
+            lines.append(f"  {eclass.name} {arrow}{many} {reference.eType.name} : {reference.name}")
+    return "\n".join(lines)
+
+
+def readme() -> str:
+    """The README of the built-in metamodels."""
+    from pyecore.resources import URI, ResourceSet
+
+    folder = resources.built_in("metamodels")
+    parts = [INTRODUCTION]
+    for name in ORDER:
+        package = ResourceSet().get_resource(URI(str(folder / f"{name}.ecore"))).contents[0]
+        classes = [c for c in package.eClassifiers if hasattr(c, "eReferences")]
+        features = sum(len(c.eStructuralFeatures) for c in classes)
+        parts.append(
+            f"## {name}\n\n{documentation(package)}\n\nNamespace `{package.nsURI}`, {len(classes)} classes, {features} features.\n\n"
+            f"```mermaid\n{to_mermaid(package)}\n```\n"
+        )
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    Path(resources.built_in("metamodels") / "README.md").write_text(readme(), encoding="utf-8")

@@ -1,0 +1,139 @@
+"""`robosmi.toml`, the project file beside the input, and the defaults of the platform repository.
+
+Both are read here and nowhere else; a key that nobody knows is an error with the nearest that is meant, since a
+misspelt choice that is silently ignored is worse than none. What the values mean is up to the commands.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from robosmi import resources
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, SourceError, did_you_mean
+
+FILE_NAME = "robosmi.toml"
+LEVELS = ("off", "info", "warning", "error")
+
+
+@dataclass(frozen=True)
+class Accepted:
+    """A finding that the user has looked at and accepts: rule, element (its URI or name) and the reason."""
+
+    rule: str
+    element: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Project:
+    """What the project file says; empty where there is none.
+
+    Attributes:
+        path: the file, or None.
+        hardware: the drawing, an absolute path, or None.
+        target: the target's name, or None.
+        source_platform: the source platform's name, or None.
+        libraries: component (title or `#model_index`) -> library.
+        bind: port of the source -> target pin or mapping.
+        roles: component -> role.
+        severity: rule -> level.
+        accept: accepted findings.
+    """
+
+    path: Path | None = None
+    hardware: Path | None = None
+    target: str | None = None
+    source_platform: str | None = None
+    libraries: dict[str, str] = field(default_factory=dict)
+    bind: dict[str, str] = field(default_factory=dict)
+    roles: dict[str, str] = field(default_factory=dict)
+    severity: dict[str, str] = field(default_factory=dict)
+    accept: tuple[Accepted, ...] = ()
+
+
+_TABLES = ("migrate", "libraries", "bind", "roles", "severity", "accept")
+_MIGRATE = ("hardware", "target", "source_platform")
+
+
+def load_project(folder: Path) -> Project:
+    """The project file in a folder, or an empty project.
+
+    Raises:
+        SourceError: it is not TOML, or has a key or value that means nothing.
+    """
+    path = folder / FILE_NAME
+    if not path.is_file():
+        return Project()
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
+        raise SourceError(f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)") from error
+    _known(path, data, _TABLES, "table")
+    migrate = _table(path, data, "migrate")
+    _known(path, migrate, _MIGRATE, "key in [migrate]")
+    severity = _table(path, data, "severity")
+    for rule, level in severity.items():
+        if level not in LEVELS:
+            raise _wrong(path, f"[severity] {rule} = '{level}' is no level{did_you_mean(level, LEVELS)}", f"use one of: {', '.join(LEVELS)}")
+    return Project(
+        path=path,
+        hardware=(folder / migrate["hardware"]) if "hardware" in migrate else None,
+        target=migrate.get("target"),
+        source_platform=migrate.get("source_platform"),
+        libraries=_table(path, data, "libraries"),
+        bind=_table(path, data, "bind"),
+        roles=_table(path, data, "roles"),
+        severity=severity,
+        accept=tuple(_accepted(path, entry) for entry in data.get("accept", [])),
+    )
+
+
+def _table(path: Path, data: dict[str, Any], name: str) -> dict[str, str]:
+    table = data.get(name, {})
+    if not isinstance(table, dict) or not all(isinstance(v, str) for v in table.values()):
+        raise _wrong(path, f"[{name}] must hold texts only", 'write NAME = "VALUE"')
+    return table
+
+
+def _accepted(path: Path, entry: Any) -> Accepted:
+    keys = ("rule", "element", "reason")
+    if not isinstance(entry, dict) or any(not isinstance(entry.get(k), str) for k in keys):
+        raise _wrong(path, "[[accept]] needs the texts rule, element and reason", "add what is missing")
+    return Accepted(entry["rule"], entry["element"], entry["reason"])
+
+
+def _known(path: Path, data: dict[str, Any], known: tuple[str, ...], what: str) -> None:
+    for key in data:
+        if key not in known:
+            raise _wrong(path, f"'{key}' is no {what}{did_you_mean(key, known)}", f"use one of: {', '.join(known)}")
+
+
+def _wrong(path: Path, message: str, fix: str) -> SourceError:
+    return SourceError(message, location=Location(str(path)), fix=fix)
+
+
+@cache
+def defaults() -> dict[str, Any]:
+    """`platform_repo/defaults.toml`, what commands take when nothing else is said.
+
+    Raises:
+        PlatformDataError: it is damaged.
+    """
+    return read_data(resources.find("platform_repo", "defaults.toml"))
+
+
+def read_data(path: Path) -> dict[str, Any]:
+    """A TOML file of the platform repository.
+
+    Raises:
+        PlatformDataError: it cannot be read.
+    """
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
+        raise PlatformDataError(f"the entry cannot be read: {error}", location=Location(str(path)), fix="correct the entry") from error

@@ -1,0 +1,222 @@
+"""The file of libraries of one target: what is in it and how it is read. One SQLite file, never written to here.
+
+Tables `library` and `header` hold facts; `term` holds, for each word, the headers it occurs in (the gaps between
+their numbers) and how often, each as 8-bit numbers or, where one needs it (`wide`: 1 gaps, 2 counts), as 16-bit ones;
+`run` holds per-header and per-library numbers in one piece, because ranking looks at all of them. Libraries are
+numbered by name, headers by library. No ranking here; the schema and the writing are in `index_writer`.
+"""
+
+from __future__ import annotations
+
+import re
+import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import accumulate
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.recommend.tfidf import Postings
+
+FORMAT = 1
+"""Number of the format: `PRAGMA user_version` of the file."""
+
+APPLICATION = 0x52534C49
+"""What marks such a file: `PRAGMA application_id`, "RSLI"."""
+
+_FIX = "build it again, or install robosmi again"
+
+
+@dataclass(frozen=True, slots=True)
+class Library:
+    """Facts about one library, as it declares them; empty where it declares nothing.
+
+    Attributes:
+        id: its number in the index, by name from 0.
+        name: unique in the index.
+        architectures: processor architectures it is for; `*` for all.
+        depends: libraries it needs, perhaps with a version in brackets.
+        main: bare names of the headers a program includes, best first; never empty.
+        copies: in how many collections a library of this name was seen: a small measure of popularity.
+        in_registry: it is in the registry of the target's maker.
+        origin: where it was read: `owner/repository@commit:folder`.
+    """
+
+    id: int
+    name: str
+    version: str = ""
+    author: str = ""
+    category: str = ""
+    architectures: tuple[str, ...] = ()
+    depends: tuple[str, ...] = ()
+    url: str = ""
+    license: str = ""
+    origin: str = ""
+    main: tuple[str, ...] = ()
+    copies: int = 1
+    in_registry: bool = False
+
+    @property
+    def header(self) -> str:
+        """The one header a program includes: the main one named like the library, else the first main one."""
+        return next((file for file in self.main if is_named_like(file, self.name)), self.main[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """One public header: its number, that of its library, its bare file name, and whether a program includes it."""
+
+    id: int
+    library: int
+    file: str
+    main: bool
+
+
+def is_named_like(file: str, library: str) -> bool:
+    """Whether a header bears the name of a library; letter case, blanks and punctuation do not count."""
+    stem = file.rsplit(".", 1)[0]
+    return _plain(stem) == _plain(library)
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[\W_]+", "", name).casefold()
+
+
+class LibraryIndex:
+    """An index file, open for reading. Implements `tfidf.Documents`. Safe to share between threads.
+
+    Args:
+        path: the file, which must not change while it is open.
+
+    Raises:
+        PlatformDataError: not there, damaged, or of another format.
+    """
+
+    def __init__(self, path: Path) -> None:
+        import sqlite3  # 5 ms, wanted only when libraries are ranked
+
+        self.path = path
+        try:
+            # immutable: no locks, no look for a journal. Python's sqlite3 serialises the calls of several threads
+            self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
+        except sqlite3.Error as error:
+            raise self._damaged(str(error)) from error
+        try:
+            if self._one("PRAGMA application_id") != (APPLICATION,) or self._one("PRAGMA user_version") != (FORMAT,):
+                raise self._damaged(f"it is not an index of libraries of format {FORMAT}")
+            self.library_of = self._run("library_of")
+            self.named = self._run("named")
+            self.is_main = self._run("main")
+            self.copies = self._run("copies")
+        except PlatformDataError:
+            self.close()
+            raise
+        # a drawing has the same few words and candidates again and again
+        self.postings = lru_cache(maxsize=256)(self._postings)
+        self.library = lru_cache(maxsize=2048)(self._library)
+        self.header = lru_cache(maxsize=4096)(self._header)
+
+    @property
+    def documents(self) -> int:
+        """N: how many headers the index has."""
+        return len(self.library_of)
+
+    def __len__(self) -> int:
+        """How many libraries the index has."""
+        return len(self.copies)
+
+    def close(self) -> None:
+        """Close the file. The index cannot be used any more."""
+        self._db.close()
+
+    def _postings(self, term: str) -> Postings:
+        row = self._one("SELECT wide, gaps, counts FROM term WHERE term = ?", term)
+        if row is None:
+            return (), ()
+        wide, gaps, counts = row
+        return tuple(accumulate(_unpack(gaps, wide & 1))), _unpack(counts, wide & 2)
+
+    def _library(self, number: int) -> Library:
+        """The library of that number (0 <= number < len(index)); to be called as `library`.
+
+        Raises:
+            PlatformDataError: the index lacks it.
+        """
+        return self._libraries("id = ?", number)[0]
+
+    def library_named(self, name: str) -> Library | None:
+        """The library of that name: letter for letter, else without regard to case if that is unique, else None."""
+        found = self._libraries("name = ? COLLATE NOCASE", name, may_be_empty=True)
+        exact = [library for library in found if library.name == name]
+        return exact[0] if exact else found[0] if len(found) == 1 else None
+
+    def names(self) -> list[str]:
+        """The names of all libraries, in the order of their numbers."""
+        return [row[0] for row in self._all("SELECT name FROM library ORDER BY id")]
+
+    def _header(self, number: int) -> Header:
+        """The header of that number (0 <= number < `documents`); to be called as `header`.
+
+        Raises:
+            PlatformDataError: the index lacks it.
+        """
+        row = self._one("SELECT id, library, file, main FROM header WHERE id = ?", number)
+        if row is None:
+            raise self._damaged(f"header {number} is not there")
+        return Header(row[0], row[1], row[2], bool(row[3]))
+
+    def headers_named(self, file: str) -> list[Header]:
+        """All headers of that bare file name; those that agree letter for letter, if there are any."""
+        rows = self._all("SELECT id, library, file, main FROM header WHERE file = ? COLLATE NOCASE ORDER BY id", file)
+        found = [Header(row[0], row[1], row[2], bool(row[3])) for row in rows]
+        return [header for header in found if header.file == file] or found
+
+    def _libraries(self, condition: str, value: object, *, may_be_empty: bool = False) -> list[Library]:
+        rows = self._all(
+            "SELECT id, name, version, author, category, architectures, depends, url, license, origin, main, copies, "
+            f"in_registry FROM library WHERE {condition} ORDER BY id",
+            value,
+        )
+        if not rows and not may_be_empty:
+            raise self._damaged(f"library {value} is not there")
+        return [_library_of_row(row) for row in rows]
+
+    def _run(self, name: str) -> Sequence[int]:
+        row = self._one("SELECT numbers FROM run WHERE name = ?", name)
+        if row is None:
+            raise self._damaged(f"the run '{name}' is not there")
+        return _unpack(row[0])
+
+    def _one(self, sql: str, *values: object) -> tuple[Any, ...] | None:
+        rows = self._all(sql, *values)
+        return rows[0] if rows else None
+
+    def _all(self, sql: str, *values: object) -> list[tuple[Any, ...]]:
+        import sqlite3
+
+        try:
+            return self._db.execute(sql, values).fetchall()
+        except sqlite3.Error as error:
+            raise self._damaged(str(error)) from error
+
+    def _damaged(self, cause: str) -> PlatformDataError:
+        return PlatformDataError(f"the index of libraries cannot be used: {cause}", location=Location(str(self.path)), fix=_FIX)
+
+
+def _library_of_row(row: tuple[Any, ...]) -> Library:
+    number, name, version, author, category, architectures, depends, url, licence, origin, main, copies, in_registry = row
+    lists = [_split(text) for text in (architectures, depends, main)]
+    return Library(
+        number, name, version, author, category, lists[0], lists[1], url, licence, origin, lists[2], copies, bool(in_registry)
+    )
+
+
+def _unpack(data: bytes, wide: int = 1) -> Sequence[int]:
+    return struct.unpack(f"<{len(data) // 2}H", data) if wide else data  # bytes are 8-bit numbers already
+
+
+def _split(text: str) -> tuple[str, ...]:
+    return tuple(text.split("\n")) if text else ()

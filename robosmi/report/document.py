@@ -1,0 +1,87 @@
+"""One command's report: schema `robosmi/1` of the contract, and its short text for a terminal."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.project import Accepted
+
+SCHEMA = "robosmi/1"
+
+
+@dataclass
+class Report:
+    """What one command found and made.
+
+    Attributes:
+        command: its name.
+        result: the command's own part of the document.
+        findings: what is worth knowing.
+        tasks: what is left for a person.
+        artifacts: files written, {path, kind}.
+        ok: whether the command did what it was asked to.
+        failure_code: the exit code when it did not.
+        lines: text for a terminal.
+    """
+
+    command: str
+    result: dict[str, Any] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
+    tasks: list[Finding] = field(default_factory=list)
+    artifacts: list[dict[str, str]] = field(default_factory=list)
+    ok: bool = True
+    failure_code: int = 1
+    lines: list[str] = field(default_factory=list)
+    timings: dict[str, float] = field(default_factory=dict)
+    started: float = field(default_factory=time.perf_counter)
+
+    def judge(self, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> None:
+        """Apply the project's severities and accepted findings. An accepted finding stays listed, as info with its reason."""
+        judged: list[Finding] = []
+        for finding in self.findings:
+            level = severity.get(finding.rule)
+            reason = next((a.reason for a in accept if a.rule == finding.rule and a.element in (finding.element, "*")), None)
+            if level == "off":
+                continue
+            if level or reason is not None:
+                evidence = dict(finding.evidence) | ({"accepted": reason} if reason is not None else {})
+                finding = Finding(
+                    finding.rule, Severity.info if reason is not None else Severity[level or "info"], finding.message, finding.location,
+                    finding.element, finding.fix, evidence,
+                )  # fmt: skip
+            judged.append(finding)
+        self.findings = judged
+
+    def exit_code(self, fail_on: str) -> int:
+        """0, or 1 when a finding is at or above the level ("never" for no such level)."""
+        if fail_on == "never":
+            return 0
+        return int(any(finding.severity >= Severity[fail_on] for finding in self.findings))
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's document."""
+        return {
+            "schema": SCHEMA,
+            "command": self.command,
+            "ok": self.ok,
+            "result": self.result,
+            "findings": [f.to_json() for f in self.findings],
+            "tasks": [t.to_json() for t in self.tasks],
+            "artifacts": self.artifacts,
+            "timings": {**self.timings, "total_s": round(time.perf_counter() - self.started, 6)},
+        }
+
+
+def terminal_text(report: Report) -> str:
+    """What a person reads: the command's lines, then findings with their places, as compilers print them."""
+    lines = list(report.lines)
+    for finding in report.findings:
+        place = f"{finding.location}: " if finding.location else ""
+        lines.append(f"{place}{finding.severity.name}: {finding.message} [{finding.rule}]")
+        if finding.fix and finding.severity > Severity.info:
+            lines.append(f"  do: {finding.fix}")
+    return "\n".join(lines)

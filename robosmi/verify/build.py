@@ -1,0 +1,284 @@
+"""One sketch, built for one board in a temporary folder: compile, archive, link, measure.
+
+The sketch's own folder is only read; the tools run in it, so that their messages name its files. What tools, flags and messages
+there are is data (`toolchain_data`); libraries are found by `libraries`, messages read by `messages`, archives kept
+by `archives`. Which sketch and board: `toolchain`.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import MissingToolError
+from robosmi.verify import archives, messages
+from robosmi.verify.boards import Board
+from robosmi.verify.compile_report import (
+    BADLY_NAMED,
+    LITTLE_RAM,
+    STAND_IN_USED,
+    CompileReport,
+)
+from robosmi.verify.libraries import (
+    STAND_IN,
+    Library,
+    LibraryIndex,
+    missing_headers,
+    resolve,
+)
+from robosmi.verify.sketch import Sketch
+from robosmi.verify.toolchain_data import Toolchain, fill
+from robosmi.verify.tools import Installed
+
+
+@dataclass
+class Build:
+    """One sketch, built for one board.
+
+    Attributes:
+        folder: an empty folder to build in.
+    """
+
+    sketch: Sketch
+    board: Board
+    toolchain: Toolchain
+    installed: Installed
+    index: LibraryIndex
+    folder: Path
+
+    def report(self, keep: Path | None = None) -> CompileReport:
+        """Compile, link, measure."""
+        main = self.folder / f"{self.sketch.main.name}{self.toolchain.languages[0].suffixes[0]}"
+        main.write_text(self.sketch.text(self.toolchain), encoding="utf-8", errors="surrogateescape", newline="")
+        sources = [main, *(path.resolve() for path in self.sketch.sources)]
+        libraries = resolve(sources, self.index, self.toolchain.suffixes, self._missing)
+        objects, said, failed = self._compile_sketch(sources, libraries)
+        findings, elsewhere = messages.compiler_findings(said, self.toolchain.messages, self.sketch.folder)
+        report = CompileReport(
+            ok=False,
+            fits=None,
+            fits_on=None,
+            board=self.board.name,
+            tool=self._tool(),
+            flash_bytes=None,
+            ram_bytes=None,
+            flash_limit=self.board.flash_bytes,
+            ram_limit=self.board.ram_bytes,
+            libraries=tuple(libraries),
+            diagnostics=tuple(self._about_sketch(libraries) + findings),
+            warnings_elsewhere=elsewhere,
+        )
+        if failed:
+            read = any(finding.severity is Severity.error for finding in findings)
+            return report if read else _with(report, [messages.unread("compiling", said)])
+        try:
+            used = [(library, self._archive_library(library, libraries)) for library in libraries]
+        except _Broken as broken:
+            errors, more = messages.compiler_findings(broken.text, self.toolchain.messages, self.sketch.folder)
+            return _with(replace(report, warnings_elsewhere=elsewhere + more), errors or [broken.finding()])
+        return self._link(objects, [archive for _, archive in used if archive], report, keep)
+
+    # ---- compiling
+
+    def _tool(self) -> str:
+        linker = self.toolchain.tool(self.toolchain.link)
+        return f"{linker.command} {self.installed.version}, {self.toolchain.core.text('name')} {self.installed.core_version}"
+
+    def _about_sketch(self, libraries: Iterable[Library]) -> list[Finding]:
+        """What can be said before compiling."""
+        place = Location(str(self.sketch.main))
+        findings = [
+            Finding(
+                STAND_IN_USED,
+                Severity.info,
+                f"compiled against a stand-in for the library '{library.name}', which is not installed",
+                place,
+                fix=f"install the library '{library.name}'; the upload needs the real one",
+                evidence={"library": library.name, "compatible_with": library.version},
+            )
+            for library in libraries
+            if library.source == STAND_IN
+        ]
+        if not self.sketch.well_named:
+            name = self.sketch.folder.resolve().name + self.sketch.main.suffix
+            message = f"the main file is not called {name}, as its folder demands"
+            findings.append(Finding(BADLY_NAMED, Severity.warning, message, place, fix=f"rename it to {name}, or the folder"))
+        return findings
+
+    def _flags(self, suffix: str, use: str, mode: str, includes: Sequence[Path]) -> list[str]:
+        """The arguments before the file: mode is `compile` or `scan`."""
+        language = self.toolchain.language(suffix)
+        values = self.board.fill() | {"core": str(self.installed.core)}
+        texts = [*language.flags, *language.by_use[use], *self.toolchain.flags.texts("common")]
+        texts += self.toolchain.flags.texts(mode)
+        return fill(texts, values, {"extra_flags": self.board.extra_flags}) + [f"-I{path}" for path in includes]
+
+    def _own_includes(self, libraries: Iterable[Library]) -> list[Path]:
+        """Where the sketch's headers are found: its own folder (the tools run in it) first."""
+        return [Path("."), *(library.include for library in libraries)]
+
+    @staticmethod
+    def _library_includes(library: Library, libraries: Iterable[Library]) -> list[Path]:
+        """Where a library's headers are found: its own folders first; the sketch's folder is not among them."""
+        return [*library.own_includes(), *(other.include for other in libraries if other is not library)]
+
+    def _missing(self, source: Path, libraries: list[Library]) -> list[str]:
+        """The headers that the preprocessor does not find when it reads a file of the sketch or of a library."""
+        tool = self.toolchain.language(source.suffix).tool
+        owner = next((library for library in libraries if source.is_relative_to(library.include)), None)
+        includes = self._own_includes(libraries) if owner is None else self._library_includes(owner, libraries)
+        flags = self._flags(source.suffix, "library" if owner else "sketch", "scan", includes)
+        said = self.installed.run(tool, [*flags, str(source)], self.sketch.folder)
+        return missing_headers(said.stdout, self.sketch.folder)
+
+    def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:
+        """Compile files side by side: the objects, what was said, and whether one failed."""
+        into.mkdir(exist_ok=True)
+        objects = [into / f"{number}-{source.name}.o" for number, source in enumerate(sources)]
+
+        def one(source: Path, target: Path) -> tuple[str, bool]:
+            flags = self._flags(source.suffix, use, "compile", includes)
+            shown = os.path.relpath(source, self.sketch.folder.resolve()) if source in own else str(source)
+            done = self.installed.run(
+                self.toolchain.language(source.suffix).tool, [*flags, shown, "-o", str(target)], self.sketch.folder
+            )
+            return done.stderr, done.returncode != 0
+
+        own = {path.resolve() for path in self.sketch.sources}
+        with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
+            results = list(pool.map(one, sources, objects))
+        return objects, "".join(text for text, _ in results), any(failed for _, failed in results)
+
+    def _compile_sketch(self, sources: Sequence[Path], libraries: list[Library]) -> tuple[list[Path], str, bool]:
+        return self._compile(sources, "sketch", self._own_includes(libraries), self.folder / "sketch")
+
+    # ---- archives of libraries and of the core
+
+    def _archive(self, name: str, sources: Sequence[Path], use: str, includes: Sequence[Path]) -> Path:
+        """The archive of sources, from the cache or made now."""
+        if found := archives.cached(name):
+            return found
+        into = self.folder / name.removesuffix(".a")
+        objects, said, failed = self._compile(sources, use, includes, into)
+        archive = into / name
+        if not failed:
+            data = self.toolchain.archive
+            arguments = fill(data.texts("arguments"), {"archive": str(archive)}, {"objects": map(str, objects)})
+            done = self.installed.run(self.toolchain.tool(data).key, arguments)
+            failed, said = done.returncode != 0, said + done.stderr
+        if failed:
+            raise _Broken(name, said)
+        return archives.keep(archive, name)
+
+    def _name(self, what: str, files: Iterable[Path], sources: Sequence[Path], use: str, includes: Sequence[Path]) -> str:
+        flags = [self._flags(suffix, use, "compile", includes) for suffix in sorted({path.suffix for path in sources})]
+        key = archives.digest(files, self.installed.commands, self.installed.version, flags)
+        plain = "".join(letter if letter.isalnum() else "_" for letter in what)
+        return f"{plain}-{self.board.name}-{key}.a"
+
+    def _archive_library(self, library: Library, libraries: list[Library]) -> Path | None:
+        """The archive of a library, or None if it is headers only."""
+        sources = library.files(self.toolchain.suffixes)
+        if not sources:
+            return None
+        includes = self._library_includes(library, libraries)
+        folders = [self._core_sources(), *(used.include for used in libraries)]
+        files = [file for folder in folders for file in archives.files_below(folder)]
+        return self._archive(self._name(library.name, files, sources, "library", includes), sources, "library", includes)
+
+    def _core_sources(self) -> Path:
+        return self.installed.core / self.toolchain.core.text("sources")
+
+    def core_archive(self) -> Path:
+        """The archive of the core for this board, from the cache or made now.
+
+        Raises:
+            MissingToolError: the installed core does not compile.
+        """
+        files = archives.files_below(self._core_sources())
+        sources = [path for path in files if path.suffix in self.toolchain.suffixes]
+        for text in fill(self.toolchain.core.texts("board_files"), self.board.fill()):
+            files += archives.files_below(self.installed.core / text)
+        try:
+            return self._archive(self._name("core", files, sources, "core", []), sources, "core", [])
+        except _Broken as broken:
+            raise MissingToolError(
+                f"{self.toolchain.core.text('name')} {self.installed.core_version} does not compile: {broken.first()}",
+                location=Location(str(self.installed.core)),
+                fix=f"install it again, or another version, and name its folder with {self.toolchain.core.text('env')}",
+            ) from broken
+
+    # ---- linking
+
+    def _link(self, objects: list[Path], libraries: list[Path], report: CompileReport, keep: Path | None) -> CompileReport:
+        data = self.toolchain.link
+        elf, hex_file = (self.folder / f"{self.sketch.main.stem}{suffix}" for suffix in (".elf", ".hex"))
+        values = self.board.fill() | {"elf": str(elf), "hex": str(hex_file), "core_archive": str(self.core_archive())}
+        lists = {"objects": [str(path) for path in objects], "libraries": [str(path) for path in libraries]}
+        arguments = fill(data.texts("arguments"), values, lists)
+        tool = self.toolchain.tool(data).key
+        done = self.installed.run(tool, arguments)
+        overflow = False
+        if done.returncode != 0:
+            own = [self.sketch.main, *self.sketch.parts, *self.sketch.sources]
+            undefined = messages.linker_findings(done.stderr, self.toolchain.messages, own)
+            overflow = bool(self.toolchain.messages.pattern("overflow").search(done.stderr))
+            if undefined or not overflow:
+                return _with(report, undefined or [messages.unread("linking", done.stderr)])
+            self.installed.run(tool, [*data.texts("measure"), *arguments])
+        flash, ram = self._measure(values) if elf.is_file() else (None, None)
+        fits = not overflow and flash is not None and flash <= self.board.flash_bytes and (ram or 0) <= self.board.ram_bytes
+        report = replace(report, ok=True, fits=fits, fits_on=self.board.name if fits else None, flash_bytes=flash, ram_bytes=ram)
+        if fits:
+            report = _with(report, self._little_ram(ram or 0))
+        return self._keep(report, values, keep) if keep is not None and not overflow else report
+
+    def _measure(self, values: dict[str, str]) -> tuple[int, int]:
+        """Flash and RAM in bytes: the sums of the sections that the data names."""
+        data = self.toolchain.size
+        done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
+        sections = {match["section"]: int(match["bytes"]) for match in data.pattern("pattern").finditer(done.stdout)}
+        flash, ram = (sum(sections.get(name, 0) for name in data.texts(kind)) for kind in ("flash", "ram"))
+        return flash, ram
+
+    def _little_ram(self, ram: int) -> list[Finding]:
+        percent = 100 * ram // self.board.ram_bytes
+        if percent <= self.toolchain.size.number("ram_warn_percent"):
+            return []
+        message = (
+            f"the program's variables take {percent} % of the RAM; {self.board.ram_bytes - ram} bytes are left for the stack"
+        )
+        fix = "make arrays smaller, or keep constant texts in flash"
+        return [Finding(LITTLE_RAM, Severity.warning, message, Location(str(self.sketch.main)), fix=fix)]
+
+    def _keep(self, report: CompileReport, values: dict[str, str], keep: Path) -> CompileReport:
+        data = self.toolchain.hex
+        done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
+        if done.returncode != 0:
+            return _with(replace(report, ok=False), [messages.unread("converting", done.stderr)])
+        kept = [Path(shutil.copy2(values[name], keep)) for name in ("elf", "hex")]
+        return replace(report, elf=kept[0], hex=kept[1])
+
+
+class _Broken(Exception):
+    """Sources that are not the user's do not compile."""
+
+    def __init__(self, name: str, text: str) -> None:
+        super().__init__(name)
+        self.name = name
+        self.text = text
+
+    def finding(self) -> Finding:
+        return messages.unread(f"compiling {self.name}", self.text)
+
+    def first(self) -> str:
+        return next((line for line in self.text.splitlines() if "error" in line), self.name)
+
+
+def _with(report: CompileReport, findings: Sequence[Finding]) -> CompileReport:
+    return replace(report, diagnostics=(*report.diagnostics, *findings))

@@ -1,0 +1,98 @@
+"""What a compile check found, as a plain value with the contract's JSON form, and the rules its findings come from.
+
+No tool is run and no message is read here; `toolchain` makes the report, `messages` the findings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.verify.libraries import Library
+
+COMPILER_ERROR = "RS801"
+COMPILER_WARNING = "RS802"
+MISSING_HEADER = "RS803"
+LINK_ERROR = "RS804"
+TOO_BIG = "RS805"
+STAND_IN_USED = "RS806"
+LITTLE_RAM = "RS807"
+BADLY_NAMED = "RS808"
+
+RULES = {
+    COMPILER_ERROR: "the compiler reports an error",
+    COMPILER_WARNING: "the compiler warns about the user's own files",
+    MISSING_HEADER: "a header is neither in the sketch, the core, an installed library nor a stand-in",
+    LINK_ERROR: "something that is used is defined nowhere, or twice",
+    TOO_BIG: "the program needs more flash or RAM than the board has",
+    STAND_IN_USED: "a library is not installed; a stand-in of the repository took its place in the check",
+    LITTLE_RAM: "the program fits, but little RAM is left for the stack",
+    BADLY_NAMED: "the main file does not bear its folder's name",
+}
+"""Every rule of the compile check: id -> meaning."""
+
+
+@dataclass(frozen=True)
+class CompileReport:
+    """The result of a compile check.
+
+    Attributes:
+        ok: it compiles and links, whatever its size.
+        fits: it is not too big for the board; None if that is not known, because it does not compile.
+        fits_on: name of a board that it does fit: this one, another one that it was compiled for as well, or None.
+        board: name of the board it was compiled for.
+        tool: compiler and core with their versions.
+        flash_bytes, ram_bytes: what it needs; None if it does not link.
+        flash_limit, ram_limit: what the board has, in bytes.
+        libraries: what it was compiled against, in the order it was found.
+        diagnostics: findings, in the order of the sketch's text.
+        warnings_elsewhere: how many warnings about files that are not the sketch's were left out.
+        seconds: how long it took.
+        elf, hex: the program, where it was to be kept.
+    """
+
+    ok: bool
+    fits: bool | None
+    fits_on: str | None
+    board: str
+    tool: str
+    flash_bytes: int | None
+    ram_bytes: int | None
+    flash_limit: int
+    ram_limit: int
+    libraries: tuple[Library, ...] = ()
+    diagnostics: tuple[Finding, ...] = ()
+    warnings_elsewhere: int = 0
+    seconds: float = 0.0
+    elf: Path | None = field(default=None, compare=False)
+    hex: Path | None = field(default=None, compare=False)
+
+    @property
+    def exit_code(self) -> int:
+        """6 if it does not compile, 1 if it does not fit, else 0 (findings and `--fail-on` are the command's matter)."""
+        return 6 if not self.ok else 0 if self.fits else 1
+
+    @property
+    def errors(self) -> tuple[Finding, ...]:
+        """The findings of severity error."""
+        return tuple(finding for finding in self.diagnostics if finding.severity is Severity.error)
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form of a compile result."""
+        return {
+            "ok": self.ok,
+            "fits": self.fits,
+            "fits_on": self.fits_on,
+            "board": self.board,
+            "tool": self.tool,
+            "flash_bytes": self.flash_bytes,
+            "ram_bytes": self.ram_bytes,
+            "flash_limit": self.flash_limit,
+            "ram_limit": self.ram_limit,
+            "libraries": [library.to_json() for library in self.libraries],
+            "diagnostics": [finding.to_json() for finding in self.diagnostics],
+            "warnings_elsewhere": self.warnings_elsewhere,
+            "seconds": round(self.seconds, 3),
+        }

@@ -1,0 +1,98 @@
+"""What the work needs and whether it is there: programs, cores and Python packages, as plain values for `doctor`.
+
+Programs and cores come from the toolchains' data; the Python packages are those that this package itself imports. Nothing is
+installed here and nothing is raised for what is missing: that is the result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+
+from robosmi.errors import MissingToolError
+from robosmi.verify.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
+
+PACKAGES = {
+    "pyecore": "models",
+    "libclang": "reading C sources",
+    "lxml": "reading drawings, XMI",
+    "jinja2": "generating text",
+    "networkx": "connector mapping",
+}
+"""The Python packages that are needed: distribution name -> what for."""
+
+
+@dataclass(frozen=True)
+class ToolStatus:
+    """One thing that is needed.
+
+    Attributes:
+        name: a program, a core or a Python package.
+        needed_for: the commands or work that need it.
+        found: its path, or None if it is missing.
+        version: its version; None if it is missing, `unknown` if it does not tell.
+        fix: how to get it, or None if it is there.
+    """
+
+    name: str
+    needed_for: str
+    found: str | None
+    version: str | None
+    fix: str | None
+
+    def to_json(self) -> dict[str, str | None]:
+        """The contract's form."""
+        return {
+            "name": self.name,
+            "needed_for": self.needed_for,
+            "found": self.found,
+            "version": self.version,
+            "fix": self.fix,
+        }
+
+
+def tools(project: Path | None = None) -> list[ToolStatus]:
+    """Everything that is needed, Python packages first, then each toolchain's programs and core.
+
+    Args:
+        project: the project folder (see `robosmi.resources`); the current folder if None.
+
+    Raises:
+        PlatformDataError: a toolchain's data is damaged.
+    """
+    result = [_package(name, needed_for) for name, needed_for in PACKAGES.items()]
+    for toolchain in load_toolchains(project):
+        result += _programs(toolchain)
+        result.append(_core(toolchain))
+    return result
+
+
+def _package(name: str, needed_for: str) -> ToolStatus:
+    try:
+        found = metadata.distribution(name)
+    except metadata.PackageNotFoundError:
+        return ToolStatus(name, needed_for, None, None, f"pip install {name}")
+    return ToolStatus(name, needed_for, str(found.locate_file("")), found.version, None)
+
+
+def _programs(toolchain: Toolchain) -> Iterator[ToolStatus]:
+    env = environment(toolchain)
+    for entry in toolchain.tools.values():
+        path = find_tool(entry, toolchain)
+        version = tool_version(path, entry.version, env) if path else None
+        fix = None if path else install_fix(toolchain, [entry.package])
+        yield ToolStatus(entry.command, toolchain.needed_for, path, version, fix)
+
+
+def _core(toolchain: Toolchain) -> ToolStatus:
+    name = toolchain.core.text("name")
+    try:
+        core = find_core(toolchain)
+    except MissingToolError as error:
+        return ToolStatus(name, toolchain.needed_for, None, None, error.fix)
+    if core is None:
+        return ToolStatus(name, toolchain.needed_for, None, None, install_fix(toolchain, toolchain.core.texts("packages")))
+    return ToolStatus(name, toolchain.needed_for, str(core), core_version(toolchain, core), None)

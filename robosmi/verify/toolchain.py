@@ -1,0 +1,77 @@
+"""The compile check: build a sketch with a toolchain described as data, and report what came of it.
+
+`compile_sketch` is the one entrance. It decides which sketch, toolchain and board, and looks for a board that a program fits on;
+the building itself is in `build`, the form of the result in `compile_report`.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from dataclasses import replace
+from pathlib import Path
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import UsageError
+from robosmi.verify.boards import Board, load_boards
+from robosmi.verify.build import Build
+from robosmi.verify.compile_report import TOO_BIG, CompileReport
+from robosmi.verify.libraries import LibraryIndex
+from robosmi.verify.sketch import Sketch, choose_board, find_sketch
+from robosmi.verify.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.tools import Installed, find_installed
+
+
+def compile_sketch(
+    folder_or_sketch: Path, board: str | None = None, *, keep: Path | None = None, project: Path | None = None
+) -> CompileReport:
+    """Compile and link a sketch with the real toolchain. Nothing is written into its folder.
+
+    Args:
+        folder_or_sketch: the generated folder, the sketch's folder in it, or its main file.
+        board: name or full name (fqbn) of a board; None takes the one of the sketch's project file.
+        keep: an existing folder for the program (`.elf`, `.hex`); None keeps nothing.
+        project: the project folder (see `robosmi.resources`); the current folder if None.
+
+    Raises:
+        SourceError: there is no sketch, or its project file cannot be used.
+        UsageError: no board is called that, there are several sketches, or `keep` is no folder.
+        MissingToolError: a tool or the core is not installed; its fix is the command that installs it.
+        PlatformDataError: the repository's data is damaged.
+    """
+    started = time.perf_counter()
+    if keep is not None and not keep.is_dir():
+        raise UsageError("there is no such folder to keep the program in", location=Location(str(keep)), fix="make it first")
+    sketch, toolchain = find_sketch(Path(folder_or_sketch), load_toolchains(project))
+    boards = load_boards(toolchain.platform, project)
+    chosen = choose_board(sketch, boards, toolchain, board)
+    installed = find_installed(toolchain)
+    index = LibraryIndex(toolchain, installed.core, project)
+    report = _build(sketch, chosen, toolchain, installed, index, keep)
+    if report.ok and not report.fits:
+        bigger = [b for b in boards if b.flash_bytes > chosen.flash_bytes or b.ram_bytes > chosen.ram_bytes]
+        others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
+        report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
+        report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
+    return replace(report, seconds=time.perf_counter() - started)
+
+
+def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
+    needs = [
+        f"{used if used is not None else 'more than its'} bytes of {kind}, {limit} are there"
+        for kind, used, limit in (
+            ("flash", report.flash_bytes, report.flash_limit),
+            ("RAM", report.ram_bytes, report.ram_limit),
+        )
+        if used is None or used > limit
+    ]
+    fix = f"it fits on '{report.fits_on}': compile for that board, or make it smaller" if report.fits_on else "make it smaller"
+    message = f"the program is too big for '{report.board}': it needs {' and '.join(needs)}"
+    return Finding(TOO_BIG, Severity.error, message, Location(str(sketch.main)), fix=fix)
+
+
+def _build(
+    sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryIndex, keep: Path | None
+) -> CompileReport:
+    with tempfile.TemporaryDirectory(prefix="robosmi-") as folder:
+        return Build(sketch, board, toolchain, installed, index, Path(folder)).report(keep)

@@ -1,0 +1,30 @@
+"""Programs that a test needs: skip it with the reason where they are missing, fail it there if this is the CI.
+
+A test that is skipped everywhere tests nothing; so environment CI=true turns the skip into a failure.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+KNOWN_PLACES = {"arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h")}
+"""Things that are no programs: name -> a file that is there if it is installed (Debian)."""
+
+
+def require_tools(*names: str) -> None:
+    """Skip the running test unless all these programs are installed; with CI=true fail instead.
+
+    Args:
+        names: programs on PATH, or keys of `KNOWN_PLACES`.
+    """
+    missing = [name for name in names if not (KNOWN_PLACES[name].is_file() if name in KNOWN_PLACES else shutil.which(name))]
+    if not missing:
+        return
+    reason = f"not installed: {', '.join(missing)}"
+    if os.environ.get("CI") == "true":
+        pytest.fail(f"{reason} (CI=true: a skipped test would test nothing)")
+    pytest.skip(reason)

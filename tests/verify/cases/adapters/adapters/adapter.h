@@ -1,0 +1,3 @@
+#pragma once
+
+void blink(int pin, int times);

@@ -1,0 +1,6 @@
+#include "counter.h"
+
+int count(void) {
+  static int calls;
+  return ++calls;
+}

@@ -1,0 +1,4 @@
+void step() {
+  digitalWrite(13, HIGH);
+  undeclared();
+}

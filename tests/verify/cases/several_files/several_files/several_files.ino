@@ -1,0 +1,5 @@
+void step();
+
+void setup() {}
+
+void loop() { step(); }

@@ -1,0 +1,7 @@
+#include <Arduino.h>
+
+#include "adapter.h"
+
+void turn(int pin) {
+  digitalWrite(pin, HIHG);
+}

@@ -1,0 +1,5 @@
+#include "adapter.h"
+
+void setup() {}
+
+void loop() { turn(3); }

@@ -1,0 +1,3 @@
+#include "Helper.h"
+#include "inner.h"
+int help(int pin) { return inner(pin); }

@@ -1,0 +1,2 @@
+#include "inner.h"
+int inner(int pin) { return pin + 1; }

@@ -1,0 +1,118 @@
+"""The parts of the compile check that need no tools: project files, messages, make rules, data, doctor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from robosmi.errors import PlatformDataError, SourceError
+from robosmi.verify import messages
+from robosmi.verify.doctor import tools
+from robosmi.verify.libraries import missing_headers
+from robosmi.verify.project_file import ProjectFile, read_project_file
+from robosmi.verify.toolchain_data import fill, load_toolchains, version_key
+
+VERIFY = Path(messages.__file__).parent
+CASES = Path(__file__).parent / "cases"
+
+
+def project_file(tmp_path: Path, text: str) -> ProjectFile:
+    """The file of that text, read."""
+    path = tmp_path / "sketch.yaml"
+    path.write_text(text)
+    return read_project_file(path)
+
+
+def test_the_default_profile_names_board_and_libraries() -> None:
+    read = read_project_file(CASES / "for_mega" / "for_mega" / "sketch.yaml")
+    assert (read.board, read.board_line) == ("arduino:avr:mega:cpu=atmega2560", 7)
+    assert read.libraries == {"Servo": "1.2.1", "DHT sensor library": "1.4.6"}
+
+
+@pytest.mark.parametrize(
+    ("text", "board"),
+    [
+        ("profiles:\n  only:\n    fqbn: a:b:c\n", "a:b:c"),
+        ("default_fqbn: 'a:b:c'\n", "a:b:c"),
+        ("profiles:\n  x:\n    fqbn: a:b:c\n  y:\n    fqbn: a:b:d\n", None),
+        ("---\n# nothing\n", None),
+    ],
+)
+def test_the_board_of_other_project_files(tmp_path: Path, text: str, board: str | None) -> None:
+    assert project_file(tmp_path, text).board == board
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("default_profile: uno\n", "1: the default profile 'uno' is not among the profiles"),
+        ("profiles: {uno: {fqbn: a}}\n", "1: '{uno: {fqbn: a}}' is a style of YAML that is not read here"),
+        ("profiles:\n\tuno:\n", "2: a tab indents the line"),
+        ("profiles:\n  uno\n", "2: 'uno' is not a `key: value` line"),
+    ],
+)
+def test_what_is_not_read_is_refused_with_its_line(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(SourceError) as caught:
+        project_file(tmp_path, text)
+    assert f"sketch.yaml:{message}" in str(caught.value)
+
+
+def test_compiler_messages_become_findings_once_with_their_notes(tmp_path: Path) -> None:
+    (tmp_path / "x.ino").write_text("")
+    said = (
+        "In file included from x.ino:1:0:\n"
+        "./x.ino: In function 'void loop()':\n"
+        "./x.ino:3:5: error: too few arguments\n"
+        "/usr/lib/core.h:9:1: note: declared here\n"
+        "x.ino:3:5: error: too few arguments\n"
+        "/usr/lib/core.h:2:1: warning: not ours [-Wunused]\n"
+        "/usr/lib/core.h:7:1: error: used wrongly\n"
+    )
+    found, elsewhere = messages.compiler_findings(said, load_toolchains()[0].messages, tmp_path)
+    assert [str(f.location) for f in found] == [f"{tmp_path}/x.ino:3:5", "/usr/lib/core.h:7:1"]
+    assert [note["message"] for note in found[0].evidence["notes"]] == ["declared here"]
+    assert elsewhere == 1
+
+
+def test_a_tool_that_says_nothing_is_still_a_finding() -> None:
+    assert messages.unread("linking", "").message == "linking failed: the tool said nothing"
+
+
+def test_missing_headers_are_the_names_that_are_no_files(tmp_path: Path) -> None:
+    (tmp_path / "with blank.h").write_text("")
+    (tmp_path / "there.h").write_text("")
+    assert missing_headers("x.o: there.h with\\ blank.h \\\n gone.h sub/gone.h\n", tmp_path) == ["gone.h", "sub/gone.h"]
+    assert missing_headers("", tmp_path) == []
+
+
+def test_braces_are_filled_in() -> None:
+    assert fill(["-I{a}/x", "{many}", "{none}"], {"a": "1"}, {"many": ["p", "q"], "none": []}) == ["-I1/x", "p", "q"]
+    with pytest.raises(PlatformDataError, match=r"nothing is known for '\{b\}' in '-D\{b\}'"):
+        fill(["-D{b}"], {"a": "1"})
+
+
+def test_versions_sort_by_number() -> None:
+    assert sorted(["1.8.10", "1.8.9"], key=version_key) == ["1.8.9", "1.8.10"]
+
+
+def test_doctor_names_what_is_missing_and_how_to_get_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setenv("HOME", str(tmp_path))
+    by_name = {status.name: status.to_json() for status in tools()}
+    assert {"pyecore", "libclang", "lxml", "jinja2", "networkx", "avr-gcc", "Arduino AVR core"} <= set(by_name)
+    assert by_name["avr-gcc"] == {
+        "name": "avr-gcc",
+        "needed_for": "compile, verify",
+        "found": None,
+        "version": None,
+        "fix": "sudo apt install gcc-avr",
+    }
+    assert by_name["networkx"]["version"]
+    assert by_name["networkx"]["fix"] is None
+
+
+def test_the_framework_names_no_platform() -> None:
+    words = ("propeller", "arduino", "fritzing", "avr")
+    for path in VERIFY.glob("*.py"):
+        assert not [word for word in words if word in path.read_text().lower()], path.name

@@ -1,0 +1,27 @@
+"""The chain `generate`: a stored plan, perhaps edited, to the sketch. It reads the plan and the models beside it, nothing else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
+from robosmi.transformations.chains.output import Generated, produce
+
+
+def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False) -> Generated:
+    """Make the sketch of a stored plan.
+
+    Args:
+        plan: a plan.xmi.
+        output: the output folder; it may be the one the plan lies in.
+        dry_run: write nothing.
+        strict: stop when a choice is open.
+
+    Raises:
+        SourceError: the plan or a file beside it cannot be read, or does not match its digest.
+        ModelError: a model contradicts its metamodel.
+        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+    """
+    models = load_models(Path(plan))
+    own = Path(plan).resolve() == (Path(output) / FOLDER / PLAN).resolve()
+    return produce(models, Path(output), inputs=[f"{FOLDER}/{PLAN}"] if own else (), dry_run=dry_run, strict=strict)

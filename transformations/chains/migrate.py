@@ -1,0 +1,207 @@
+"""The chain `migrate`: a program and a drawing to a migration plan, and from it to a sketch (the paper's four steps).
+
+`plan_migration` stops at the plan; `migrate` goes on and writes. The order in which choices count is the contract's:
+flag, project file, history, rule above the limit; what is left stays open.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from robosmi import __version__
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import RobosmiError, SourceError, UsageError
+from robosmi.metamodels import ccode
+from robosmi.plugins import content
+from robosmi.project import Project, defaults, load_project
+from robosmi.query import Q
+from robosmi.recommend.history import History
+from robosmi.transformations.chains.models import FOLDER, MigrationModels
+from robosmi.transformations.chains.output import Generated, produce
+from robosmi.transformations.chains.reading import read_drawing, read_program
+from robosmi.transformations.m2m.library_choice import NO_LIBRARY
+from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
+from robosmi.transformations.queries.circuit import the_board
+from robosmi.transformations.t2m.boards import load_board
+from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.target_platform import target_facts
+
+
+def plan_migration(
+    files: Sequence[str | Path],
+    *,
+    project: Project | None = None,
+    hardware: str | Path | None = None,
+    target: str | None = None,
+    source_platform: str | None = None,
+    include_dirs: Sequence[Path] = (),
+    defines: Sequence[str] = (),
+    libraries: Mapping[str, str] | None = None,
+    bind: Mapping[str, str] | None = None,
+) -> MigrationModels:
+    """Make the plan of a migration, with the models it refers to.
+
+    Args:
+        files: source files of one program.
+        project: the project file; the one beside the first source if None.
+        hardware: drawing of the new hardware; the project file's if None.
+        target: target board.
+        source_platform: platform that the program was written for.
+        include_dirs: folders with headers.
+        defines: macros defined from outside.
+        libraries: component -> library, before the project file.
+        bind: port of the source -> target pin, before the project file.
+
+    Raises:
+        SourceError: an input cannot be read or used.
+        UsageError: a choice names what does not exist.
+    """
+    paths = [Path(f) for f in files]
+    project = project if project is not None else load_project(paths[0].parent)
+    platform_name = source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
+    facts = target_facts(target or project.target or defaults()["migrate"]["target"])
+    drawing_path = Path(hardware) if hardware is not None else project.hardware
+    program, findings = read_program(paths, platform_name, include_dirs, defines)
+    main = _the_main(program)
+    drawn, board, stored = None, None, {}
+    places = _store_units(program)
+    for path in paths:
+        stored[places[str(path)]] = path.read_bytes()
+    if drawing_path is not None:
+        drawing = read_drawing(drawing_path, project.roles)
+        component = the_board(drawing.circuit)
+        board = drawing.board_models.get(component.elementId)
+        if board is not None and board.name != facts.board:
+            raise SourceError(
+                f"the drawing has the board '{component.title}' ({board.title}), the target is '{facts.target}'",
+                location=Location(str(drawing_path)), fix="give the drawing of that target, or another --target",
+            )  # fmt: skip
+        if board is None:
+            raise SourceError(
+                f"nothing is known of the drawn board '{component.title}' ({component.partTitle or component.partId})",
+                location=Location(str(drawing_path)), fix=f"draw a board of the target '{facts.target}'",
+            )  # fmt: skip
+        drawn = Hardware(drawing.circuit, component, drawing.connections)
+        findings = [*findings, *drawing.findings]
+        places[str(drawing_path)] = f"source/{drawing_path.name}"
+        drawing.circuit.path = places[str(drawing_path)]
+        stored[drawing.circuit.path] = drawing_path.read_bytes()
+    else:
+        findings = [*findings, Finding("RS210", Severity.info, "no drawing was given: ports and libraries stay open", fix="give --hardware SKETCH")]
+    choices = Choices(
+        {**project.libraries, **(libraries or {})}, {**project.bind, **(bind or {})}, defaults()["choices"]["limit"], defaults()["rank"]["candidates"]
+    )
+    if choices.libraries and drawn is None:
+        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
+    ranker = content("ranker", defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
+    plan, repository = make_plan(
+        _sketch_name(main), __version__, program, drawn, board or load_board(facts.board), ApiIndex.load(platform_name), facts, choices, ranker,
+        History(), stored, findings, places,
+    )  # fmt: skip
+    return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})
+
+
+def migrate(
+    files: Sequence[str | Path],
+    output: str | Path,
+    *,
+    dry_run: bool = False,
+    strict: bool = False,
+    adapters: str | None = None,
+    project: Project | None = None,
+    hardware: str | Path | None = None,
+    target: str | None = None,
+    source_platform: str | None = None,
+    include_dirs: Sequence[Path] = (),
+    defines: Sequence[str] = (),
+    libraries: Mapping[str, str] | None = None,
+    bind: Mapping[str, str] | None = None,
+) -> Generated:
+    """Migrate a program: plan, generate, write.
+
+    Args:
+        files: source files of one program.
+        output: the output folder.
+        dry_run: write nothing.
+        strict: stop when a choice is open.
+        adapters: `placeholders`; bodies (`filled`) are not there yet.
+        project, hardware, target, source_platform, include_dirs, defines, libraries, bind: see `plan_migration`.
+
+    Raises:
+        SourceError: an input cannot be read or used, or the output cannot be written.
+        UsageError: a choice names what does not exist.
+        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+    """
+    if adapters == "filled":
+        raise UsageError("adapters with bodies are not part of this version", fix="leave out --adapters, or give --adapters placeholders")
+    models = plan_migration(
+        files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
+        defines=defines, libraries=libraries, bind=bind,
+    )  # fmt: skip
+    before = (Path(output) / FOLDER / "plan.xmi").is_file()
+    made = produce(models, Path(output), dry_run=dry_run, strict=strict)
+    if made.written and not before:
+        _remember(models)
+    return made
+
+
+def _the_main(program: ccode.Program) -> ccode.Function:
+    """The one function that is run.
+
+    Raises:
+        SourceError: there is none, or more than one.
+    """
+    found = [(u, d) for u in program.units for d in u.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition]
+    if not found:
+        raise SourceError(
+            "there is no function main, so nothing can be migrated", location=Location(program.units[0].path),
+            fix="give the file that has main, too; analyse works without",
+        )  # fmt: skip
+    if len(found) > 1:
+        unit, second = found[1]
+        raise SourceError(
+            f"main is defined twice: also in {found[0][0].path}:{found[0][1].line}", location=Location(unit.path, second.line, second.column),
+            fix="give the files of one program",
+        )  # fmt: skip
+    return found[0][1]
+
+
+def _store_units(program: ccode.Program) -> dict[str, str]:
+    """Give units the paths of their copies; path as given -> path of the copy."""
+    places: dict[str, str] = {}
+    for unit in program.units:
+        name = Path(unit.path).name
+        stem, number = name, 1
+        while f"source/{name}" in places.values():
+            number += 1
+            name = f"{number}_{stem}"
+        places[unit.path] = f"source/{name}"
+        unit.path = places[unit.path]
+    return places
+
+
+def _sketch_name(main: ccode.Function) -> str:
+    """The sketch's name: that of the unit with main, as the target's tools allow it (letters, digits, underscores)."""
+    from robosmi.query import ancestor_of_kind
+
+    unit = ancestor_of_kind(main, ccode.SourceUnit)
+    stem = Path(unit.path).stem if unit is not None else ""
+    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
+    return name if name[:1].isalnum() else f"sketch_{name}"
+
+
+def _remember(models: MigrationModels) -> None:
+    """Count the libraries that persons chose; a history that cannot be written is a finding, not a failure."""
+    from robosmi.metamodels import migration
+
+    history = History()
+    try:
+        for choice in Q(models.plan.libraryChoices).select(lambda c: c.chosenBy is migration.ChosenBy.person):
+            component = choice.component
+            if component is not None and choice.choice not in ("", NO_LIBRARY):
+                history.record(component.partId, component.partTitle or component.title, choice.choice)
+    except RobosmiError as error:
+        models.plan.findings.append(
+            migration.PlanFinding(rule="RS410", severity=migration.SeverityLevel.warning, message=f"the choice was not remembered: {error.message}")
+        )

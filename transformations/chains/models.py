@@ -1,0 +1,114 @@
+"""The models of one migration and how they are stored: a closed set of files in `OUT/models`, with copies of the sources.
+
+`MigrationModels` is what a migration is in memory. Stored, references between the files are relative, so the folder can
+be moved; read back, every source and model is held against its digest. No transformation is run here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.metamodels import ccode, hardware, migration, platform
+from robosmi.model.files import digest
+from robosmi.model.metamodels import built_in
+from robosmi.model.xmi_reader import read_models
+from robosmi.model.xmi_writer import to_xmi
+
+PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
+FOLDER = "models"
+
+
+@dataclass
+class MigrationModels:
+    """The models of one migration.
+
+    Attributes:
+        plan: the hub.
+        program: the code model; paths of units are relative to the models' folder.
+        circuit: the hardware model, or None.
+        repository: the part of the platform models that the plan refers to.
+        files: copies of what was read, path relative to the models' folder -> bytes.
+        places: the same paths -> the path as the user knows it.
+    """
+
+    plan: migration.MigrationPlan
+    program: ccode.Program
+    circuit: hardware.Circuit | None
+    repository: platform.PlatformRepository
+    files: dict[str, bytes]
+    places: dict[str, str] = field(default_factory=dict)
+
+    def to_files(self) -> dict[str, bytes]:
+        """Everything that is stored, path relative to the models' folder -> bytes; the plan's digests are brought up to date.
+
+        Raises:
+            ModelError: a reference leads out of the set.
+        """
+        roots = {CODE: self.program, PLATFORM: self.repository}
+        if self.circuit is not None:
+            roots[HARDWARE] = self.circuit
+        stored = to_xmi({**roots, PLAN: self.plan})
+        kinds = {CODE: "code", HARDWARE: "hardware", PLATFORM: "platform"}
+        known = {i.path: i for i in self.plan.inputs}
+        for name, kind in kinds.items():
+            if name in stored:
+                if name not in known:
+                    known[name] = migration.Input(path=name, kind=kind, digest="0" * 64, origin=name)
+                    self.plan.inputs.append(known[name])
+                known[name].digest = digest(stored[name])
+        stored[PLAN] = to_xmi({**roots, PLAN: self.plan})[PLAN]
+        return {**stored, **self.files}
+
+
+def load_models(path: Path) -> MigrationModels:
+    """Read a stored plan with the models and sources beside it.
+
+    Raises:
+        SourceError: a file is missing, is no plan, or does not match its digest.
+        ModelError: a model contradicts its metamodel.
+    """
+    roots = {file.name: root for file, root in read_models(path, built_in()).items() if file.parent == path.resolve().parent}
+    plan = roots.get(path.name)
+    if not isinstance(plan, migration.MigrationPlan):
+        kind = type(plan).__name__
+        raise SourceError(f"this model is a {kind}, not a migration plan", location=Location(str(path)), fix="give the plan.xmi of a migration")
+    files: dict[str, bytes] = {}
+    for entry in plan.inputs:
+        data = _checked(path, entry)
+        if entry.path not in roots:
+            files[entry.path] = data
+    program, repository = plan.program, _repository(plan)
+    if program is None or repository is None:
+        missing = "program" if program is None else "target platform"
+        raise SourceError(f"the plan has no {missing}", location=Location(str(path)), fix="make the plan again with migrate")
+    for unit in program.units:
+        if unit.path not in files:
+            raise SourceError(
+                f"the plan has no copy of the source '{unit.path}'", location=Location(str(path)), fix="make the plan again with migrate"
+            )
+    places = {name: str(path.parent / name) for name in files}
+    return MigrationModels(plan, program, plan.circuit, repository, files, places)
+
+
+def _checked(path: Path, entry: migration.Input) -> bytes:
+    file = path.parent / entry.path
+    try:
+        data = file.read_bytes()
+    except OSError as error:
+        raise SourceError(
+            f"the plan's {entry.kind} cannot be read: {error.strerror}", location=Location(str(file)), fix="keep the models' folder together"
+        ) from error
+    if digest(data) != entry.digest:
+        raise SourceError(
+            f"the plan's {entry.kind} is not the one the plan was made from (its digest differs)", location=Location(str(file)),
+            fix="put the original file back, or make the plan again with migrate",
+        )  # fmt: skip
+    return data
+
+
+def _repository(plan: migration.MigrationPlan) -> platform.PlatformRepository | None:
+    root = plan.target.eContainer() if plan.target is not None else None
+    return root if isinstance(root, platform.PlatformRepository) else None

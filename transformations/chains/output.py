@@ -1,0 +1,125 @@
+"""From complete models to the output folder: generate, compare with the last run, write whole or not at all.
+
+Shared by the chains `migrate` and `generate`. The result knows what a report needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding
+from robosmi.errors import StoppedError
+from robosmi.generate.manifest import NAME as MANIFEST
+from robosmi.generate.manifest import Manifest
+from robosmi.model.files import write_folder
+from robosmi.plugins import content
+from robosmi.query import Q
+from robosmi.transformations.chains.models import FOLDER, MigrationModels
+from robosmi.transformations.m2m.edits import derive_edits
+from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said
+from robosmi.transformations.t2m.target_platform import target_facts
+
+KINDS = {".ino": "sketch", ".cpp": "sketch", ".h": "adapters", ".yaml": "project", ".md": "report", ".xmi": "model"}
+
+
+@dataclass
+class Generated:
+    """What a migration made.
+
+    Attributes:
+        models: its models, the plan among them.
+        output: the output folder.
+        contents: every file made, relative path -> bytes.
+        written: whether they were written (not in a dry run).
+    """
+
+    models: MigrationModels
+    output: Path
+    contents: dict[str, bytes]
+    written: bool
+
+    @property
+    def sketch(self) -> Path:
+        """The sketch's folder."""
+        return self.output / self.models.plan.name
+
+    @property
+    def findings(self) -> list[Finding]:
+        """The plan's findings."""
+        return said(Q(self.models.plan.findings), self.models.places)
+
+    def tasks(self) -> list[Finding]:
+        """The plan's tasks."""
+        return said(Q(self.models.plan.tasks), self.models.places)
+
+    def result(self) -> dict[str, Any]:
+        """The contract's result."""
+        return {"plan": plan_json(self.models.plan), "sketch": str(self.sketch), "written": self.written}
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """The files, as the contract lists them; empty in a dry run."""
+        if not self.written:
+            return []
+        return [{"path": str(self.output / name), "kind": _kind(name)} for name in self.contents]
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        plan = self.models.plan
+        sites = call_sites(plan)
+        board = plan.board.title if plan.board else "the target"
+        lines = [f"{'would make' if not self.written else 'made'} {self.sketch} for {board}"]
+        for connection in plan.connections:
+            ports = ", ".join(b.name for b in plan.portBindings if b.connection is connection)
+            pin = connection.pin.label if connection.pin else "?"
+            lines.append(f"  {pin:4} {connection.name:28} {('is ' + ports) if ports else ''}".rstrip())
+        chosen = sorted({c.chosen.name for c in plan.libraryChoices if c.chosen is not None})
+        lines.append(f"  libraries: {', '.join(chosen) or 'none chosen'}; open choices: {len(open_choices(plan))}")
+        lines.append(
+            f"  {sites['total']} calls of {len(plan.adapterUses)} platform functions: {sites['with_body']} with a body, {sites['todo']} to do"
+        )
+        lines.append(f"  {len(plan.tasks)} tasks: see {self.sketch / 'MIGRATION.md'}")
+        return lines
+
+
+def _kind(name: str) -> str:
+    return "source" if name.startswith(f"{FOLDER}/source/") else KINDS.get(Path(name).suffix, "record")
+
+
+def produce(models: MigrationModels, output: Path, *, inputs: Iterable[str] = (), dry_run: bool = False, strict: bool = False) -> Generated:
+    """Generate the sketch of a plan and put it, with the models, into the output folder.
+
+    Args:
+        models: complete models.
+        output: the output folder.
+        inputs: files in it that this run has read, which therefore need no guard.
+        dry_run: write nothing.
+        strict: stop when a choice is open.
+
+    Raises:
+        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        ModelError: the models are not closed.
+        SourceError: the folder cannot be written.
+    """
+    plan = models.plan
+    if strict and (open_ := open_choices(plan)):
+        names = ", ".join(sorted({getattr(d, "name", "") or _component(d) for d in open_}))
+        raise StoppedError(
+            f"{len(open_)} choice(s) are open: {names}", fix="decide with --bind and --library or in robosmi.toml, or leave out --strict"
+        )
+    derive_edits(plan, models.files)
+    generator = content("generator", target_facts(plan.board.name if plan.board else "").generator)
+    contents = {file.path: file.text().encode() for file in generator(plan, models.files)}
+    contents |= {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
+    manifest = Manifest.load(output)
+    obsolete = manifest.guard(output, contents, inputs=inputs)
+    if not dry_run:
+        record = Manifest.of(contents).to_bytes()
+        write_folder(output, {**contents, MANIFEST: record}, obsolete)
+    return Generated(models, output, contents, not dry_run)
+
+
+def _component(decision: Any) -> str:
+    return f"library for {decision.component.title}" if decision.component is not None else "library"

@@ -1,0 +1,78 @@
+"""The chain `recommend`: components, drawn or listed, to ranked libraries."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding
+from robosmi.plugins import content
+from robosmi.project import defaults
+from robosmi.query import Q
+from robosmi.recommend.component import ComponentQuery, read_components
+from robosmi.recommend.history import History
+from robosmi.recommend.ranking import Recommendation
+from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.m2m.library_choice import component_query
+from robosmi.transformations.t2m.target_platform import target_facts
+
+
+@dataclass(frozen=True)
+class Recommendations:
+    """The recommendations for some components, in their order."""
+
+    queries: list[ComponentQuery]
+    answers: list[Recommendation]
+    findings: list[Finding] = field(default_factory=list)
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's result."""
+        return {"recommendations": [answer.to_json() for answer in self.answers]}
+
+    def lines(self) -> list[str]:
+        """What a person reads: the best five for each component, with the first reason."""
+        lines: list[str] = []
+        for query, answer in zip(self.queries, self.answers, strict=True):
+            lines.append(f"{query.label or query.title} ({query.title}): {answer.decision}")
+            for candidate in answer.candidates[:5]:
+                lines.append(f"  {candidate.score:6.3f}  {candidate.library} <{candidate.header}>  {next(iter(candidate.reasons), '')}")
+        return lines
+
+
+def recommend(
+    sketch: Path | None = None,
+    *,
+    components: Path | None = None,
+    ranker: str | None = None,
+    target: str | None = None,
+    roles: Mapping[str, str] | None = None,
+) -> Recommendations:
+    """Rank libraries for the components that a board pin reaches, or for listed ones.
+
+    Args:
+        sketch: a drawing.
+        components: a JSON file with components instead.
+        ranker: name of the ranker.
+        target: the target board.
+        roles: COMPONENT -> role, as the project file says.
+
+    Raises:
+        SourceError: the input cannot be read.
+        UsageError: there is no such ranker or target.
+    """
+    findings: list[Finding] = []
+    if components is not None:
+        queries = list(read_components(components))
+    else:
+        assert sketch is not None
+        drawing = read_drawing(sketch, roles or {})
+        findings = drawing.findings
+        reached = Q(drawing.connections).collect(lambda c: c.component).select(lambda c: c is not None).distinct()
+        queries = [component_query(c) for c in reached if c is not None]
+    facts = target_facts(target or defaults()["migrate"]["target"])
+    rank = content("ranker", ranker or defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
+    history = History()
+    return Recommendations(queries, [rank.rank(query, history) for query in queries], findings)

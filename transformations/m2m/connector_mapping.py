@@ -1,0 +1,326 @@
+"""Which component each pin of a board reaches: Algorithm 1 of the paper on the nets of a circuit (paper 3.2).
+
+`map_connectors` is the algorithm with everything decided that the printed one leaves open: supplies are cut, breadboards
+conduct row by row, only two-terminal passive parts are walked through, drivers and unknown parts end a path.
+`algorithm_1_as_printed` is the printed one, kept for comparison. docs/method/connector-mapping.md gives the reasons and the
+figures. Nothing here knows a drawing tool.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.metamodels import hardware, migration, platform
+from robosmi.transformations.t2m.parts_catalogue import Rules, conducts_by_bus_only, name_direction, rules
+
+Role = hardware.Role
+
+_SILENT = (Role.Board, Role.Power, Role.Decoration)
+_BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
+_SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
+_SIGNALS = {name: getattr(migration.Signal, name) for name in ("read", "write", "bus")}
+
+
+class Reached(NamedTuple):
+    """A component that a path ended at: it, its connectors in the net where the path met it, and the passive parts before."""
+
+    component: hardware.Component
+    connectors: tuple[hardware.Connector, ...]
+    via: tuple[hardware.Component, ...]
+
+
+@dataclass(slots=True)
+class _Mapped:
+    """A mapping before it has a name."""
+
+    board: hardware.Component
+    label: str
+    order: int
+    pin: platform.Pin | None
+    board_connectors: list[hardware.Connector]
+    reached: Reached
+    signal: str = ""
+
+
+@dataclass(slots=True)
+class _State:
+    rules: Rules
+    path: str
+    findings: list[Finding] = field(default_factory=list)
+
+    def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: object) -> None:
+        self.findings.append(Finding(rule, severity, message, Location(self.path), fix=fix, evidence=evidence))
+
+
+def map_connectors(
+    circuit: hardware.Circuit, boards: Mapping[str, platform.Board] | None = None, known: Rules | None = None
+) -> tuple[list[migration.Connection], list[Finding]]:
+    """The connections of every board of a circuit: one for each pin and component that it reaches, in the order of pins.
+
+    Args:
+        circuit: the circuit.
+        boards: the platform's board for a board component, by its `elementId`; pins of others stay without a `platform.Pin`.
+        known: rules on families and names; those of the platform repository if None.
+
+    Returns:
+        The connections with their names, and what was odd (rules RS220 to RS227). A circuit without a board has none.
+    """
+    state = _State(known or rules(), circuit.path)
+    mapped: list[_Mapped] = []
+    for board in circuit.components:
+        if board.role is Role.Board:
+            mapped += _map_board(board, (boards or {}).get(board.elementId), state)
+    names = _names(mapped, state)
+    connections = [
+        migration.Connection(
+            name=name,
+            signal=_SIGNALS[one.signal],
+            pin=one.pin,
+            boardConnectors=one.board_connectors,
+            component=one.reached.component,
+            connectors=one.reached.connectors,
+            via=one.reached.via,
+        )
+        for one, name in zip(mapped, names, strict=True)
+    ]
+    return connections, state.findings
+
+
+def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
+    """The connectors of each signal pin of a board, by its label, digital before analogue and both by number."""
+    pins: dict[str, list[hardware.Connector]] = {}
+    for connector in board.connectors:
+        if connector.pin:
+            pins.setdefault(connector.pin, []).append(connector)
+    return dict(sorted(pins.items(), key=lambda item: _label_order(item[0])))
+
+
+def walk(
+    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: Rules
+) -> list[Reached]:
+    """What is reached from some nets, nearest first: across two-terminal passive parts, never into a rail or a blocked net.
+
+    Args:
+        start: where to begin; rails among them are left out.
+        blocked: nets that passive parts do not lead into.
+        ignore: the component that is asked about.
+        known: which families conduct by bus only.
+    """
+    found: dict[hardware.Component, Reached] = {}
+    closed = {id(net) for net in blocked}
+    todo = deque((net, ()) for net in start if not net.rail)  # type: deque[tuple[hardware.Net, tuple[hardware.Component, ...]]]
+    closed.update(id(net) for net, _ in todo)
+    while todo:
+        net, via = todo.popleft()
+        for component, connectors in _by_component(net):
+            if component is ignore or component.role in _SILENT or component in found:
+                continue
+            if component.role is not Role.Passive:
+                found[component] = Reached(component, tuple(connectors), via)
+                continue
+            beyond = _other_side(component, net, known)
+            if beyond is not None and not beyond.rail and id(beyond) not in closed:
+                closed.add(id(beyond))
+                todo.append((beyond, (*via, component)))
+    return list(found.values())
+
+
+def behind(driver: hardware.Component, known: Rules | None = None) -> tuple[list[hardware.Component], list[hardware.Component]]:
+    """What a driver drives and what it senses: outputs and inputs beyond its connectors that lead to no board.
+
+    They are told for the whole device, not channel by channel, and have no mapping of their own.
+    """
+    nets = list(dict.fromkeys(c.net for c in driver.connectors if c.net is not None and not c.net.rail))
+    free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]
+    signals = [c.net for board in _boards_of(driver) for c in board.connectors if c.pin and c.net is not None]
+    reached = [r.component for r in walk(free, signals, driver, known or rules()) if not r.component.driver]
+    reached.sort(key=lambda component: _natural(component.elementId))
+    return [c for c in reached if c.role is Role.Output], [c for c in reached if c.role is Role.Input]
+
+
+def algorithm_1_as_printed(board: hardware.Component) -> list[tuple[hardware.Connector, hardware.Connector]]:
+    """Algorithm 1 word by word: every connector of the board with every connector of a component that it leads to.
+
+    One line is added, without which it does not end: the connector that is looked at leaves S. Breadboards are parts like
+    any other here, with all their connectors, and supplies conduct.
+    """
+    from robosmi.transformations.queries.circuit import circuit_graph  # it draws in networkx, which is wanted only here
+
+    circuit = board.circuit
+    if circuit is None:
+        return []
+    graph = circuit_graph(circuit)
+    mappings: list[tuple[hardware.Connector, hardware.Connector]] = []
+    for c in board.connectors:
+        pending = [c]
+        visited: set[hardware.Connector] = set()
+        while pending:
+            d = pending.pop()
+            if d in visited:
+                continue
+            visited.add(d)
+            parent = d.component
+            if parent is None:
+                continue
+            if parent.role in (Role.Input, Role.Output):
+                mappings.append((c, d))
+                continue
+            if d.net is not None:
+                pending.extend(other for other in graph.neighbors(d.net) if isinstance(other, hardware.Connector))
+            if parent.role is not Role.Board:
+                pending.extend(parent.connectors)
+    return mappings
+
+
+def identifier(title: str) -> str:
+    """A title without what C forbids in an identifier, `_` before a leading digit; empty if nothing is left.
+
+    Followed by `ReadP1` and its like it can be no keyword and no macro of Arduino's: none ends in `P` and a number.
+    """
+    text = re.sub(r"[^A-Za-z0-9_]", "", title)
+    return f"_{text}" if text[:1].isdigit() else text
+
+
+def _map_board(board: hardware.Component, target: platform.Board | None, state: _State) -> Iterator[_Mapped]:
+    pins = pins_of(board)
+    signal_nets = [c.net for connectors in pins.values() for c in connectors if c.net is not None]
+    known_pins = {pin.label: (place, pin) for place, pin in enumerate(target.pins)} if target is not None else {}
+    if target is not None:
+        pins = dict(sorted(pins.items(), key=lambda item: known_pins.get(item[0], (len(known_pins), None))[0]))
+    _report_joined(board, pins, state)
+    for place, (label, connectors) in enumerate(pins.items()):
+        nets = list(dict.fromkeys(c.net for c in connectors if c.net is not None))
+        for net in nets:
+            _report_net(board, label, net, state)
+        pin = known_pins[label][1] if label in known_pins else None
+        reached = walk(nets, signal_nets, board, state.rules)
+        if reached and target is not None and pin is None:
+            state.report(
+                "RS223",
+                Severity.warning,
+                f"{target.title} has no pin {label}, to which '{_title(reached[0].component)}' is wired",
+            )
+        drawn = [c for c in connectors if c.net is not None]
+        for one in sorted(reached, key=lambda r: _natural(r.component.elementId)):
+            yield _Mapped(board, label, place, pin, drawn, one, _signal(one, state.rules))
+            if one.component.role is Role.Unknown:
+                state.report(
+                    "RS220",
+                    Severity.warning,
+                    f"what '{_title(one.component)}' on {label} does is unknown; it is taken as something that is read",
+                    "give its role in robosmi.toml under [roles]",
+                    model_index=one.component.elementId,
+                )
+
+
+def _report_joined(board: hardware.Component, pins: Mapping[str, list[hardware.Connector]], state: _State) -> None:
+    sharing: dict[int, list[str]] = {}
+    for label, connectors in pins.items():
+        for net in {id(c.net) for c in connectors if c.net is not None and not c.net.rail}:
+            sharing.setdefault(net, []).append(label)
+    for labels in sharing.values():
+        if len(labels) > 1:
+            state.report(
+                "RS224",
+                Severity.warning,
+                f"the pins {', '.join(labels)} of '{_title(board)}' are joined",
+                "check the wires between them; two outputs that are joined can damage the board",
+                pins=labels,
+            )
+
+
+def _report_net(board: hardware.Component, label: str, net: hardware.Net, state: _State) -> None:
+    if net.rail:
+        state.report(
+            "RS221",
+            Severity.info,
+            f"{label} of '{_title(board)}' is tied to a supply and has no mapping: {net.railEvidence}",
+            net=net.name,
+        )
+        return
+    for other in net.connectors:
+        owner = other.component
+        if owner is not None and owner is not board and owner.role is Role.Board:
+            state.report(
+                "RS226",
+                Severity.info,
+                f"{label} of '{_title(board)}' is wired to {other.pin or other.name} of the board '{_title(owner)}'",
+            )
+
+
+def _signal(reached: Reached, known: Rules) -> str:
+    names = [name_direction(connector.name, known) for connector in reached.connectors]
+    told = next((way for way in ("bus", "write", "read") if way in names), None)
+    default = _BY_ROLE[reached.component.role.name]
+    return told if (told is not None and default != "write") or told == "bus" else default
+
+
+def _names(mapped: list[_Mapped], state: _State) -> list[str]:
+    """The names, in the order of the mappings."""
+    by_component: dict[hardware.Component, list[int]] = {}
+    for place, one in enumerate(mapped):
+        by_component.setdefault(one.reached.component, []).append(place)
+    names = [""] * len(mapped)
+    taken: dict[str, hardware.Component] = {}
+    for component in sorted(by_component, key=lambda c: _natural(c.elementId)):
+        wanted = identifier(component.title) or identifier(component.partTitle) or "Component"
+        base = wanted
+        while base in taken:
+            base = f"{base}_{identifier(component.elementId).lstrip('_')}"
+        if base != wanted:
+            state.report(
+                "RS227",
+                Severity.info,
+                f"'{_title(component)}' is called {base} in the program, since '{_title(taken[wanted])}' gives the same name",
+                "give the parts different titles in the drawing",
+            )
+        taken[base] = component
+        order = {connector: number for number, connector in enumerate(component.connectors)}
+        places = sorted(by_component[component], key=lambda p: (min(order[c] for c in mapped[p].reached.connectors), p))
+        for number, place in enumerate(places, 1):
+            names[place] = f"{base}{_SUFFIX[mapped[place].signal]}{number}"
+    return names
+
+
+def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hardware.Connector]]]:
+    groups: dict[hardware.Component, list[hardware.Connector]] = {}
+    for connector in net.connectors:
+        if connector.component is not None:
+            groups.setdefault(connector.component, []).append(connector)
+    return list(groups.items())
+
+
+def _other_side(component: hardware.Component, net: hardware.Net, known: Rules) -> hardware.Net | None:
+    """The net at the other terminal of a two-terminal passive part, None for any other part."""
+    if conducts_by_bus_only(component.family, known):
+        return None
+    joined = [set(bus.connectors) for bus in component.buses]
+    terminals: list[hardware.Connector] = []
+    for connector in component.connectors:
+        if not any(connector in bus and any(t in bus for t in terminals) for bus in joined):
+            terminals.append(connector)
+    if len(terminals) != 2:
+        return None
+    others = [t.net for t in terminals if t.net is not None and t.net is not net]
+    return others[0] if len(others) == 1 else None
+
+
+def _boards_of(component: hardware.Component) -> list[hardware.Component]:
+    return [c for c in component.circuit.components if c.role is Role.Board] if component.circuit is not None else []
+
+
+def _title(component: hardware.Component) -> str:
+    return component.title or component.partTitle or f"#{component.elementId}"
+
+
+def _natural(text: str) -> tuple[tuple[int, str], ...]:
+    return tuple((int(piece), "") if piece.isdecimal() else (-1, piece) for piece in re.split(r"(\d+)", text) if piece)
+
+
+def _label_order(label: str) -> tuple[int, tuple[tuple[int, str], ...]]:
+    return ("DA".find(label[0]) if label[0] in "DA" and label[1:].isdecimal() else 2, _natural(label))

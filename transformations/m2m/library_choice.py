@@ -1,0 +1,113 @@
+"""Which library drives which component: the ranking as decisions of the plan (paper 3.3).
+
+A choice is made by a person (flag, project file) or by history; a ranking alone chooses nothing, it gives options. Every
+component that a board pin reaches gets a decision. How libraries are ranked is `library_ranking`'s business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from robosmi.metamodels import hardware, migration, platform
+from robosmi.recommend.component import ComponentQuery
+from robosmi.recommend.history import History, chosen_from_history
+from robosmi.recommend.ranking import Ranker, Recommendation
+from robosmi.transformations.m2m.library_ranking import library_by_name
+from robosmi.transformations.queries.circuit import component_named
+
+NO_LIBRARY = "none"
+"""What a person says, instead of a library's name, when a component needs none."""
+
+
+def component_query(component: hardware.Component) -> ComponentQuery:
+    """What a ranker is told of a drawn component."""
+    return ComponentQuery(
+        id=component.elementId, title=component.partTitle or component.title, label=component.title, family=component.family,
+        tags=tuple(component.tags), properties={p.name: p.value for p in component.properties},
+        connectors=tuple(c.name for c in component.connectors), part_id=component.partId,
+    )  # fmt: skip
+
+
+@dataclass
+class LibraryModels:
+    """Library elements of the platform model by name, made when first named."""
+
+    platform: str
+    elements: dict[str, platform.Library] = field(default_factory=dict)
+
+    def get(self, name: str) -> platform.Library:
+        """The element of a library, with those that it depends on.
+
+        Raises:
+            UsageError: no library has that name.
+        """
+        if name not in self.elements:
+            facts = library_by_name(name, self.platform)
+            name = facts.name  # as the index writes it
+            if name not in self.elements:
+                self.elements[name] = platform.Library(
+                    name=name, version=facts.version, headers=[facts.header], architectures=list(facts.architectures),
+                    depends=list(facts.depends), url=facts.library.url,
+                )  # fmt: skip
+                for needed in facts.dependencies:
+                    self.get(needed.name)
+        return self.elements[name]
+
+
+def choose_libraries(
+    circuit: hardware.Circuit,
+    components: Iterable[hardware.Component],
+    chosen: Mapping[str, str],
+    ranker: Ranker,
+    models: LibraryModels,
+    history: History,
+    limit: int,
+) -> list[migration.LibraryChoice]:
+    """A decision for each component.
+
+    Args:
+        circuit: the drawing.
+        components: the components that need a decision.
+        chosen: COMPONENT (title or `#model_index`) -> library, as persons said.
+        ranker: ranks libraries.
+        models: where library elements are made.
+        history: earlier choices.
+        limit: how many candidates a decision keeps.
+
+    Raises:
+        UsageError: a component or library does not exist, or a title is ambiguous.
+    """
+    by_person = {component_named(circuit, name).elementId: library for name, library in chosen.items()}
+    listed = list(components)
+    listed += [c for c in circuit.components if c.elementId in by_person and c not in listed]
+    return [_decide(c, by_person.get(c.elementId), ranker, models, history, limit) for c in listed]
+
+
+def _decide(
+    component: hardware.Component, said: str | None, ranker: Ranker, models: LibraryModels, history: History, limit: int
+) -> migration.LibraryChoice:
+    query = component_query(component)
+    refused = said is not None and said.lower() == NO_LIBRARY
+    # What a person says is not weighed against history, so a run that records it gives the same plan again.
+    recommendation = ranker.rank(query, None if said else history, limit)
+    by, why = migration.ChosenBy.nobody, ""
+    name = said
+    if said:
+        by, why = migration.ChosenBy.person, "chosen by flag or project file"
+    elif earlier := chosen_from_history(query.part_id, query.title, history):
+        name, by, why = earlier, migration.ChosenBy.history, "chosen for this part before"
+    library = models.get(name) if name and not refused else None
+    options = _options(recommendation)
+    if library is not None and all(o.label != library.name for o in options):
+        options.append(migration.Option(label=library.name, reasons=[why]))
+    return migration.LibraryChoice(
+        component=component, chosen=library, candidates=[models.get(o.label) for o in options],
+        recommendation=recommendation.decision, confidence=1.0 if name else recommendation.confidence, chosenBy=by,
+        evidence=[why] if why else [], open=not name and recommendation.decision != "none",
+        choice=library.name if library is not None else NO_LIBRARY if refused else "", options=options,
+    )  # fmt: skip
+
+
+def _options(recommendation: Recommendation) -> list[migration.Option]:
+    return [migration.Option(label=c.library, score=round(c.score, 6), reasons=list(c.reasons)) for c in recommendation.candidates]

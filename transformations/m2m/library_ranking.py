@@ -1,0 +1,153 @@
+"""Parts and libraries to recommendations: the shipped index of libraries, opened once, and asked.
+
+Here are the rankers that the registry offers, and the look-up of a library by name or by header with everything that
+it depends on. How libraries are ranked is in `robosmi.recommend`; which recommendation becomes an include is decided
+by the migration plan (flag, project file, history), never here.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from robosmi import resources
+from robosmi.errors import PlatformDataError, UsageError, did_you_mean
+from robosmi.recommend.component import ComponentQuery
+from robosmi.recommend.index import Library, LibraryIndex
+from robosmi.recommend.ranking import Choices, Ranker, Recommendation
+from robosmi.recommend.tfidf_ranker import TfidfRanker
+
+_VERSION = re.compile(r"\s*\([^()]*\)\s*$")
+
+
+@dataclass(frozen=True, slots=True)
+class LibraryFacts:
+    """A library as the plan needs it.
+
+    Attributes:
+        library: its own facts, as the index has them.
+        dependencies: all libraries it depends on, directly or not; nearest first, each once, never itself.
+        unknown: names that one of these declares and the index does not have.
+    """
+
+    library: Library
+    dependencies: tuple[Library, ...]
+    unknown: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """The library's name."""
+        return self.library.name
+
+    @property
+    def version(self) -> str:
+        """Its version, or empty."""
+        return self.library.version
+
+    @property
+    def header(self) -> str:
+        """The bare name of the header that a sketch includes."""
+        return self.library.header
+
+    @property
+    def architectures(self) -> tuple[str, ...]:
+        """The processor architectures it declares; empty if it declares none."""
+        return self.library.architectures
+
+    @property
+    def depends(self) -> tuple[str, ...]:
+        """Names of all libraries it depends on, those that the index does not have last."""
+        return (*(library.name for library in self.dependencies), *self.unknown)
+
+
+def library_index(platform: str = "arduino", project: Path | None = None) -> LibraryIndex:
+    """The index of a target's libraries, opened once for each file and state of the file.
+
+    Args:
+        platform: folder of the target in the platform repository.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: there is none, or it is damaged.
+    """
+    path = resources.find("platform_repo", f"{platform}/libraries/index.sqlite", project)
+    try:
+        return _opened(path, path.stat().st_mtime_ns)
+    except OSError as error:
+        raise PlatformDataError(f"{path}: cannot be read: {error.strerror}", fix="install robosmi again") from error
+
+
+@lru_cache(maxsize=4)
+def _opened(path: Path, mtime_ns: int) -> LibraryIndex:  # the time is part of the key: a rebuilt index is opened anew
+    return LibraryIndex(path)
+
+
+def tfidf_ranker(platform: str = "arduino", *, architecture: str | None = None, project: Path | None = None) -> Ranker:
+    """The paper's ranker over a target's libraries; registered as ranker "tfidf".
+
+    Args:
+        platform: folder of the target in the platform repository.
+        architecture: the target's architecture as libraries name it (`avr`), for remarks; None for no remarks.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: there is no index, or it is damaged.
+    """
+    return TfidfRanker(library_index(platform, project), architecture)
+
+
+def rank_component(
+    query: ComponentQuery,
+    history: Choices | None = None,
+    limit: int | None = None,
+    *,
+    platform: str = "arduino",
+    architecture: str | None = None,
+    project: Path | None = None,
+) -> Recommendation:
+    """The recommendation of the default ranker for one component; see `tfidf_ranker` and `ranking.Ranker.rank`."""
+    return tfidf_ranker(platform, architecture=architecture, project=project).rank(query, history, limit)
+
+
+def library_by_name(name: str, platform: str = "arduino", project: Path | None = None) -> LibraryFacts:
+    """The library of that name, letter for letter, else without regard to case if that is unique.
+
+    Raises:
+        UsageError: the index has none of that name.
+    """
+    index = library_index(platform, project)
+    found = index.library_named(name)
+    if found is None:
+        by_header = libraries_by_header(name, platform, project)
+        hint = f" (the header {name} belongs to '{by_header[0].name}')" if by_header else did_you_mean(name, index.names())
+        raise UsageError(f"no library is called '{name}'{hint}", fix="give the name of a library as the index has it")
+    return _with_dependencies(index, found)
+
+
+def libraries_by_header(file: str, platform: str = "arduino", project: Path | None = None) -> tuple[Library, ...]:
+    """The libraries that offer a header of that bare file name; empty if none does.
+
+    Order: those that mean it to be included, then those that are named like it, then the more popular, then by name.
+    """
+    index = library_index(platform, project)
+    found = [(header, index.library(header.library)) for header in index.headers_named(file)]
+    found.sort(key=lambda pair: (not pair[0].main, not index.named[pair[0].id], -pair[1].copies, pair[1].id))
+    return tuple(dict.fromkeys(library for _, library in found))
+
+
+def _with_dependencies(index: LibraryIndex, start: Library) -> LibraryFacts:
+    known: dict[str, Library] = {start.name: start}
+    unknown: dict[str, None] = {}
+    waiting = [start]
+    for library in waiting:  # grows while it is walked: breadth first
+        for declared in library.depends:
+            name = _VERSION.sub("", declared)
+            found = index.library_named(name)
+            if found is None:
+                unknown[name] = None
+            elif found.name not in known:
+                known[found.name] = found
+                waiting.append(found)
+    return LibraryFacts(start, tuple(waiting[1:]), tuple(unknown))

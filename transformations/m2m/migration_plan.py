@@ -1,0 +1,144 @@
+"""The migration plan: partition, connections, port bindings and library choices put together (the hub of the method).
+
+Each decision is made by its own module; here they are given the same trace and become one model. Inputs are recorded
+with their digests, so that a stored plan can tell whether it still belongs to its sources.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import ccode, hardware, migration, platform
+from robosmi.model.files import digest
+from robosmi.query import Q
+from robosmi.recommend.history import History
+from robosmi.recommend.ranking import Ranker
+from robosmi.transform import TraceRecorder
+from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
+from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
+from robosmi.transformations.m2m.platform_dependence import partition
+from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.target_platform import TargetFacts, target_model
+
+
+@dataclass(frozen=True)
+class Choices:
+    """What persons said, and how far rules may go.
+
+    Attributes:
+        libraries: component (title or `#model_index`) -> library.
+        bind: port of the source -> pin or mapping.
+        limit: a rule's choice is taken when its confidence is at least this.
+        candidates: how many libraries a decision keeps.
+    """
+
+    libraries: Mapping[str, str] = field(default_factory=dict)
+    bind: Mapping[str, str] = field(default_factory=dict)
+    limit: float = 0.8
+    candidates: int = 10
+
+
+@dataclass(frozen=True)
+class Hardware:
+    """The hardware side of a migration: the drawing, its board component, the connections, what was odd."""
+
+    circuit: hardware.Circuit
+    board: hardware.Component
+    connections: Sequence[migration.Connection]
+
+
+def make_plan(
+    name: str,
+    version: str,
+    program: ccode.Program,
+    drawn: Hardware | None,
+    board: platform.Board,
+    api: ApiIndex,
+    target: TargetFacts,
+    choices: Choices,
+    ranker: Ranker,
+    history: History,
+    files: Mapping[str, bytes],
+    findings: list[Finding],
+    paths: Mapping[str, str],
+) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
+    """Make the plan of a migration.
+
+    Args:
+        name: the sketch's name.
+        version: the tool's version.
+        program: the code model; paths of its units are relative to the models' folder.
+        drawn: the hardware, or None where there is no drawing.
+        board: the target board.
+        api: what is known of the source platform.
+        target: the target.
+        choices: what persons said.
+        ranker: ranks libraries.
+        history: earlier choices.
+        files: path relative to the models' folder -> bytes of what was read.
+        findings: what readers and mappings found.
+        paths: path as the user gave it -> path in `files`.
+
+    Returns:
+        The plan, and the part of the platform models that it refers to.
+
+    Raises:
+        UsageError: a choice names what does not exist.
+    """
+    trace = TraceRecorder()
+    dependence = partition(program, api, target, trace)
+    assert dependence.source is not None
+    connections = list(drawn.connections) if drawn else []
+    for connection in connections:
+        trace.link("connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection])
+    bindings = bind_ports(program, api, connections, board, choices.bind, choices.limit)
+    for binding in bindings:
+        trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
+    libraries = LibraryModels(target.platform)
+    library_choices = []
+    if drawn is not None:
+        reached = list(Q(connections).select(lambda c: c.component is not None).collect(lambda c: c.component).distinct())
+        library_choices = choose_libraries(drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates)
+        for choice in library_choices:
+            trace.link("library ranking", "libraries", [choice.component], [choice])
+    platform_target = target_model(target, board, list(libraries.elements.values()))
+    repository = platform.PlatformRepository(platforms=[dependence.source, platform_target])
+    divided = any(d.loop is not None for d in dependence.divisions)
+    plan = migration.MigrationPlan(
+        name=name, toolVersion=version,
+        structure=migration.ProgramStructure.loopForever if divided else migration.ProgramStructure.runOnce,
+        program=program, circuit=drawn.circuit if drawn else None, source=dependence.source, target=platform_target, board=board,
+        boardComponent=drawn.board if drawn else None,
+        inputs=[
+            migration.Input(path=path, digest=digest(data), kind="source" if _is_source(path, program) else "drawing", origin=path.rpartition("/")[2])
+            for path, data in files.items()
+        ],
+        dispositions=dependence.dispositions, connections=connections, portBindings=bindings, libraryChoices=library_choices,
+        adapterUses=dependence.adapters, symbolUses=dependence.symbols,
+    )  # fmt: skip
+    complete(plan, findings, paths)
+    plan.trace = trace.to_model()
+    return plan, repository
+
+
+def complete(plan: migration.MigrationPlan, findings: list[Finding], paths: Mapping[str, str]) -> None:
+    """Derive the plan's tasks and findings from its decisions."""
+    note_pins(plan)
+    plan.tasks.extend(plan_tasks(plan))
+    plan.findings.extend(plan_findings(plan, findings, paths))
+
+
+def note_pins(plan: migration.MigrationPlan) -> None:
+    """Say at each adapter which target pins its conventions mean, since no text of the program does."""
+    for adapter in plan.adapterUses:
+        conventions = adapter.function.conventions if adapter.function is not None else []
+        for binding in plan.portBindings:
+            if binding.convention is not None and any(c is binding.convention for c in conventions):
+                adapter.notes.append(f"{binding.name} ({binding.what}) is {binding.choice or 'not bound'}")
+
+
+def _is_source(path: str, program: ccode.Program) -> bool:
+    return any(unit.path == path for unit in program.units)

@@ -1,0 +1,153 @@
+"""Tasks and findings of a plan, derived from its decisions: what is left for a person, and what is worth knowing.
+
+A table of makers; each gives the tasks of one kind. Findings that readers gave are added as they are. Severities are
+those of the work, not of a fault: a task never makes a run fail.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import ccode, hardware, migration
+from robosmi.query import Q, all_of_kind, ancestor_of_kind
+from robosmi.transformations.m2m.library_choice import NO_LIBRARY
+
+Task = migration.PlanTask
+Level = migration.SeverityLevel
+
+
+def plan_tasks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
+    """All tasks of a plan, by the order of the makers and then of the plan."""
+    return [task for maker in _MAKERS for task in maker(plan)]
+
+
+def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Mapping[str, str]) -> list[migration.PlanFinding]:
+    """What readers and checks found, as part of the plan.
+
+    Args:
+        plan: the plan.
+        read: findings of the readers and mappings.
+        paths: path as the user gave it -> path in the plan's folder.
+    """
+    findings = [
+        migration.PlanFinding(
+            rule=f.rule, severity=getattr(Level, f.severity.name), message=f.message, fix=f.fix or "",
+            path=paths.get(f.location.path, f.location.path.rpartition("/")[2]) if f.location else "",
+            line=(f.location.line or 0) if f.location else 0, column=(f.location.column or 0) if f.location else 0,
+        )
+        for f in read
+    ]  # fmt: skip
+    return findings + list(_width_findings(plan))
+
+
+def _place(element: ccode.Located | None) -> dict[str, object]:
+    unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
+    if element is None or unit is None:
+        return {}
+    return {"path": unit.path, "line": element.line, "column": element.column}
+
+
+def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
+    for adapter in plan.adapterUses:
+        if adapter.status is not migration.AdapterStatus.todo:
+            continue
+        count = len(adapter.calls)
+        yield Task(
+            rule="RS501", severity=Level.warning, message=f"write the body of '{adapter.targetSignature}', called {count} time{'s' * (count != 1)}",
+            effort="medium" if adapter.function is not None and adapter.function.startsCog else "small",
+            fix=f"in adapters.h: do on the target what '{adapter.signature}' does", elements=[adapter, *adapter.calls],
+            **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
+        )  # fmt: skip
+
+
+def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
+    for symbol in plan.symbolUses:
+        meaning = symbol.symbol.meaning if symbol.symbol is not None else ""
+        yield Task(
+            rule="RS502", severity=Level.warning, message=f"give the placeholder of '{symbol.name}' its meaning{f': {meaning}' if meaning else ''}",
+            effort="small", fix="in adapters.h", elements=[symbol, *symbol.uses],
+            **_place(symbol.uses[0] if symbol.uses else None),  # type: ignore[arg-type]
+        )  # fmt: skip
+
+
+def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
+    for binding in plan.portBindings:
+        if not binding.open:
+            continue
+        pin = f" (P{binding.sourcePin})" if binding.sourcePin >= 0 and binding.name != f"P{binding.sourcePin}" else ""
+        what = f", {binding.what}," if binding.what else ""
+        options = [o.label for o in binding.options]
+        yield Task(
+            rule="RS330", severity=Level.warning if options else Level.info,
+            message=f"say which target pin the port '{binding.name}'{pin}{what} is on"
+            + (f"; candidates: {', '.join(options)}" if options else "; the drawing has nothing for it"),
+            effort="small", fix=f'--bind {binding.name}=PIN, or [bind] {binding.name} = "PIN" in robosmi.toml', elements=[binding],
+            **_place(binding.element),  # type: ignore[arg-type]
+        )  # fmt: skip
+
+
+def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
+    for choice in plan.libraryChoices:
+        if choice.open and choice.component is not None:
+            title = choice.component.title
+            best = [o.label for o in list(choice.options)[:3]]
+            yield Task(
+                rule="RS401", severity=Level.info, message=f"choose a library for '{title}', or none; best ranked: {', '.join(best) or 'none'}",
+                effort="small", fix=f"--library \"{title}=LIBRARY\" (or {NO_LIBRARY}), or [libraries] in robosmi.toml", elements=[choice],
+            )  # fmt: skip
+
+
+def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
+    for disposition in plan.dispositions:
+        if disposition.action is migration.Action.unsupported and disposition.element is not None:
+            name = getattr(disposition.element, "header", "") or getattr(disposition.element, "name", "")
+            yield Task(
+                rule="RS503", severity=Level.warning, message=f"'{name}' was left out: {disposition.reason}", effort="medium",
+                fix="put what the program needs of it into the sketch", elements=[disposition],
+                **_place(disposition.element),  # type: ignore[arg-type]
+            )  # fmt: skip
+
+
+def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Drawn components that no port of the program is bound to."""
+    bound = {id(b.connection) for b in plan.portBindings if b.connection is not None}
+    for connection in plan.connections:
+        component = connection.component
+        if id(connection) not in bound and component is not None and component.role is not hardware.Role.Unknown:
+            yield Task(
+                rule="RS331", severity=Level.info, message=f"'{component.title}' ({connection.name}) is drawn but no port of the program is bound to it",
+                effort="small", fix="bind a port to it, or leave it unused", elements=[connection],
+            )  # fmt: skip
+
+
+_MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
+    _adapters, _symbols, _bindings, _libraries, _unsupported, _unused,
+)  # fmt: skip
+
+
+def _width_findings(plan: migration.MigrationPlan) -> Iterator[migration.PlanFinding]:
+    """Where the target's narrower int may change what retained code computes."""
+    if plan.program is None or plan.source is None or plan.target is None or plan.source.intBits <= plan.target.intBits:
+        return
+    source, target = plan.source.intBits, plan.target.intBits
+    for unit in plan.program.units:
+        narrow = Q(all_of_kind(unit, ccode.TypeUse)).select(lambda t: t.bits == source and t.pointerDepth == 0 and _says_int(t.canonical or t.spelling))
+        if narrow:
+            yield migration.PlanFinding(
+                rule="RS310", severity=Level.info, path=unit.path, fix="use int32_t where values may pass 16 bits",
+                message=f"int has {source} bits on {plan.source.name} and {target} on {plan.target.name}: "
+                f"{len(narrow)} declaration(s) of type int are carried over as they are",
+            )  # fmt: skip
+        limit = 2 ** (target - 1)
+        for literal in all_of_kind(unit, ccode.IntegerLiteral):
+            if literal.value >= limit and not isinstance(literal.eContainer(), ccode.Call):
+                yield migration.PlanFinding(
+                    rule="RS311", severity=Level.warning, message=f"{literal.text} does not fit into an int of the target",
+                    fix="make sure that it is computed with and stored in a 32-bit type", **_place(literal),  # type: ignore[arg-type]
+                )  # fmt: skip
+
+
+def _says_int(spelling: str) -> bool:
+    words = set(spelling.replace("const", " ").replace("volatile", " ").split())
+    return bool(words) and words <= {"int", "signed", "unsigned"}

@@ -1,0 +1,85 @@
+"""Signatures for the target: a source function's signature with the widths it has on the source platform.
+
+Adapters are called by code that was written for the source's widths (paper 3.4 copies signatures; copied as they are, a
+32-bit argument would arrive cut to 16 bits on some targets). Values keep their width; pointers keep their type, since
+they must fit what they point to. The table of types is data of the target platform.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+_QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inline)\b")
+
+
+@dataclass(frozen=True)
+class Signature:
+    """A function's signature in parts.
+
+    Attributes:
+        name: its name.
+        returns: type of its value as written.
+        parameters: (type as written, name) in order; the name may be empty.
+        variadic: whether it takes further arguments.
+    """
+
+    name: str
+    returns: str
+    parameters: Sequence[tuple[str, str]] = ()
+    variadic: bool = False
+
+    def named(self) -> Signature:
+        """The same with a name for every parameter and no name twice; `void` as the only parameter is none."""
+        taken: set[str] = set()
+        named: list[tuple[str, str]] = []
+        for number, (spelling, name) in enumerate(self.parameters, 1):
+            if spelling.strip() == "void" and not name:
+                continue
+            own = name or f"argument{number}"
+            while own in taken:
+                own += "_"
+            taken.add(own)
+            named.append((spelling, own))
+        return Signature(self.name, self.returns, tuple(named), self.variadic)
+
+    def text(self) -> str:
+        """The declarator: return type, name, parameters."""
+        shown = [declare(spelling, name) for spelling, name in self.parameters] + (["..."] if self.variadic else [])
+        return declare(self.returns, f"{self.name}({', '.join(shown)})")
+
+
+def declare(spelling: str, name: str) -> str:
+    """A declaration of a name with a type: `int *` and `p` give `int *p`, `int [4]` gives `int p[4]`."""
+    spelling = spelling.strip()
+    if "(*" in spelling:
+        place = spelling.index("(*") + 2
+        return f"{spelling[:place]}{name}{spelling[place:]}"
+    base, bracket, dimensions = spelling.partition("[")
+    base = base.rstrip()
+    gap = "" if base.endswith("*") or not name else " "
+    return f"{base}{gap}{name}{bracket}{dimensions}"
+
+
+def widened(spelling: str, widths: Mapping[str, str]) -> str:
+    """The type that holds the same values on the target.
+
+    Args:
+        spelling: a type as written.
+        widths: type of the source -> type of the target, for types by value.
+    """
+    if any(mark in spelling for mark in "*[(&"):
+        return spelling
+    plain = " ".join(_QUALIFIERS.sub(" ", spelling).split())
+    mapped = widths.get(plain)
+    if mapped is None:
+        return spelling
+    return f"const {mapped}" if re.search(r"\bconst\b", spelling) else mapped
+
+
+def for_target(signature: Signature, widths: Mapping[str, str]) -> Signature:
+    """The signature with named parameters and the source's widths."""
+    named = signature.named()
+    parameters = tuple((widened(spelling, widths), name) for spelling, name in named.parameters)
+    return Signature(named.name, widened(named.returns, widths), parameters, named.variadic)

@@ -1,0 +1,109 @@
+"""The program's own files in the sketch: retained code with the plan's edits, `main` as `setup` and `loop`, includes, ports.
+
+The unit that holds `main` becomes the .ino; any other unit becomes a .cpp beside it. Retained text is copied from the
+stored source (see `queries.source_text`), in the order of the source, so comments and layout survive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from robosmi.generate.environment import render
+from robosmi.generate.text import GeneratedFile
+from robosmi.metamodels import ccode, migration
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2t.adapters import FILE as ADAPTERS
+from robosmi.transformations.m2t.main_text import main_parts
+from robosmi.transformations.queries.source_text import Piece, SourceText
+
+
+def program_files(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Iterator[GeneratedFile]:
+    """The .ino, and a .cpp for each further unit."""
+    assert plan.program is not None
+    for unit in plan.program.units:
+        main = next((d for d in unit.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition), None)
+        stem = unit.path.rpartition("/")[2].rpartition(".")[0]
+        file = GeneratedFile(f"{plan.name}/{plan.name}.ino" if main is not None else f"{plan.name}/{stem}.cpp")
+        _head(file, plan, unit)
+        _body(file, plan, SourceText(unit, sources[unit.path], plan.edits), main)
+        yield file
+
+
+def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> None:
+    """Title, includes, ports: the first two parts of the paper's template."""
+    assert plan.board is not None
+    assert plan.target is not None
+    source = plan.source.name if plan.source else "its platform"
+    origins = [unit.path.rpartition("/")[2]]
+    file.add(
+        render("arduino/header.j2", name=plan.name, origins=origins, source=source, board=plan.board.title, version=plan.toolVersion),
+        "generation", "header", [plan],
+    )  # fmt: skip
+    file.add(render("arduino/include.j2", header=plan.target.mainHeader), "generation", "main header", [plan.target])
+    for disposition in plan.dispositions:
+        element = disposition.element
+        if disposition.rule == "standard-include" and isinstance(element, ccode.Include) and ancestor_of_kind(element, ccode.SourceUnit) is unit:
+            file.add(render("arduino/include.j2", header=element.header), "code", "platform-agnostic library", [element, disposition])
+    included: set[str] = set()
+    for choice in plan.libraryChoices:
+        for header in list(choice.chosen.headers)[:1] if choice.chosen else []:
+            if header not in included:
+                included.add(header)
+                users = [c for c in plan.libraryChoices if c.chosen is choice.chosen]
+                file.add(render("arduino/include.j2", header=header), "libraries", "library include", users)
+    for number, connection in enumerate(plan.connections):
+        text = render(
+            "arduino/ports.j2", name=connection.name, literal=connection.pin.literal if connection.pin else "",
+            component=connection.component.title if connection.component else "", label=connection.pin.label if connection.pin else "",
+            connectors=[c.name for c in connection.connectors],
+        )  # fmt: skip
+        file.add(text if number else "\n" + text, "hardware", "port interface", [connection])
+    file.add(f'\n#include "{ADAPTERS}"\n', "generation", "adapter include", [plan])
+
+
+def _body(file: GeneratedFile, plan: migration.MigrationPlan, source: SourceText, main: ccode.Function | None) -> None:
+    unit = source.unit
+    elements: list[ccode.Located] = [*unit.includes, *unit.macros, *unit.declarations]
+    functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
+    ahead = [f for f in functions if f is not main and _used_before(f, unit)]
+    first = min((f.startOffset for f in functions), default=len(source.data))
+    first = source.line_start(first) if source.blank(source.line_start(first), first) else first
+    start = 0
+    if ahead:
+        _retain(file, source.pieces(0, first, elements))
+        text = "\n".join(["// Functions that are used before they are defined", *(f"{f.signature};" for f in ahead), ""])
+        file.add(text + "\n", "generation", "prototypes", ahead)
+        start = first
+    if main is None:
+        _retain(file, source.pieces(start, len(source.data), elements))
+        return
+    _retain(file, source.pieces(start, main.startOffset, elements))
+    for part in main_parts(plan, source, main):
+        file.parts.append(part)
+    _retain(file, source.pieces(min(source.line_end(main.endOffset - 1), len(source.data)), len(source.data), elements))
+
+
+def _used_before(function: ccode.Function, unit: ccode.SourceUnit) -> bool:
+    """Whether the function is used before its definition and no earlier prototype declares it."""
+    uses = [use.startOffset for use in (*function.calls, *function.references) if ancestor_of_kind(use, ccode.SourceUnit) is unit]
+    first = min(uses, default=function.startOffset)
+    prototypes = [d for d in unit.declarations if isinstance(d, ccode.Function) and not d.definition and d.name == function.name]
+    uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
+    first = min(uses, default=function.startOffset)
+    return first < function.startOffset and all(p.startOffset > first for p in prototypes)
+
+
+def _retain(file: GeneratedFile, pieces: Iterator[Piece]) -> None:
+    for piece in pieces:
+        bindings = [e.decision for e in piece.edits if isinstance(e.decision, migration.PortBinding)]
+        decisions: Sequence[object] = [*bindings, *(b.connection for b in bindings if b.connection is not None)]
+        text = piece.text
+        if not file.parts[-1].text.endswith("\n\n") or text.strip("\n"):
+            file.add(_squeezed(file, text), "hardware" if bindings else "code", "retained code", [*piece.elements, *decisions])
+
+
+def _squeezed(file: GeneratedFile, text: str) -> str:
+    """The text without the blank lines that a removed include leaves at a border."""
+    before = file.parts[-1].text if file.parts else "\n\n"
+    blank_before = before.endswith("\n\n") or before == "\n"
+    return text.lstrip("\n") if blank_before else text

@@ -1,0 +1,107 @@
+"""`MIGRATION.md`: what is left to do, what became of each element, how the new hardware is wired.
+
+The report says what the plan says, all of it; the counts per unit add up to the number of its elements.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from robosmi.generate.environment import render
+from robosmi.generate.text import GeneratedFile
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import Q, ancestor_of_kind
+from robosmi.transformations.queries.plan import call_sites, element_title, open_choices
+
+WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
+
+
+def migration_report(plan: migration.MigrationPlan) -> GeneratedFile:
+    """The report of a plan."""
+    file = GeneratedFile(f"{plan.name}/MIGRATION.md")
+    sites = call_sites(plan)
+    text = render(
+        "report/migration.md.j2",
+        name=plan.name,
+        source=plan.source.name if plan.source else "its platform",
+        board=plan.board.title if plan.board else "the target",
+        summary=(
+            f"{len(plan.dispositions)} elements were judged. {sites['total']} calls go to {len(plan.adapterUses)} platform functions; "
+            f"{sites['with_body']} of them reach an adapter with a body, {sites['todo']} one that is still to be written. "
+            f"{len(open_choices(plan))} choices are open."
+        ),
+        tasks=[_said(t) for t in plan.tasks],
+        findings=[_said(f) for f in plan.findings],
+        wiring=[_wire(c, plan) for c in plan.connections],
+        ports=[_port(b) for b in plan.portBindings],
+        libraries=[_library(c) for c in plan.libraryChoices],
+        groups=[_group(u, plan) for u in (plan.program.units if plan.program else [])],
+        adapters=[_adapter(a) for a in plan.adapterUses],
+    )
+    file.add(text, "generation", "report", [plan])
+    return file
+
+
+def _cell(text: str) -> str:
+    """A text that may stand in a table."""
+    return " ".join(text.replace("|", "\\|").split())
+
+
+def _said(task: migration.PlanTask) -> dict[str, Any]:
+    place = f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
+    return {
+        "message": task.message, "rule": task.rule, "place": place, "effort": task.effort, "fix": task.fix, "severity": task.severity.name,
+    }  # fmt: skip
+
+
+def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> dict[str, str]:
+    ports = [b.name for b in plan.portBindings if b.connection is connection]
+    return {
+        "pin": connection.pin.label if connection.pin else "",
+        "component": _cell(connection.component.title if connection.component else ""),
+        "connectors": _cell(", ".join(c.name for c in connection.connectors)),
+        "via": _cell(", ".join(c.title for c in connection.via)),
+        "name": connection.name,
+        "ports": _cell(", ".join(ports) or "none"),
+    }
+
+
+def _port(binding: migration.PortBinding) -> dict[str, str]:
+    return {
+        "name": binding.name,
+        "pin": f"P{binding.sourcePin}" if binding.sourcePin >= 0 else "",
+        "what": _cell(binding.what),
+        "choice": f"`{binding.choice}`" if binding.choice else "open",
+        "by": WHO[binding.chosenBy.name],
+        "why": _cell("; ".join(binding.evidence)),
+    }
+
+
+def _library(choice: migration.LibraryChoice) -> dict[str, str]:
+    return {
+        "component": _cell(choice.component.title if choice.component else ""),
+        "choice": choice.choice or "open",
+        "by": WHO[choice.chosenBy.name],
+        "candidates": _cell(", ".join(o.label for o in list(choice.options)[:5])),
+    }
+
+
+def _group(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> dict[str, Any]:
+    mine = Q(plan.dispositions).select(lambda d: d.element is not None and ancestor_of_kind(d.element, ccode.SourceUnit) is unit)
+    counts = Counter(d.action.name for d in mine)
+    rows = [
+        {"line": d.element.line, "element": _cell(element_title(d.element)), "action": d.action.name, "reason": _cell(d.reason)}
+        for d in sorted(mine, key=lambda d: (d.element.startOffset if d.element else 0))
+        if d.element is not None
+    ]
+    summed = ", ".join(f"{count} {action}" for action, count in sorted(counts.items()))
+    return {"title": unit.path.rpartition("/")[2], "counts": f"{len(mine)} elements: {summed}.", "rows": rows}
+
+
+def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
+    header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
+    return {
+        "signature": _cell(adapter.signature), "header": header.name if header else "unknown", "calls": len(adapter.calls),
+        "state": adapter.status.name,
+    }  # fmt: skip

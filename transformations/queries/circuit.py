@@ -1,0 +1,153 @@
+"""Operations on circuits and their connections, in the manner of EOL: boards, components by name, port interfaces, report.
+
+Reused by rules, templates and commands. They read models and change nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.metamodels import hardware, migration
+from robosmi.query import Q
+from robosmi.transformations.m2m.connector_mapping import behind
+from robosmi.transformations.t2m.boards import pin_literal
+from robosmi.transformations.t2m.parts_catalogue import rules
+
+if TYPE_CHECKING:
+    import networkx as nx
+
+
+def boards(circuit: hardware.Circuit) -> Q[hardware.Component]:
+    """The components that run a program, in the drawing's order."""
+    return Q(circuit.components).select(lambda component: component.role is hardware.Role.Board)
+
+
+def the_board(circuit: hardware.Circuit) -> hardware.Component:
+    """The one board of a circuit.
+
+    Raises:
+        SourceError: there is none, or more than one.
+    """
+    found = boards(circuit)
+    place = Location(circuit.path)
+    if not found:
+        raise SourceError(
+            "there is no board in this drawing",
+            location=place,
+            fix="draw the board that is to run the program, or give a part the role Board in robosmi.toml under [roles]",
+        )
+    if len(found) > 1:
+        names = ", ".join(f"'{board.title}' (#{board.elementId})" for board in found)
+        raise SourceError(
+            f"there are {len(found)} boards in this drawing: {names}",
+            location=place,
+            fix="keep the board that is to run the program, or give the others the role Decoration in robosmi.toml under [roles]",
+        )
+    return found[0]
+
+
+def component_named(circuit: hardware.Circuit, name: str) -> hardware.Component:
+    """The component of that title, or of that identity when the name begins with `#`.
+
+    Args:
+        circuit: where to look.
+        name: a title in the drawing (`Basic Servo1`), or `#1014`.
+
+    Raises:
+        UsageError: no component is meant, or more than one.
+    """
+    if name.startswith("#") and (exact := Q(circuit.components).select_one(lambda c: c.elementId == name[1:])) is not None:
+        return exact
+    found = Q(circuit.components).select(lambda c: c.title == name)
+    if len(found) == 1:
+        return found[0]
+    if found:
+        choices = ", ".join(f"#{component.elementId} ({component.partTitle or component.partId})" for component in found)
+        raise UsageError(f"{len(found)} components are called '{name}'", fix=f"use one of: {choices}")
+    titles = sorted({c.title for c in circuit.components if c.title and c.role is not hardware.Role.Decoration})
+    raise UsageError(
+        f"no component is called '{name}'{did_you_mean(name, titles)}", fix=f"use one of: {', '.join(titles) or 'none is there'}"
+    )
+
+
+def port_interfaces(connections: Iterable[migration.Connection]) -> dict[str, str]:
+    """The name of every connection with its pin as a program writes it, in their order (paper 3.4, generatePortInterfaces)."""
+    return {connection.name: _literal(connection) for connection in connections}
+
+
+def pin_label(connection: migration.Connection) -> str:
+    """The normalised label of a connection's pin (`D9`)."""
+    if connection.pin is not None:
+        return connection.pin.label
+    return connection.boardConnectors[0].pin if connection.boardConnectors else ""
+
+
+def circuit_graph(circuit: hardware.Circuit) -> nx.Graph[hardware.Connector | hardware.Net]:
+    """The circuit as a graph of connectors and nets, an edge from each connector to its net."""
+    import networkx as nx  # 0.2 s, and only comparisons and studies want it
+
+    graph: nx.Graph[hardware.Connector | hardware.Net] = nx.Graph()
+    for net in circuit.nets:
+        graph.add_edges_from((connector, net) for connector in net.connectors)
+    return graph
+
+
+def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
+    """The result of the command `hardware`, JSON values only (docs/reference: `boards`, `components`, `mappings`)."""
+    known = rules()
+    beyond = {c: behind(c, known) for c in circuit.components if c.driver}
+    return {
+        "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
+        "components": [
+            {
+                "title": c.title,
+                "model_index": c.elementId,
+                "module_id": c.partId,
+                "part_title": c.partTitle,
+                "role": c.role.name,
+                "driver": c.driver,
+                "evidence": c.roleEvidence,
+            }
+            for c in circuit.components
+        ],
+        "mappings": [_mapping(connection, beyond) for connection in connections],
+    }
+
+
+def _literal(connection: migration.Connection) -> str:
+    return (connection.pin.literal if connection.pin is not None else "") or pin_literal(pin_label(connection))
+
+
+def _mapping(
+    connection: migration.Connection, beyond: dict[hardware.Component, tuple[list[hardware.Component], list[hardware.Component]]]
+) -> dict[str, Any]:
+    board = connection.boardConnectors[0].component if connection.boardConnectors else None
+    component = connection.component
+    drives, senses = beyond.get(component, ([], [])) if component is not None else ([], [])
+    return {
+        "board": board.title if board else "",
+        "board_model_index": board.elementId if board else "",
+        "pin": pin_label(connection),
+        "board_connectors": _connectors(connection.boardConnectors),
+        "component": component.title if component else "",
+        "component_model_index": component.elementId if component else "",
+        "connectors": _connectors(connection.connectors),
+        "role": component.role.name if component else "Unknown",
+        "driver": bool(component and component.driver),
+        "signal": connection.signal.name,
+        "name": connection.name,
+        "via": _components(connection.via),
+        "drives": _components(drives),
+        "senses": _components(senses),
+    }
+
+
+def _connectors(connectors: Iterable[hardware.Connector]) -> list[dict[str, str]]:
+    return [{"id": connector.connectorId, "name": connector.name} for connector in connectors]
+
+
+def _components(components: Iterable[hardware.Component]) -> list[dict[str, str]]:
+    return [{"title": component.title, "model_index": component.elementId} for component in components]

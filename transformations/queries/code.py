@@ -1,0 +1,330 @@
+"""Operations on code models together with a platform's API: what is agnostic, what depends on the platform, what is unknown.
+
+The on-demand queries of the paper's static analysis (3.1), in EOL's style, reused by rules, constraints and templates. A
+definition of the program's own always wins over a platform's name; locals shadow it, since the model's links say what a
+name means. Structure of main is in `main_program`, values of pins in `pin_uses`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import Q, all_contents
+from robosmi.transformations.t2m.platform_api import ApiIndex, Entry
+
+_CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
+_NAMES = re.compile(r"[A-Za-z_]\w*")
+_LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*', re.DOTALL)
+
+
+@dataclass
+class CalledFunction:
+    """A function that a unit calls and does not define, with all its calls.
+
+    Attributes:
+        name: as the user wrote it.
+        calls: the call elements in text order, without those in bodies of the program's own macros.
+        entry: how the repository knows it, None where it does not.
+        header: where it resolves, empty for unknown functions and for builtins of the compiler.
+        signature: the paper's raw signature: from the header that was read, the repository, or inferred.
+        signature_source: header, repository or inferred.
+        in_macro: it is also named in the body of a macro of the program's own.
+        callee: the model's function, None where it is named in macros only.
+    """
+
+    name: str
+    calls: list[ccode.Call] = field(default_factory=list)
+    entry: Entry | None = None
+    header: str = ""
+    signature: str = ""
+    signature_source: str = "inferred"
+    in_macro: bool = False
+    callee: ccode.Function | None = None
+
+    @property
+    def lines(self) -> list[int]:
+        """Lines of the calls, sorted, one a call."""
+        return sorted(int(call.line) for call in self.calls)
+
+
+@dataclass
+class UsedName:
+    """A symbol or type of the platform that a unit uses: name, kind, header, lines (each once, sorted)."""
+
+    name: str
+    kind: str
+    header: str
+    lines: list[int] = field(default_factory=list)
+
+
+@dataclass
+class Constructs:
+    """The platform-dependent constructs of a program or unit (paper 3.1), and those that nobody knows."""
+
+    functions: list[CalledFunction]
+    unknown: list[CalledFunction]
+
+    def names(self) -> list[str]:
+        """Names of the platform's functions, sorted."""
+        return sorted(f.name for f in self.functions)
+
+
+class CodeView:
+    """One pass over a unit, kept for several queries.
+
+    Args:
+        unit: the unit.
+        program: its program.
+        api: the source platform's API.
+    """
+
+    def __init__(self, unit: ccode.SourceUnit, program: ccode.Program, api: ApiIndex) -> None:
+        self.unit = unit
+        self.program = program
+        self.api = api
+        self.includes = tuple(str(i.header) for i in unit.includes)
+        self.elements: list[Any] = list(all_contents(unit))
+        self.calls: list[ccode.Call] = _distinct(e for e in self.elements if isinstance(e, ccode.Call) and not e.viaMacro)
+        self.own_macros: dict[str, ccode.Macro] = {str(m.name): m for m in unit.macros}
+        self._functions: dict[str, CalledFunction] | None = None
+
+    def resolve(self, name: str) -> Entry | None:
+        """The declaration that a name means in this unit, None where the repository does not know it."""
+        return self.api.resolve(name, self.includes)
+
+    def kind(self, name: str) -> str | None:
+        """platform, standard or posix; None for a name that the repository does not know."""
+        entry = self.resolve(name)
+        return self.api.kind_of(entry) if entry else None
+
+    def defined(self, name: str) -> bool:
+        """Whether the program itself defines a function or macro of that name."""
+        return name in self.own_macros or name in _definitions(self.program)
+
+    def called(self) -> dict[str, CalledFunction]:
+        """Every function that is called and not defined in the program, by name; computed callees are left out."""
+        if self._functions is None:
+            found: dict[str, CalledFunction] = {}
+            for call in self.calls:
+                name, callee = str(call.calleeName), call.callee
+                if not name or name in self.own_macros or (callee is not None and callee.definition):
+                    continue
+                found.setdefault(name, CalledFunction(name, callee=callee)).calls.append(call)
+            for name in self._called_in_macros():
+                found.setdefault(name, CalledFunction(name)).in_macro = True
+            for function in found.values():
+                self._describe(function)
+            self._functions = dict(sorted(found.items()))
+        return self._functions
+
+    def _called_in_macros(self) -> Iterator[str]:
+        own = _definitions(self.program)
+        for macro in self.own_macros.values():
+            parameters = set(macro.parameters)
+            for name in _CALLED.findall(_LITERALS.sub(" ", str(macro.body or ""))):
+                if name not in own and name not in self.own_macros and name not in parameters:
+                    entry = self.resolve(name)
+                    if entry is not None and entry.callable:
+                        yield name
+
+    def _describe(self, function: CalledFunction) -> None:
+        callee = function.callee
+        header = str(callee.header or "") if callee is not None else ""
+        entry = self.resolve(function.name)
+        if entry is not None and not entry.callable:
+            entry = None
+        if header and (entry is None or entry.header != header):
+            known = [e for e in self.api.entries(function.name) if e.header == header and e.callable]
+            if known:
+                entry = known[0]
+            elif (kind := self.api.header_kind(header)) is not None:
+                entry = Entry(header, "function", "", "") if kind else None
+            else:
+                entry = None  # a header of the user's own declares it
+        function.entry = entry
+        function.header = entry.header if entry else header
+        if header and callee is not None:
+            function.signature, function.signature_source = str(callee.signature), "header"
+        elif entry is not None and (entry.detail or entry.kind == "function_macro"):
+            function.signature, function.signature_source = self.api.signature(function.name, entry), "repository"
+        elif callee is not None:
+            function.signature = str(callee.signature or "")
+
+    def functions_of(self, *kinds: str) -> list[CalledFunction]:
+        """The called functions whose header is of one of the kinds."""
+        return [f for f in self.called().values() if f.entry is not None and self.api.kind_of(f.entry) in kinds]
+
+    def unknown(self) -> list[CalledFunction]:
+        """The called functions that nobody knows."""
+        return [f for f in self.called().values() if f.entry is None and f.calls]
+
+    def symbols(self) -> list[UsedName]:
+        """Constants, registers, variables and macros of the platform that are used as values, in bodies of own macros too."""
+        uses: dict[str, set[int]] = {}
+        for element in self.elements:
+            if isinstance(element, ccode.NameReference):
+                target: Any = element.target
+                if target is None or isinstance(target, ccode.ExternalSymbol):
+                    uses.setdefault(str(element.name), set()).add(int(element.line))
+            elif isinstance(element, ccode.MacroUse) and element.macro is None:
+                uses.setdefault(str(element.name), set()).add(int(element.line))
+        for macro in self.own_macros.values():
+            for name in set(_NAMES.findall(_LITERALS.sub(" ", str(macro.body or "")))) - set(macro.parameters):
+                if not self.defined(name) and name not in self._own_variables():
+                    uses.setdefault(name, set()).add(int(macro.line))
+        found: list[UsedName] = []
+        for name, lines in sorted(uses.items()):
+            entry = None if name in self.own_macros else self.resolve(name)
+            if entry is not None and entry.kind in ("macro", "variable", "constant") and self.api.kind_of(entry) == "platform":
+                found.append(UsedName(name, self.api.symbol_kind(name, entry), entry.header, sorted(lines)))
+        return found
+
+    def _own_variables(self) -> set[str]:
+        return {str(d.name) for d in self.unit.declarations}
+
+    def types(self) -> list[UsedName]:
+        """Types of the platform that declarations, casts and sizes use."""
+        uses: dict[str, set[int]] = {}
+        for element in self.elements:
+            if isinstance(element, ccode.TypeUse) and isinstance(element.declaration, ccode.ExternalSymbol):
+                uses.setdefault(str(element.declaration.name), set()).add(_line(element))
+        for macro in self.own_macros.values():
+            for name in _NAMES.findall(_LITERALS.sub(" ", str(macro.body or ""))):
+                entry = self.resolve(name)
+                if entry is not None and entry.kind == "type" and name in uses:
+                    uses[name].add(int(macro.line))
+        found: list[UsedName] = []
+        for name, lines in sorted(uses.items()):
+            entry = self.resolve(name)
+            if entry is not None and entry.kind == "type" and self.api.kind_of(entry) == "platform":
+                found.append(UsedName(name, "type", entry.header, sorted(lines)))
+        return found
+
+
+def views(program: ccode.Program, api: ApiIndex) -> list[CodeView]:
+    """A view for each unit of a program."""
+    return [CodeView(unit, program, api) for unit in program.units]
+
+
+def platform_agnostic_libraries(program: ccode.Program, api: ApiIndex) -> Q[ccode.Include]:
+    """The include directives of standard headers, which stay as they are (paper 3.1). POSIX headers count as standard here; `api.header_kind`
+    tells them apart, since a target may not have them."""
+    return Q(i for unit in program.units for i in unit.includes if api.header_kind(str(i.header)) in ("standard", "posix"))
+
+
+def platform_dependent_libraries(program: ccode.Program, api: ApiIndex) -> Q[ccode.Include]:
+    """The include directives of the platform's headers, which are not carried over (paper 3.1)."""
+    return Q(i for unit in program.units for i in unit.includes if api.header_kind(str(i.header)) == "platform")
+
+
+def platform_dependent_constructs(program: ccode.Program, api: ApiIndex) -> Constructs:
+    """The functions of the platform that a program calls, with raw signature, header and calls; unknown ones apart (paper 3.1)."""
+    platform: dict[str, CalledFunction] = {}
+    unknown: dict[str, CalledFunction] = {}
+    for view in views(program, api):
+        _merge(platform, view.functions_of("platform"))
+        _merge(unknown, view.unknown())
+    return Constructs(list(platform.values()), list(unknown.values()))
+
+
+def standard_calls(program: ccode.Program, api: ApiIndex) -> list[CalledFunction]:
+    """The functions of standard and POSIX headers that a program calls."""
+    found: dict[str, CalledFunction] = {}
+    for view in views(program, api):
+        _merge(found, view.functions_of("standard", "posix"))
+    return list(found.values())
+
+
+def _merge(into: dict[str, CalledFunction], functions: Iterable[CalledFunction]) -> None:
+    for function in functions:
+        known = into.setdefault(function.name, function)
+        if known is not function:
+            known.calls += function.calls
+            known.in_macro = known.in_macro or function.in_macro
+
+
+def user_calls(program: ccode.Program) -> dict[str, list[ccode.Call]]:
+    """The calls of functions that the program defines, by name."""
+    found: dict[str, list[ccode.Call]] = {}
+    for unit in program.units:
+        for call in _distinct(e for e in all_contents(unit) if isinstance(e, ccode.Call) and not e.viaMacro):
+            if call.callee is not None and call.callee.definition and call.calleeName:
+                found.setdefault(str(call.calleeName), []).append(call)
+    return dict(sorted(found.items()))
+
+
+def platform_symbols(program: ccode.Program, api: ApiIndex) -> list[UsedName]:
+    """Constants, registers, variables and macros of the platform that a program uses."""
+    return [name for view in views(program, api) for name in view.symbols()]
+
+
+def platform_types(program: ccode.Program, api: ApiIndex) -> list[UsedName]:
+    """Types of the platform that a program uses."""
+    return [name for view in views(program, api) for name in view.types()]
+
+
+@dataclass
+class CogStart:
+    """Code that a program starts on another core: the call, the function that starts it, and the name of the code."""
+
+    call: ccode.Call
+    via: str
+    function: str
+
+
+def cogs(program: ccode.Program, api: ApiIndex) -> list[CogStart]:
+    """The cores that the program itself starts, in text order."""
+    return [start for view in views(program, api) for start in cogs_of(view)]
+
+
+def cogs_of(view: CodeView) -> list[CogStart]:
+    """The cores that a unit starts, in text order."""
+    found = []
+    for function in view.called().values():
+        position = view.api.code_argument(function.name)
+        if position is None or function.entry is None:
+            continue
+        for call in function.calls:
+            arguments = list(call.arguments)
+            found.append(CogStart(call, function.name, _code_name(arguments[position]) if position < len(arguments) else ""))
+    return sorted(found, key=lambda c: int(c.call.startOffset))
+
+
+def _code_name(argument: Any) -> str:
+    while True:
+        if isinstance(argument, (ccode.Cast, ccode.Unary)) and argument.operand is not None:
+            argument = argument.operand
+        elif isinstance(argument, ccode.Call) and argument.calleeExpression is None and len(argument.arguments) == 1:
+            argument = argument.arguments[0]
+        else:
+            break
+    return str(getattr(argument, "name", None) or getattr(argument, "text", None) or "")
+
+
+def unit_of(element: Any) -> ccode.SourceUnit | None:
+    """The unit that an element stands in, None for externals."""
+    while element is not None and not isinstance(element, ccode.SourceUnit):
+        element = element.eContainer()
+    return element
+
+
+def _definitions(program: ccode.Program) -> set[str]:
+    return {str(d.name) for unit in program.units for d in unit.declarations if isinstance(d, ccode.Function) and d.definition}
+
+
+def _distinct(calls: Iterable[ccode.Call]) -> list[ccode.Call]:
+    """Calls in text order; the argument of a macro that is expanded twice is one call."""
+    found: dict[tuple[int, int, str], ccode.Call] = {}
+    for call in calls:
+        found.setdefault((int(call.startOffset), int(call.endOffset), str(call.calleeName)), call)
+    return sorted(found.values(), key=lambda c: int(c.startOffset))
+
+
+def _line(element: Any) -> int:
+    while element is not None and not isinstance(element, ccode.Located):
+        element = element.eContainer()
+    return int(element.line) if element is not None else 0

@@ -1,0 +1,126 @@
+"""How `main` can be divided into what runs once and what is repeated (paper 4, RQ1: before the loop / its body).
+
+`divide` looks at the statements only and says either where the endless loop is and what must move out of `main` with
+it, or why the whole body has to stay in one piece, which is always correct. It decides nothing about a platform.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.main_program import MainStructure, main_structure
+
+
+@dataclass(frozen=True)
+class Division:
+    """How main is divided.
+
+    Attributes:
+        main: the function.
+        loop: its endless loop, or None when everything stays in one piece.
+        before: statements that run once.
+        hoisted: locals declared before the loop and used in it.
+        split: those of `hoisted` whose initial value is not constant, so that it is assigned where it was declared.
+        unreachable: statements after the loop that nothing leads to.
+        continues: `continue` statements of that loop.
+        returns: `return` statements of main.
+        reason: why it is so, one sentence.
+    """
+
+    main: ccode.Function
+    loop: ccode.Loop | None
+    before: tuple[ccode.Statement, ...] = ()
+    hoisted: tuple[ccode.Variable, ...] = ()
+    split: tuple[ccode.Variable, ...] = ()
+    unreachable: tuple[ccode.Statement, ...] = ()
+    continues: tuple[ccode.Continue, ...] = ()
+    returns: tuple[ccode.Return, ...] = ()
+    reason: str = ""
+
+
+def divide(main: ccode.Function) -> Division:
+    """Divide main at its endless loop if that keeps its meaning.
+
+    Args:
+        main: a function with a body.
+    """
+    unit = ancestor_of_kind(main, ccode.SourceUnit)
+    structure = main_structure(unit) if unit is not None else None
+    returns = tuple(all_of_kind(main, ccode.Return))
+    if structure is None or structure.loop is None:
+        statements = tuple(main.body.statements) if main.body else ()
+        return Division(main, None, statements, returns=returns, reason="main has no endless loop of its own")
+    loop, before, after, hoisted = structure.loop, structure.before, structure.after, tuple(structure.hoisted)
+    if reason := _obstacle(structure):
+        statements = tuple(main.body.statements) if main.body else ()
+        return Division(main, None, statements, returns=returns, reason=f"main stays in one piece: {reason}")
+    return Division(
+        main, loop, tuple(before), hoisted, tuple(v for v in hoisted if v.initializer is not None and not is_constant(v.initializer)),
+        tuple(after), tuple(c for c in all_of_kind(loop, ccode.Continue) if ancestor_of_kind(c, ccode.Loop) is loop), returns,
+        "main is divided at its endless loop",
+    )  # fmt: skip
+
+
+def _obstacle(structure: MainStructure) -> str:
+    """Why the loop cannot be taken out of main, or an empty text."""
+    main, loop = structure.function, structure.loop
+    if structure.exits:
+        return f"its loop is left in line {structure.exits[0].line}"
+    for statement in structure.before:
+        for inner in all_contents(statement):
+            if isinstance(inner, (ccode.Return, ccode.Goto, ccode.Label)):
+                return f"line {inner.line} may leave it before the loop"
+    if isinstance(loop, ccode.For) and loop.initial is not None:
+        return f"the loop in line {loop.line} has an initial clause"
+    if isinstance(loop, ccode.For) and loop.step is not None:
+        return f"the loop in line {loop.line} has a step"
+    unit = ancestor_of_kind(main, ccode.SourceUnit)
+    taken = {d.name for d in unit.declarations} | {m.name for m in unit.macros} if unit else set()
+    for variable in structure.hoisted:
+        if reason := _stays(variable, taken):
+            return reason
+    names = {p.name for p in main.parameters if p.references}
+    return f"it uses its parameter '{min(names)}'" if names else ""
+
+
+def _stays(variable: ccode.Variable, taken: set[str]) -> str:
+    """Why a local cannot become a global, or an empty text."""
+    use = variable.valueType
+    declared = use.declaration if use is not None else None
+    if variable.name in taken:
+        return f"'{variable.name}' would hide the global of that name"
+    if variable.shared:
+        return f"line {variable.line} declares '{variable.name}' together with other names"
+    if use is not None and use.arrayDims and not _plain_dimensions(use.arrayDims):
+        return f"the size of '{variable.name}' is not constant"
+    if use is not None and use.arrayDims and variable.initializer is not None and not is_constant(variable.initializer):
+        return f"the array '{variable.name}' has values that are not constant"
+    if declared is not None and ancestor_of_kind(declared, ccode.Function) is not None:
+        return f"the type of '{variable.name}' is declared in main"
+    return ""
+
+
+def _plain_dimensions(dimensions: str) -> bool:
+    return all(part.strip("[] ").isalnum() and part.strip("[] ")[:1].isdigit() for part in dimensions.split("]") if part)
+
+
+def is_constant(expression: ccode.Expression) -> bool:
+    """Whether an expression may stand as the initial value of a global: literals, constants and operators on them."""
+    for inner in all_contents(expression):
+        if isinstance(inner, (ccode.Call, ccode.Assignment, ccode.UnknownExpression, ccode.Member, ccode.Index)):
+            return False
+        if isinstance(inner, ccode.Unary) and inner.operator in ("++", "--", "*"):
+            return False
+        if isinstance(inner, ccode.NameReference) and not _constant_name(inner.target):
+            return False
+    return True
+
+
+def _constant_name(target: ccode.Declaration | None) -> bool:
+    if isinstance(target, ccode.EnumerationLiteral):
+        return True
+    if isinstance(target, ccode.Variable):
+        return bool(target.valueType and target.valueType.constant and target.initializer is not None and is_constant(target.initializer))
+    return False

@@ -1,0 +1,105 @@
+"""The structure of `main`: its endless loop, what stands before and after it, which locals the loop needs.
+
+A platform whose programs have a setup and a loop function instead of main needs these facts (paper 3.4). What is done with
+them is decided in the plan.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents
+
+
+@dataclass
+class LoopExit:
+    """A way out of the loop: break, return or goto, and its line."""
+
+    kind: str
+    line: int
+
+
+@dataclass
+class MainStructure:
+    """What `main` is made of.
+
+    Attributes:
+        function: main itself.
+        loop: the first endless while or for directly in main's body, or None.
+        before, after: main's statements before and behind the loop; without a loop all stand before.
+        hoisted: locals declared before the loop and used in it.
+        exits: ways out of the loop.
+    """
+
+    function: ccode.Function
+    loop: ccode.Loop | None = None
+    before: list[ccode.Statement] = field(default_factory=list)
+    after: list[ccode.Statement] = field(default_factory=list)
+    hoisted: list[ccode.Variable] = field(default_factory=list)
+    exits: list[LoopExit] = field(default_factory=list)
+
+    @property
+    def loop_kind(self) -> str | None:
+        """while, for, or None without a loop."""
+        if self.loop is None:
+            return None
+        return "while" if isinstance(self.loop, ccode.While) else "for"
+
+
+def main_function(unit: ccode.SourceUnit) -> ccode.Function | None:
+    """The unit's definition of main, or None."""
+    return next((d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition and d.name == "main"), None)
+
+
+def main_structure(unit: ccode.SourceUnit) -> MainStructure | None:
+    """The structure of the unit's main, None where it has none."""
+    function = main_function(unit)
+    if function is None:
+        return None
+    body = function.body
+    statements = list(body.statements) if body is not None else []
+    number = next((i for i, s in enumerate(statements) if isinstance(s, (ccode.While, ccode.For)) and s.endless), None)
+    if number is None:
+        return MainStructure(function, before=statements)
+    loop: Any = statements[number]
+    before = statements[:number]
+    locals_ = [v for s in before if isinstance(s, ccode.DeclarationStatement) for v in s.declarations if isinstance(v, ccode.Variable)]
+    hoisted = [v for v in locals_ if any(_inside(loop, r) for r in v.references) or _in_macro(unit, loop, v)]
+    return MainStructure(function, loop, before, statements[number + 1 :], hoisted, exits(loop))
+
+
+def _inside(loop: Any, reference: Any) -> bool:
+    return bool(loop.startOffset <= reference.startOffset < loop.endOffset)
+
+
+def _in_macro(unit: ccode.SourceUnit, loop: Any, variable: ccode.Variable) -> bool:
+    """Whether a macro that is used in the loop names the variable in its body."""
+    import re
+
+    word = re.compile(rf"\b{re.escape(str(variable.name))}\b")
+    return any(
+        use.macro is not None and _inside(loop, use) and word.search(str(use.macro.body or "")) is not None for use in unit.macroUses
+    )
+
+
+def exits(loop: Any) -> list[LoopExit]:
+    """The breaks, returns and gotos that leave a loop, in text order."""
+    found: list[LoopExit] = []
+    labels = {str(e.name) for e in all_contents(loop) if isinstance(e, ccode.Label)}
+    pending: list[tuple[Any, bool]] = [(loop.body, True)] if loop.body is not None else []
+    while pending:
+        element, own = pending.pop()
+        if isinstance(element, ccode.Break):
+            if own:
+                found.append(LoopExit("break", int(element.line)))
+        elif isinstance(element, ccode.Return):
+            found.append(LoopExit("return", int(element.line)))
+        elif isinstance(element, ccode.Goto):
+            if str(element.labelName) not in labels:
+                found.append(LoopExit("goto", int(element.line)))
+        elif isinstance(element, ccode.Statement):
+            inner = own and not isinstance(element, (ccode.Loop, ccode.Switch))
+            pending.extend((child, inner) for child in element.eContents if isinstance(child, ccode.Statement))
+    return sorted(found, key=lambda e: e.line)

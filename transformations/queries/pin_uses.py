@@ -1,0 +1,150 @@
+"""Which pins a program uses: one entry a call of the platform and pin, with the way the text gives the pin.
+
+What is a pin of a function, and which pins it uses by convention, is data of the platform (`pins.json`); which values an
+argument has is asked of `values`. Masks of registers, bodies of macros and other files' calls are no pin uses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.code import CalledFunction, CodeView, views
+from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.values import RUNTIME, Value, Values
+from robosmi.transformations.t2m.platform_api import ApiIndex, Convention, PinParameter
+
+
+@dataclass
+class PinUse:
+    """A pin that a call uses.
+
+    Attributes:
+        pin: its number on the source board, None where only the running program knows it.
+        expression: the argument; for a convention its own words.
+        origin: literal, constant, array, runtime or convention.
+        function: the platform's function.
+        direction: in, out, both or unknown, seen from the board.
+        line: of the call.
+        call: the call.
+        argument: the argument, None for a convention.
+    """
+
+    pin: int | None
+    expression: str
+    origin: str
+    function: str
+    direction: str
+    line: int
+    call: ccode.Call
+    argument: ccode.Expression | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form."""
+        return {
+            "pin": self.pin,
+            "expression": self.expression,
+            "origin": self.origin,
+            "function": self.function,
+            "direction": self.direction,
+            "line": self.line,
+        }
+
+
+def pin_uses(program: ccode.Program, api: ApiIndex) -> list[PinUse]:
+    """The pins that a program uses, by unit and line."""
+    return [use for view in views(program, api) for use in pin_uses_of(view)]
+
+
+def pin_uses_of(view: CodeView) -> list[PinUse]:
+    """The pins that a unit uses, by line; two entries with the same function, pin, direction and line are one."""
+    values = Values(view.program, view.unit)
+    called = {name for v in views(view.program, view.api) if v.unit is not view.unit for name in v.called()} | set(view.called())
+    found: dict[tuple[str, int | None, str, int], PinUse] = {}
+    for function in view.functions_of("platform", "posix"):
+        facts = view.api.pins(function.name, function.header)
+        if facts is None:
+            continue
+        for call in function.calls:
+            for parameter in facts.parameters:
+                for use in _argument_uses(function, call, parameter, values):
+                    found.setdefault((use.function, use.pin, use.direction, use.line), use)
+        for convention in facts.conventions:
+            if convention.set_by is None or convention.set_by not in called:
+                use_or_none = _convention_use(function, convention, values)
+                if use_or_none is not None:
+                    found.setdefault((function.name, use_or_none.pin, use_or_none.direction, use_or_none.line), use_or_none)
+    return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
+
+
+def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinParameter, values: Values) -> Iterator[PinUse]:
+    arguments = list(call.arguments)
+    if parameter.index >= len(arguments):
+        return
+    argument = arguments[parameter.index]
+    text = expression_text(argument)
+    if text in parameter.none:
+        return
+    for value in _pins(parameter, arguments, argument, values):
+        if value.number is None or value.number >= 0:
+            yield PinUse(value.number, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
+
+
+def _pins(parameter: PinParameter, arguments: list[Any], argument: Any, values: Values) -> list[Value]:
+    if parameter.count is not None:
+        elements = values.elements(argument)
+        counts = values.of(arguments[parameter.count]) if parameter.count < len(arguments) else []
+        if elements is None or len(counts) != 1 or counts[0].number is None:
+            return [RUNTIME]
+        return elements[: counts[0].number]
+    own = values.of(argument)
+    if parameter.range_with is not None and parameter.range_with < len(arguments):
+        return _range(own, values.of(arguments[parameter.range_with]))
+    if parameter.span > 1:
+        return [v if v.number is None else Value(v.number + i, v.origin) for v in own for i in range(parameter.span)]
+    return own
+
+
+def _range(ends: list[Value], starts: list[Value]) -> list[Value]:
+    """Every pin between two arguments, in either order."""
+    found: list[Value] = []
+    for a in ends:
+        for b in starts:
+            if a.number is None or b.number is None or abs(a.number - b.number) > 63:
+                return [RUNTIME]
+            origin = a.origin if a.origin != "literal" else b.origin
+            low, high = min(a.number, b.number), max(a.number, b.number)
+            found += [Value(pin, origin) for pin in range(low, high + 1)]
+    return found
+
+
+def _convention_use(function: CalledFunction, convention: Convention, values: Values) -> PinUse | None:
+    for call in function.calls:
+        if _holds(convention.when, call, values):
+            return PinUse(convention.pin, convention.what, "convention", function.name, convention.direction, int(call.line), call)
+    return None
+
+
+def _holds(when: dict[str, int] | None, call: ccode.Call, values: Values) -> bool:
+    if when is None:
+        return True
+    arguments = list(call.arguments)
+    if when["index"] >= len(arguments):
+        return False
+    numbers = [v.number for v in values.of(arguments[when["index"]])]
+    if None in numbers:
+        return True
+    for number in numbers:
+        if number is not None and _fits(when, number):
+            return True
+    return False
+
+
+def _fits(when: dict[str, int], number: int) -> bool:
+    if "equals" in when:
+        return number == when["equals"]
+    if "not" in when:
+        return number != when["not"]
+    return number < when["below"] if "below" in when else True

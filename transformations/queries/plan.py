@@ -1,0 +1,132 @@
+"""EOL-style operations on the migration plan: counts, open choices, and the plan's part of the JSON contract."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from robosmi.diagnostics import Finding, Location, Severity, Task
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import Q, ancestor_of_kind
+
+
+def disposition_counts(plan: migration.MigrationPlan) -> dict[str, int]:
+    """How many elements each action has; every action is named."""
+    counts = Counter(d.action.name for d in plan.dispositions)
+    return {name: counts.get(name, 0) for name in ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")}
+
+
+def header_name(adapter: migration.AdapterUse) -> str:
+    """The header that declares an adapted function, `unknown` where none does."""
+    header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
+    return header.name if header else "unknown"
+
+
+def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
+    """Calls to platform functions: in all, with a body behind them, still to do; the same for each header."""
+    by_header: dict[str, dict[str, int]] = {}
+    for adapter in plan.adapterUses:
+        counts = by_header.setdefault(header_name(adapter), {"total": 0, "with_body": 0, "todo": 0})
+        state = "with_body" if adapter.status in (migration.AdapterStatus.filled, migration.AdapterStatus.care) else "todo"
+        counts["total"] += len(adapter.calls)
+        counts[state] += len(adapter.calls)
+    total = {key: sum(c[key] for c in by_header.values()) for key in ("total", "with_body", "todo")}
+    return {**total, "by_header": by_header}
+
+
+def decisions(plan: migration.MigrationPlan) -> Q[migration.Decision]:
+    """The decisions a person may be asked for: port bindings and library choices."""
+    return Q([*plan.portBindings, *plan.libraryChoices])
+
+
+def open_choices(plan: migration.MigrationPlan) -> Q[migration.Decision]:
+    """The decisions in which nothing is chosen."""
+    return decisions(plan).select(lambda d: d.open)
+
+
+def element_title(element: ccode.Located) -> str:
+    """What an element is called in a report."""
+    kind = type(element).__name__
+    if isinstance(element, ccode.Include):
+        return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
+    name = getattr(element, "name", "") if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""
+    return f"{kind} {name}" if name else kind
+
+
+def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
+    """The program's own functions that are in the sketch, with what became of them."""
+    return [
+        {"name": d.element.name, "line": d.element.line, "action": d.action.name}
+        for d in plan.dispositions
+        if isinstance(d.element, ccode.Function) and d.element.definition and d.action is not migration.Action.drop
+    ]
+
+
+def binding_json(binding: migration.PortBinding) -> dict[str, Any]:
+    """A port binding in the contract's form."""
+    return {
+        "name": binding.name, "source_pin": binding.sourcePin if binding.sourcePin >= 0 else None, "signal": binding.signal.name,
+        "origin": binding.origin, "what": binding.what, "connection": binding.connection.name if binding.connection else None,
+        "pin": _pin(binding), "open": binding.open, "chosen_by": binding.chosenBy.name, "confidence": binding.confidence,
+        "evidence": list(binding.evidence), "options": [{"label": o.label, "score": o.score, "reasons": list(o.reasons)} for o in binding.options],
+    }  # fmt: skip
+
+
+def _pin(binding: migration.PortBinding) -> str | None:
+    if binding.connection is not None and binding.connection.pin is not None:
+        return binding.connection.pin.label
+    return binding.pin.label if binding.pin is not None else None
+
+
+def library_json(choice: migration.LibraryChoice) -> dict[str, Any]:
+    """A library choice in the contract's form."""
+    component = choice.component
+    chosen = choice.chosen
+    return {
+        "component": component.title if component else "", "component_model_index": component.elementId if component else "",
+        "library": chosen.name if chosen else None, "header": next(iter(chosen.headers), None) if chosen else None,
+        "version": chosen.version if chosen else None, "decision": choice.recommendation, "open": choice.open,
+        "chosen_by": choice.chosenBy.name, "confidence": choice.confidence,
+        "candidates": [{"library": o.label, "score": o.score, "reasons": list(o.reasons)} for o in choice.options],
+    }  # fmt: skip
+
+
+def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
+    """The contract's `plan`."""
+    return {
+        "name": plan.name,
+        "target": plan.board.name if plan.board else None,
+        "structure": plan.structure.name,
+        "dispositions": disposition_counts(plan),
+        "call_sites": call_sites(plan),
+        "functions": functions_carried_over(plan),
+        "adapters": [
+            {"name": a.name, "signature": a.signature, "header": header_name(a), "calls": len(a.calls), "status": a.status.name}
+            for a in plan.adapterUses
+        ],
+        "symbols": [{"name": s.name, "status": s.status.name} for s in plan.symbolUses],
+        "connections": [
+            {"name": c.name, "pin": c.pin.label if c.pin else None, "component": c.component.title if c.component else None}
+            for c in plan.connections
+        ],
+        "bindings": [binding_json(b) for b in plan.portBindings],
+        "libraries": [library_json(c) for c in plan.libraryChoices],
+        "tasks": len(plan.tasks),
+        "open_choices": len(open_choices(plan)),
+    }
+
+
+def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding]:
+    """Plan tasks or findings as the report's values.
+
+    Args:
+        entries: the plan's elements.
+        places: stored path -> path as the user knows it.
+    """
+    result: list[Finding] = []
+    for entry in entries:
+        location = Location(places.get(entry.path, entry.path), entry.line or None, entry.column or None) if entry.path else None
+        kind = Finding if isinstance(entry, migration.PlanFinding) else Task
+        evidence = {"effort": entry.effort} if entry.effort else {}
+        result.append(kind(entry.rule, Severity[entry.severity.name], entry.message, location, fix=entry.fix or None, evidence=evidence))
+    return result

@@ -1,0 +1,116 @@
+"""The text of a source unit with the plan's edits applied: how retained code is carried over.
+
+Text is carried over, not printed anew from the model, so comments, layout and conditional code survive. Offsets are
+bytes of the original; an edit is applied wherever its range is copied. Which edits there are is the plan's business.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from robosmi.errors import InternalError
+from robosmi.metamodels import ccode, migration
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A run of whole lines of copied text.
+
+    Attributes:
+        text: with edits applied.
+        start, end: byte offsets of the original.
+        elements: the top elements in it.
+        edits: the edits applied in it.
+    """
+
+    text: str
+    start: int
+    end: int
+    elements: tuple[ccode.Located, ...]
+    edits: tuple[migration.Edit, ...]
+
+
+class SourceText:
+    """A unit's bytes and the edits on them.
+
+    Args:
+        unit: the unit.
+        data: its bytes, as they were read.
+        edits: the plan's edits; those of other units are left out.
+
+    Raises:
+        InternalError: two edits overlap.
+    """
+
+    def __init__(self, unit: ccode.SourceUnit, data: bytes, edits: Iterable[migration.Edit]) -> None:
+        self.unit = unit
+        self.data = data
+        self.edits = sorted((e for e in edits if e.unit is unit), key=lambda e: (e.startOffset, e.endOffset))
+        for first, second in zip(self.edits, self.edits[1:], strict=False):
+            if second.startOffset < first.endOffset:
+                raise InternalError(f"{unit.path}: the edits at bytes {first.startOffset} and {second.startOffset} overlap")
+
+    def line_start(self, offset: int) -> int:
+        """Offset of the first byte of the line."""
+        return self.data.rfind(b"\n", 0, offset) + 1
+
+    def line_end(self, offset: int) -> int:
+        """Offset behind the line feed that ends the line, or the end of the text."""
+        found = self.data.find(b"\n", offset)
+        return len(self.data) if found < 0 else found + 1
+
+    def blank(self, start: int, end: int) -> bool:
+        """Whether the range holds white space only."""
+        return not self.data[start:end].strip()
+
+    def slice(self, start: int, end: int) -> tuple[str, tuple[migration.Edit, ...]]:
+        """The text of a range with edits applied, line ends as line feeds, and the edits that took part."""
+        parts: list[str] = []
+        applied: list[migration.Edit] = []
+        position = start
+        for edit in self.edits:
+            if edit.startOffset < start or edit.endOffset > end:
+                continue
+            parts += [self._decode(position, edit.startOffset), edit.replacement]
+            position = edit.endOffset
+            applied.append(edit)
+        parts.append(self._decode(position, end))
+        return "".join(parts), tuple(applied)
+
+    def _decode(self, start: int, end: int) -> str:
+        text = self.data[start:end].decode(self.unit.encoding or "utf-8", errors="replace")
+        return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+
+    def pieces(self, start: int, end: int, elements: Iterable[ccode.Located]) -> Iterator[Piece]:
+        """A range cut at line ends behind each element, so that each run of lines is known by its elements.
+
+        Args:
+            start, end: the range.
+            elements: elements in it that are to be told apart, in any order.
+        """
+        position = start
+        waiting: list[ccode.Located] = []
+        ordered = sorted((e for e in elements if start <= e.startOffset < end), key=lambda e: e.startOffset)
+        for index, element in enumerate(ordered):
+            waiting.append(element)
+            cut = min(self.line_end(max(element.endOffset - 1, element.startOffset)), end)
+            following = ordered[index + 1] if index + 1 < len(ordered) else None
+            if following is not None and following.startOffset < cut:
+                continue
+            yield self._piece(position, cut, waiting)
+            position, waiting = cut, []
+        if position < end:
+            yield self._piece(position, end, waiting)
+
+    def _piece(self, start: int, end: int, elements: list[ccode.Located]) -> Piece:
+        text, applied = self.slice(start, end)
+        return Piece(text, start, end, tuple(elements), applied)
+
+
+def dedent(text: str) -> str:
+    """Take the common indentation away and give two blanks instead; text with continued lines is left as it is."""
+    if "\\\n" in text:
+        return text
+    return textwrap.indent(textwrap.dedent(text.expandtabs(4)), "  ", lambda line: bool(line.strip()))

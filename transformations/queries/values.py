@@ -1,0 +1,319 @@
+"""Which values an expression of a program can have, where the text decides it: constants, counters, arrays, parameters.
+
+An abstract reading, no execution: a name stands for a value when the text gives it one and never another. A value that comes
+through a parameter is looked up at the callers. What the text does not decide is None, with origin `runtime`.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from typing import Any, NamedTuple
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+
+LIMIT = 64
+_NUMBER = re.compile(r"\b(0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)[uUlL]*\b")
+_WRITES = ("++", "--")
+
+
+class Value(NamedTuple):
+    """A value, or None where only the running program knows it, and how the text gives it (literal, constant, array, runtime)."""
+
+    number: int | None
+    origin: str
+
+
+RUNTIME = Value(None, "runtime")
+
+
+class Values:
+    """Values in one program.
+
+    Args:
+        program: its units are looked up for callers and macros.
+        unit: the unit whose macros hold.
+    """
+
+    def __init__(self, program: ccode.Program, unit: ccode.SourceUnit) -> None:
+        self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
+        self.names: dict[str, Any] = {}
+        for declaration in (d for u in program.units for d in u.declarations):
+            self.names.setdefault(str(declaration.name), declaration)
+            if isinstance(declaration, ccode.Enumeration):
+                self.names.update({str(literal.name): literal for literal in declaration.literals})
+        self._active: set[tuple[str, int]] = set()
+
+    def of(self, expression: Any) -> list[Value]:
+        """The values of an expression, in text order, each once."""
+        method = _METHODS.get(type(expression).__name__)
+        found: list[Value] = method(self, expression) if method else [RUNTIME]
+        return _distinct(found)
+
+    def _guarded(self, element: Any, what: str, body: Any) -> list[Value]:
+        """Stop at a name that is defined by itself."""
+        key = (what, id(element))
+        if key in self._active:
+            return [RUNTIME]
+        self._active.add(key)
+        try:
+            found: list[Value] = body(element)
+            return found
+        finally:
+            self._active.discard(key)
+
+    def _integer(self, literal: Any) -> list[Value]:
+        return [Value(int(literal.value), "literal")]
+
+    def _cast(self, cast: Any) -> list[Value]:
+        return self.of(cast.operand)
+
+    def _unary(self, unary: Any) -> list[Value]:
+        change = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}.get(str(unary.operator))
+        if change is None:
+            return [RUNTIME]
+        sign = str(unary.operator) in "+-"
+        values = self.of(unary.operand)
+        return [RUNTIME if v.number is None else Value(change(v.number), v.origin if sign or v.origin != "literal" else "constant") for v in values]
+
+    def _binary(self, binary: Any) -> list[Value]:
+        left, right = self.of(binary.left), self.of(binary.right)
+        if len(left) * len(right) > LIMIT:
+            return [RUNTIME]
+        found = []
+        for a in left:
+            for b in right:
+                number = None if a.number is None or b.number is None else calculate(str(binary.operator), a.number, b.number)
+                origin = "array" if "array" in (a.origin, b.origin) else "constant"
+                found.append(RUNTIME if number is None else Value(number, origin))
+        return found
+
+    def _name(self, reference: Any) -> list[Value]:
+        target = reference.target
+        if isinstance(target, ccode.EnumerationLiteral):
+            return [Value(int(target.value), "constant")]
+        if isinstance(target, ccode.Variable):
+            counter = self._counter(reference, target)
+            return counter if counter is not None else self._guarded(target, "variable", self._variable)
+        if isinstance(target, ccode.Parameter):
+            return self._guarded(target, "parameter", self._parameter)
+        if target is None and str(reference.name) in self.macros:
+            return self._macro(str(reference.name))
+        return [RUNTIME]
+
+    def _variable(self, variable: Any) -> list[Value]:
+        """A variable that gets one value in the whole text."""
+        if variable.valueType is not None and variable.valueType.arrayDims:
+            return [RUNTIME]
+        assigned: list[Any] = [variable.initializer] if variable.initializer is not None else []
+        for reference in variable.references:
+            container: Any = reference.eContainer()
+            if isinstance(container, ccode.Assignment) and container.left is reference:
+                if str(container.operator) != "=":
+                    return [RUNTIME]
+                assigned.append(container.right)
+            elif isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--", "&"):
+                return [RUNTIME]
+        if len(assigned) != 1:
+            return [RUNTIME]
+        return [v if v.origin in ("array", "runtime") else Value(v.number, "constant") for v in self.of(assigned[0])]
+
+    def _counter(self, reference: Any, variable: Any) -> list[Value] | None:
+        """The variable of the for loop around a use, None where there is no such loop."""
+        loop: Any = ancestor_of_kind(reference, ccode.For)
+        while loop is not None:
+            start = _start(loop, variable)
+            if start is not None and _in(loop, reference):
+                return self._count(loop, variable, start)
+            loop = ancestor_of_kind(loop, ccode.For)
+        return None
+
+    def _count(self, loop: Any, variable: Any, start: Any) -> list[Value]:
+        step = self._step(loop.step, variable)
+        condition = loop.condition
+        if step is None or not isinstance(condition, ccode.Binary) or not _refers(condition.left, variable):
+            return [RUNTIME]
+        for reference in variable.references:
+            if _written(reference) and _in(loop.body, reference):
+                return [RUNTIME]
+        first, bound = self.of(start), self.of(condition.right)
+        if len(first) != 1 or len(bound) != 1 or first[0].number is None or bound[0].number is None:
+            return [RUNTIME]
+        found, number = [], first[0].number
+        while len(found) <= LIMIT and calculate(str(condition.operator), number, bound[0].number):
+            found.append(Value(number, "constant"))
+            number += step
+        return found if found and len(found) <= LIMIT else [RUNTIME]
+
+    def _step(self, step: Any, variable: Any) -> int | None:
+        if isinstance(step, ccode.Unary) and _refers(step.operand, variable):
+            return {"++": 1, "--": -1}.get(str(step.operator))
+        if isinstance(step, ccode.Assignment) and _refers(step.left, variable):
+            right, operator = step.right, str(step.operator)
+            if operator == "=" and isinstance(right, ccode.Binary) and _refers(right.left, variable):
+                right, operator = right.right, f"{right.operator}="
+            values = self.of(right)
+            if len(values) == 1 and values[0].number and operator in ("+=", "-="):
+                return values[0].number if operator == "+=" else -values[0].number
+        return None
+
+    def _parameter(self, parameter: Any) -> list[Value]:
+        """What callers pass, the first caller first; runtime where nobody calls, or where the function changes it."""
+        if any(_written(r) for r in parameter.references):
+            return [RUNTIME]
+        arguments = _arguments(parameter)
+        return [value for argument in arguments for value in self.of(argument)] or [RUNTIME]
+
+    def _macro(self, name: str) -> list[Value]:
+        return self._guarded(self.macros[name], "macro", lambda m: self._macro_value(str(m.body or "")))
+
+    def _macro_value(self, body: str) -> list[Value]:
+        text = _NUMBER.sub(lambda m: str(_c_integer(m[1])), body)
+        try:
+            number = self._evaluate(ast.parse(text.strip(), mode="eval").body)
+        except (SyntaxError, ValueError, RecursionError):
+            return [RUNTIME]
+        return [RUNTIME if number is None else Value(number, "constant")]
+
+    def _evaluate(self, node: ast.expr) -> int | None:
+        if isinstance(node, ast.Constant):
+            return node.value if isinstance(node.value, int) else None
+        if isinstance(node, ast.UnaryOp):
+            value = self._evaluate(node.operand)
+            sign = {ast.USub: -1, ast.UAdd: 1}.get(type(node.op))
+            return None if value is None or sign is None else sign * value
+        if isinstance(node, ast.BinOp):
+            left, right = self._evaluate(node.left), self._evaluate(node.right)
+            operator = _PYTHON.get(type(node.op))
+            return None if left is None or right is None or operator is None else calculate(operator, left, right)
+        if isinstance(node, ast.Name):
+            values = self._by_name(node.id)
+            return values[0].number if len(values) == 1 else None
+        return None
+
+    def _by_name(self, name: str) -> list[Value]:
+        if name in self.macros:
+            return self._macro(name)
+        declaration = self.names.get(name)
+        if isinstance(declaration, ccode.EnumerationLiteral):
+            return [Value(int(declaration.value), "constant")]
+        return self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else [RUNTIME]
+
+    def _index(self, index: Any) -> list[Value]:
+        elements = self.elements(index.array)
+        if elements is None:
+            return [RUNTIME]
+        positions = self.of(index.index)
+        if len(positions) == 1 and positions[0].number is not None:
+            return [elements[positions[0].number]] if 0 <= positions[0].number < len(elements) else [RUNTIME]
+        return elements
+
+    def elements(self, array: Any) -> list[Value] | None:
+        """The elements of an array that is initialised with constants and never written, None for any other; also through a parameter."""
+        target = array.target if isinstance(array, ccode.NameReference) else None
+        if isinstance(target, ccode.Parameter):
+            passed = [self.elements(a) for a in _arguments(target)]
+            return None if not passed or any(p is None for p in passed) else [v for p in passed for v in p or []]
+        if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
+            return None
+        for reference in target.references:
+            container: Any = reference.eContainer()
+            if isinstance(container, ccode.Index) and container.array is reference and _written(container):
+                return None
+        found = []
+        for element in target.initializer.elements:
+            values = self.of(element)
+            if len(values) != 1 or values[0].number is None:
+                return None
+            found.append(Value(values[0].number, "array"))
+        return found
+
+
+_METHODS: dict[str, Any] = {
+    "IntegerLiteral": Values._integer,
+    "CharacterLiteral": Values._integer,
+    "Cast": Values._cast,
+    "Unary": Values._unary,
+    "Binary": Values._binary,
+    "NameReference": Values._name,
+    "Index": Values._index,
+}
+_PYTHON: dict[type, str] = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Mod: "%", ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|",
+    ast.BitXor: "^",
+}  # fmt: skip
+
+
+def calculate(operator: str, a: int, b: int) -> int | None:
+    """A binary operator of C on two integers; None where it has no value."""
+    if operator in ("/", "%"):
+        if b == 0:
+            return None
+        quotient = abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
+        return quotient if operator == "/" else a - b * quotient
+    if operator in ("<<", ">>"):
+        return None if not 0 <= b < 64 else a << b if operator == "<<" else a >> b
+    operation = _OPERATIONS.get(operator)
+    return None if operation is None else int(operation(a, b))
+
+
+_OPERATIONS: dict[str, Any] = {
+    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "&": lambda a, b: a & b, "|": lambda a, b: a | b,
+    "^": lambda a, b: a ^ b, "<": lambda a, b: a < b, ">": lambda a, b: a > b, "<=": lambda a, b: a <= b, ">=": lambda a, b: a >= b,
+    "==": lambda a, b: a == b, "!=": lambda a, b: a != b,
+}  # fmt: skip
+
+
+def _c_integer(text: str) -> int:
+    lower = text.lower()
+    if lower.startswith(("0x", "0b")):
+        return int(lower[2:], 16 if lower[1] == "x" else 2)
+    return int(lower, 8 if lower.startswith("0") and len(lower) > 1 else 10)
+
+
+def _distinct(values: list[Value]) -> list[Value]:
+    first: dict[int | None, Value] = {}
+    for value in values:
+        first.setdefault(value.number, value)
+    return list(first.values())
+
+
+def _refers(expression: Any, variable: Any) -> bool:
+    return isinstance(expression, ccode.NameReference) and expression.target is variable
+
+
+def _in(element: Any, reference: Any) -> bool:
+    return element is not None and bool(element.startOffset <= reference.startOffset < element.endOffset)
+
+
+def _written(element: Any) -> bool:
+    container: Any = element.eContainer()
+    if isinstance(container, ccode.Assignment):
+        return container.left is element
+    return isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--", "&")
+
+
+def _start(loop: Any, variable: Any) -> Any:
+    """The value that a for loop gives its variable first, None where its first clause does not set it."""
+    initial = loop.initial
+    if isinstance(initial, ccode.DeclarationStatement):
+        return next((d.initializer for d in initial.declarations if d is variable), None)
+    pending = [initial.expression] if isinstance(initial, ccode.ExpressionStatement) else []
+    while pending:
+        one = pending.pop()
+        if isinstance(one, ccode.Assignment) and str(one.operator) == "=" and _refers(one.left, variable):
+            return one.right
+        if isinstance(one, ccode.Binary) and str(one.operator) == ",":
+            pending += [one.left, one.right]
+    return None
+
+
+def _arguments(parameter: Any) -> list[Any]:
+    """The arguments that callers pass for a parameter, in text order."""
+    function = parameter.eContainer()
+    if not isinstance(function, ccode.Function):
+        return []
+    position = list(function.parameters).index(parameter)
+    calls = sorted(function.calls, key=lambda c: int(c.startOffset))
+    return [list(c.arguments)[position] for c in calls if position < len(c.arguments)]

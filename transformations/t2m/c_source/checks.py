@@ -1,0 +1,43 @@
+"""Whether a text that was parsed is C at all.
+
+The parser makes something of any text. A text is refused when it has syntax errors and nothing of it survives as C: no
+function with a body, no declaration of a type that C or the text knows.
+"""
+
+from __future__ import annotations
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.c_source.parsing import Parsed
+
+_HINTS = {".py": "Python", ".spin": "Spin", ".xml": "XML", ".html": "HTML", ".fzz": "a Fritzing sketch", ".fz": "a Fritzing sketch", ".json": "JSON"}
+
+
+def refuse_other_languages(parsed: Parsed) -> None:
+    """Do nothing for C.
+
+    Raises:
+        SourceError: the text is not C.
+    """
+    errors = [d for d in parsed.first_diagnostics if d.offset >= 0 and not d.message.endswith("file not found")]
+    syntax = [d for d in errors if d.syntax]
+    if not syntax:
+        return
+    damaged = sorted(d.offset for d in errors)
+    unknown = {d.offset for d in errors if d.message.startswith(("unknown type name", "type specifier missing", "a type specifier"))}
+
+    def survives(start: int, end: int, kind: int) -> bool:
+        return kind in (2, 3, 5, 8, 9, 20) and not any(start <= o <= end for o in unknown)
+
+    bodies = [n for n in parsed.nodes if n.kind == 8 and any(c.kind == 202 for c in n.children) and survives(n.start, n.start + 1, n.kind)]
+    whole = [n for n in parsed.nodes if survives(n.start, n.end, n.kind) and not any(n.start <= o <= n.end for o in damaged)]
+    if bodies or whole:
+        return
+    source = parsed.source
+    place = source.place(syntax[0].offset, syntax[0].offset)
+    hint = next((f" (it looks like {name})" for ending, name in _HINTS.items() if source.path.lower().endswith(ending)), "")
+    raise SourceError(
+        f"this is no C source text{hint}: {syntax[0].message}",
+        location=Location(source.path, place["line"], place["column"]),
+        fix="give a C source file",
+    )

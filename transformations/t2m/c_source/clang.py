@@ -1,0 +1,212 @@
+"""A thin binding of the functions of libclang that the reader needs, and nothing else.
+
+`clang.cindex` costs an import of its own, has no binding for operators, and reads a cursor's place by five calls. Here
+places are plain offsets, cursors are ctypes structures, and `Any` ends at this module's border. The wheel `libclang`
+gives the shared library; this module says how to call it (Index.h of LLVM 18). What cursors mean is in `tree` and the
+builders.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, c_longlong, c_uint, c_ulong, c_void_p, pointer
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import MissingToolError
+
+DETAILED_RECORD = 0x01
+KEEP_GOING = 0x200
+
+
+class Cursor(Structure):
+    """CXCursor."""
+
+    _fields_ = [("kind", c_int), ("xdata", c_int), ("data", c_void_p * 3)]
+
+
+class SourceLocation(Structure):
+    """CXSourceLocation."""
+
+    _fields_ = [("ptr_data", c_void_p * 2), ("int_data", c_uint)]
+
+
+class SourceRange(Structure):
+    """CXSourceRange."""
+
+    _fields_ = [("ptr_data", c_void_p * 2), ("begin", c_uint), ("end", c_uint)]
+
+
+class RangeList(Structure):
+    """CXSourceRangeList."""
+
+    _fields_ = [("count", c_uint), ("ranges", POINTER(SourceRange))]
+
+
+class String(Structure):
+    """CXString."""
+
+    _fields_ = [("data", c_void_p), ("flags", c_uint)]
+
+
+class Type(Structure):
+    """CXType."""
+
+    _fields_ = [("kind", c_int), ("data", c_void_p * 2)]
+
+
+class UnsavedFile(Structure):
+    """CXUnsavedFile."""
+
+    _fields_ = [("name", c_char_p), ("contents", c_char_p), ("length", c_ulong)]
+
+
+VISITOR = CFUNCTYPE(c_int, Cursor, Cursor, c_void_p)
+INCLUSION_VISITOR = CFUNCTYPE(None, c_void_p, POINTER(SourceLocation), c_uint, c_void_p)
+
+_SIGNATURES: dict[str, tuple[list[Any], Any]] = {
+    "createIndex": ([c_int, c_int], c_void_p),
+    "parseTranslationUnit2": (
+        [c_void_p, c_char_p, POINTER(c_char_p), c_int, POINTER(UnsavedFile), c_uint, c_uint, POINTER(c_void_p)], c_int,
+    ),
+    "disposeTranslationUnit": ([c_void_p], None),
+    "getTranslationUnitCursor": ([c_void_p], Cursor),
+    "visitChildren": ([Cursor, VISITOR, c_void_p], c_uint),
+    "getCursorExtent": ([Cursor], SourceRange),
+    "getCursorLocation": ([Cursor], SourceLocation),
+    "getCursorReferenced": ([Cursor], Cursor),
+    "getCursorSpelling": ([Cursor], String),
+    "getCursorType": ([Cursor], Type),
+    "getCursorResultType": ([Cursor], Type),
+    "getCanonicalType": ([Type], Type),
+    "getTypeSpelling": ([Type], String),
+    "getArrayElementType": ([Type], Type),
+    "getPointeeType": ([Type], Type),
+    "getCursorPrettyPrinted": ([Cursor, c_void_p], String),
+    "Type_getSizeOf": ([Type], c_longlong),
+    "isFunctionTypeVariadic": ([Type], c_uint),
+    "isCursorDefinition": ([Cursor], c_uint),
+    "Cursor_getStorageClass": ([Cursor], c_int),
+    "Cursor_getVarDeclInitializer": ([Cursor], Cursor),
+    "Cursor_isMacroFunctionLike": ([Cursor], c_uint),
+    "getEnumConstantDeclValue": ([Cursor], c_longlong),
+    "getFieldDeclBitWidth": ([Cursor], c_int),
+    "getCursorBinaryOperatorKind": ([Cursor], c_int),
+    "getCursorUnaryOperatorKind": ([Cursor], c_int),
+    "Cursor_Evaluate": ([Cursor], c_void_p),
+    "EvalResult_getKind": ([c_void_p], c_int),
+    "EvalResult_getAsLongLong": ([c_void_p], c_longlong),
+    "EvalResult_dispose": ([c_void_p], None),
+    "getFileLocation": ([SourceLocation, POINTER(c_void_p), POINTER(c_uint), POINTER(c_uint), POINTER(c_uint)], None),
+    "getFile": ([c_void_p, c_char_p], c_void_p),
+    "getFileName": ([c_void_p], String),
+    "getLocationForOffset": ([c_void_p, c_void_p, c_uint], SourceLocation),
+    "getSkippedRanges": ([c_void_p, c_void_p], POINTER(RangeList)),
+    "disposeSourceRangeList": ([POINTER(RangeList)], None),
+    "getInclusions": ([c_void_p, INCLUSION_VISITOR, c_void_p], None),
+    "getNumDiagnostics": ([c_void_p], c_uint),
+    "getDiagnostic": ([c_void_p, c_uint], c_void_p),
+    "disposeDiagnostic": ([c_void_p], None),
+    "getDiagnosticSpelling": ([c_void_p], String),
+    "getDiagnosticSeverity": ([c_void_p], c_int),
+    "getDiagnosticLocation": ([c_void_p], SourceLocation),
+    "getCString": ([String], c_char_p),
+    "disposeString": ([String], None),
+}  # fmt: skip
+
+
+class Library:
+    """libclang's functions without the prefix `clang_`, typed for ctypes."""
+
+    def __init__(self, path: str) -> None:
+        library: Any = CDLL(path)
+        for name, (arguments, result) in _SIGNATURES.items():
+            function = library[f"clang_{name}"]
+            function.argtypes = arguments
+            function.restype = result
+            setattr(self, name, function)
+        self.index = self.createIndex(0, 0)
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(name)
+
+    def text(self, string: String) -> str:
+        """The content of a CXString, which is given back."""
+        content = self.getCString(string)
+        self.disposeString(string)
+        return content.decode("utf-8", "replace") if content else ""
+
+
+@cache
+def library() -> Library:
+    """The library of this process, loaded at the first call, with its one index.
+
+    Raises:
+        MissingToolError: the package `libclang` is not installed or has no library for this system.
+    """
+    spec = find_spec("clang")
+    for root in (spec.submodule_search_locations or []) if spec else []:
+        for name in ("libclang.so", "libclang.dylib", "libclang.dll"):
+            path = Path(root) / "native" / name
+            if path.is_file():
+                return Library(str(path))
+    raise MissingToolError("the C parser libclang is not installed", fix="run: pip install libclang==18.1.1")
+
+
+def unsaved(files: dict[str, bytes]) -> list[UnsavedFile]:
+    """Virtual files by absolute name, ready for `parse`."""
+    return [UnsavedFile(os.fsencode(name), content, len(content)) for name, content in files.items()]
+
+
+def parse(path: str, arguments: Sequence[str], files: Sequence[UnsavedFile]) -> int | None:
+    """A translation unit's handle, or None when the parser gave up. The caller gives it back with `disposeTranslationUnit`."""
+    lib = library()
+    flags = (c_char_p * len(arguments))(*[os.fsencode(a) for a in arguments])
+    virtual = (UnsavedFile * len(files))(*files)
+    unit = c_void_p()
+    code = lib.parseTranslationUnit2(
+        lib.index, os.fsencode(path), flags, len(arguments), virtual, len(files), DETAILED_RECORD | KEEP_GOING, byref(unit)
+    )
+    return unit.value if code == 0 else None
+
+
+def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, Any], int]) -> None:
+    """Visit the children of a cursor; the callback answers 0 to stop, 1 to go on, 2 to go into the child first.
+
+    Raises:
+        Exception: what the callback raised (ctypes alone would swallow it).
+    """
+    failed: list[BaseException] = []
+
+    def guarded(child: Cursor, parent: Cursor, data: Any) -> int:
+        try:
+            return callback(child, parent, data)
+        except BaseException as error:  # nothing may pass through C
+            failed.append(error)
+            return 0
+
+    library().visitChildren(cursor, VISITOR(guarded), None)
+    if failed:
+        raise failed[0]
+
+
+def file_offset(location: SourceLocation) -> tuple[int | None, int]:
+    """The file (a handle) and the byte offset of a place; a place in a macro's expansion counts where the text has it."""
+    file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
+    library().getFileLocation(location, byref(file), pointer(line), pointer(column), byref(offset))
+    return file.value, offset.value
+
+
+def file_name(file: int | None) -> str:
+    """The name of a file by its handle, empty for none."""
+    return library().text(library().getFileName(file)) if file else ""
+
+
+def inclusions(unit: int) -> list[str]:
+    """The names of all files that the unit really read, itself first."""
+    found: list[str] = []
+    library().getInclusions(unit, INCLUSION_VISITOR(lambda file, stack, depth, data: found.append(file_name(file))), None)
+    return found

@@ -1,0 +1,181 @@
+"""What the builders share while one unit is built: text, tokens, the parser's tree, declarations seen, findings.
+
+No element is made here. `Context` answers questions about places (which token stands before, is this from a macro and from
+which) and about names (what does this cursor refer to). One context serves one unit.
+"""
+
+from __future__ import annotations
+
+import os
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.lexer import Token
+from robosmi.transformations.t2m.c_source.parsing import Parsed
+from robosmi.transformations.t2m.c_source.source import SourceText
+from robosmi.transformations.t2m.c_source.tree import Expansion, Node
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+MAX_DEPTH = 150
+
+
+class Context:
+    """State of building one unit.
+
+    Attributes:
+        api: the source platform.
+        lib: libclang.
+        tokens: without comments and directives.
+        declared: declaration pointer -> element.
+        references, calls: elements to link once everything is built, with their cursor.
+        covered: offsets of callee names that have a call or a macro use in the model.
+        declarators: offsets of names that a declaration declares (they look like calls).
+        user_macros: names of macros that the file defines.
+    """
+
+    def __init__(self, parsed: Parsed, api: ApiIndex, include_dirs: Sequence[str] = ()) -> None:
+        self.parsed = parsed
+        self.api = api
+        self.include_dirs = sorted((os.path.abspath(d) for d in include_dirs), key=len, reverse=True)
+        self.lib = clang.library()
+        self.source: SourceText = parsed.source
+        self.tokens: list[Token] = [t for t in self.source.tokens if t[0] != "comment" and t[0] != "directive"]
+        self._comments: list[Token] = [t for t in self.source.tokens if t[0] == "comment"]
+        self._comment_starts = [t[1] for t in self._comments]
+        self._starts = [t[1] for t in self.tokens]
+        self.declared: dict[int, ccode.Declaration] = {}
+        self.references: list[tuple[ccode.NameReference, Any]] = []
+        self.calls: list[tuple[ccode.Call, Any]] = []
+        self.call_nodes: list[tuple[ccode.Call, Node, Node | None]] = []
+        self.type_uses: list[tuple[ccode.TypeUse, str]] = []
+        self.covered: set[int] = set()
+        self.declarators: set[int] = set()
+        self.user_macros: dict[str, bool] = {}
+        self.findings: list[Finding] = []
+        self.depth = 0
+        self._expansion_starts: list[int] = []
+        self._expansions: list[Expansion] = []
+        for expansion in sorted(parsed.expansions, key=lambda e: (e.start, -e.end)):
+            self._expansions.append(expansion)
+            self._expansion_starts.append(expansion.start)
+        self.canonical: dict[int, tuple[str, int, bool, bool]] = {}
+        self.attribute_macros: frozenset[str] = frozenset({*api.settings["parser"].get("attribute_macros", ()), *parsed.prelude.macros})
+
+    def text(self, node: Node) -> str:
+        """The text of a node."""
+        return self.source.text(node.start, node.end)
+
+    def token_at(self, offset: int) -> int:
+        """The number of the first token that does not start before the offset."""
+        return bisect_left(self._starts, offset)
+
+    def token_before(self, offset: int) -> int:
+        """The number of the last token that starts before the offset; -1 for none."""
+        return bisect_left(self._starts, offset) - 1
+
+    def name_offset(self, cursor: Any) -> int:
+        """Where a declaration's name stands in the file, -1 elsewhere."""
+        return self.parsed.reader.offset(self.lib.getCursorLocation(cursor))
+
+    def spelling(self, cursor: Any) -> str:
+        """The name of a cursor."""
+        text: str = self.lib.text(self.lib.getCursorSpelling(cursor))
+        return text
+
+    def pointer(self, cursor: Any) -> int:
+        """What identifies a declaration."""
+        return cursor.data[0] or 0
+
+    def register(self, cursor: Any, element: ccode.Declaration) -> None:
+        """Remember which element stands for a declaration."""
+        self.declared[self.pointer(cursor)] = element
+
+    def expansions_at(self, offset: int) -> list[Expansion]:
+        """Macro uses that start at an offset, the longest first."""
+        first = bisect_left(self._expansion_starts, offset)
+        last = bisect_right(self._expansion_starts, offset)
+        return self._expansions[first:last]
+
+    def enclosing(self, offset: int) -> Expansion | None:
+        """The outermost macro use that covers an offset."""
+        number = bisect_right(self._expansion_starts, offset)
+        found = None
+        for expansion in reversed(self._expansions[max(0, number - 40) : number]):
+            if expansion.start <= offset < expansion.end:
+                found = expansion
+        return found
+
+    def function_like(self, expansion: Expansion) -> bool:
+        """Whether the use has arguments."""
+        return self.source.data[expansion.end - 1 : expansion.end] == b")" and expansion.end - expansion.start > len(expansion.name)
+
+    def arguments(self, expansion: Expansion) -> list[tuple[int, int]]:
+        """The ranges of the arguments of a macro use, trimmed."""
+        i = self.token_at(expansion.start) + 2
+        ranges: list[tuple[int, int]] = []
+        depth, start, end = 0, -1, -1
+        while i < len(self.tokens) and self.tokens[i][2] <= expansion.end:
+            _, begin, stop, text = self.tokens[i]
+            if depth == 0 and text in (",", ")"):
+                if start >= 0:
+                    ranges.append((start, end))
+                start = -1
+                if text == ")":
+                    break
+            else:
+                depth += (text in ("(", "[", "{")) - (text in (")", "]", "}"))
+                start, end = (begin if start < 0 else start), stop
+            i += 1
+        return ranges
+
+    def matching(self, number: int) -> int:
+        """The number of the token that closes the bracket which is token `number`; the last token when nothing does."""
+        depth = 0
+        for i in range(number, len(self.tokens)):
+            text = self.tokens[i][3]
+            if text in ("(", "[", "{"):
+                depth += 1
+            elif text in (")", "]", "}"):
+                depth -= 1
+                if depth == 0:
+                    return i
+        return len(self.tokens) - 1
+
+    def active(self, offset: int) -> bool:
+        """Whether the text at an offset was compiled."""
+        return not any(start <= offset < end for start, end in self.parsed.skipped)
+
+    def comment(self, node: Node) -> str | None:
+        """The comment directly before a declaration, or behind it on its last line."""
+        if not self._comments:
+            return None
+        number = bisect_left(self._comment_starts, node.start)
+        if number:
+            _, start, end, _ = self._comments[number - 1]
+            between = self.source.parsed[end : node.start]
+            if not between.strip() and between.count(b"\n") <= 1 and self._first_on_line(start):
+                return self.source.text(start, end)
+        if number < len(self._comments):
+            later = next((c for c in self._comments[number:] if c[1] >= node.end), None)
+            if later and b"\n" not in self.source.parsed[node.end : later[1]] and not self.source.parsed[node.end : later[1]].strip(b" \t;"):
+                return self.source.text(later[1], later[2])
+        return None
+
+    def _first_on_line(self, offset: int) -> bool:
+        return not self.source.parsed[self.source.parsed.rfind(b"\n", 0, offset) + 1 : offset].strip()
+
+    def header_name(self, path: str) -> str:
+        """The name of a header's file as an include of this file would give it."""
+        path = os.path.abspath(path)
+        for folder in (os.path.dirname(os.path.abspath(self.source.path)), *self.include_dirs):
+            if path.startswith(folder + os.sep):
+                return path[len(folder) + 1 :].replace(os.sep, "/")
+        return os.path.basename(path)
+
+    def find(self, rule: str, severity: Severity, message: str, start: int, end: int | None = None, fix: str | None = None) -> None:
+        """Note a finding at a place."""
+        self.findings.append(Finding(rule, severity, message, self.source.location(start, end), fix=fix))

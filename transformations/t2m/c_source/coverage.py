@@ -1,0 +1,79 @@
+"""Coverage and findings of one unit: calls in the text against calls in the model, the parser's complaints, what was cut.
+
+A call in the text is an identifier followed by an opening parenthesis, outside declarators, directives and text that was
+not compiled. Whatever of these has no call and no macro use in the model is listed, never dropped.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.lexer import KEYWORDS
+from robosmi.transformations.t2m.c_source.parsing import about_missing
+
+_NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
+
+
+@dataclass(slots=True)
+class Coverage:
+    """Calls of one unit."""
+
+    in_text: int
+    in_model: int
+    unresolved: list[ccode.UnresolvedCall]
+
+
+def calls(context: Context) -> Coverage:
+    """Compare the tokens with the model; a lost call is a finding RS102."""
+    tokens = context.tokens
+    in_text = in_model = 0
+    lost: list[ccode.UnresolvedCall] = []
+    types = {name for _, name in context.type_uses} | context.attribute_macros
+    for i in range(len(tokens) - 1):
+        if tokens[i + 1][3] != "(" or tokens[i][0] != "name":
+            continue
+        _, start, end, name = tokens[i]
+        if name in _NO_CALL or start in context.declarators or not context.active(start):
+            continue
+        if start in context.covered:
+            in_text += 1
+            in_model += 1
+        elif name not in types:
+            in_text += 1
+            lost.append(ccode.UnresolvedCall(name=name, **context.source.place(start, end)))
+            context.find("RS102", Severity.warning, f"the call of {name} is lost: the parser could not read its statement", start, end,
+                         "correct the statement, or migrate it by hand")  # fmt: skip
+    return Coverage(in_text, in_model, lost)
+
+
+def problems(context: Context) -> list[ccode.SyntaxProblem]:
+    """The parser's complaints that are not about missing declarations; those about the form of the text are findings RS101."""
+    found: list[ccode.SyntaxProblem] = []
+    for diagnostic in context.parsed.diagnostics:
+        if diagnostic.offset < 0 or about_missing(diagnostic):
+            continue
+        start = diagnostic.offset
+        place = context.source.place(start, start)
+        found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=diagnostic.syntax or None, **place))
+        if diagnostic.syntax:
+            context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
+    return found
+
+
+def notes(context: Context, includes: list[ccode.Include], conditionals: list[ccode.PreprocessorConditional]) -> None:
+    """Findings about the unit as a whole: headers nobody knows, text that was not compiled, depth, encoding."""
+    for include in includes:
+        known = include.resolvedPath or context.api.header_kind(str(include.header))
+        if not known:
+            message = f"the header {include.header} was not found: names that it declares are inferred from their uses"
+            context.find("RS103", Severity.warning, message, int(include.startOffset), int(include.endOffset), "give its folder with -I")
+    for start, end in context.parsed.cut[:20]:
+        context.find("RS104", Severity.warning, "nested too deep: kept as text from here on", start, end, "split the expression or statement")
+    if context.source.encoding != "UTF-8":
+        context.find("RS105", Severity.info, f"the file is no UTF-8; it was read as {context.source.encoding}", 0, None)
+    for start, end in context.parsed.skipped:
+        message = f"lines {context.source.line(start)} to {context.source.line(end)} are not compiled and not in the model"
+        context.find("RS106", Severity.info, message, start, end)

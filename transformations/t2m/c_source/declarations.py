@@ -1,0 +1,198 @@
+"""Builders of declarations: functions, variables, types, at file scope and in blocks.
+
+Names, storage and constants come from the parser, types and declarators from the tokens (`types`). Bodies are built by
+`statements`. Cursors that are no named declaration (a lone semicolon, a static assertion) give nothing.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import types
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.expressions import expression
+from robosmi.transformations.t2m.c_source.tree import Node
+
+PARAMETER, COMPOUND, FIELD, LITERAL, TYPE_REF = 10, 202, 6, 7, 43
+
+
+def group(context: Context, nodes: Sequence[Node]) -> list[ccode.Declaration]:
+    """The declarations for sibling cursors, in text order."""
+    starts = Counter(n.start for n in nodes if n.kind == 9)
+    made: list[ccode.Declaration] = []
+    for node in nodes:
+        builder = BUILDERS.get(node.kind)
+        if builder is not None:
+            element = builder(context, node)
+            if starts[node.start] > 1 and isinstance(element, ccode.Variable):
+                element.shared = True
+            made.append(element)
+    return made
+
+
+def _function(context: Context, node: Node) -> ccode.Declaration:
+    from robosmi.transformations.t2m.c_source.statements import block
+
+    at = context.name_offset(node.cursor)
+    name = context.spelling(node.cursor)
+    context.declarators.add(at)
+    stop = at if at >= 0 else node.end
+    spec = types.specifiers(context, node.start, stop)
+    pointer, _, depth, _ = types.declarator(context, spec, stop)
+    open_ = context.token_at(stop) + 1
+    close = context.matching(open_) if open_ < len(context.tokens) and context.tokens[open_][3] == "(" else -1
+    end = context.tokens[close][2] if close >= 0 else node.end
+    signature = " ".join(context.source.text(spec.start, end).split())
+    result = types.type_use(context, node.cursor, spec, pointer.replace("(", "").replace(")", ""), "", depth, context.lib.getCursorResultType(node.cursor))
+    parameters = [_parameter(context, c) for c in node.children if c.kind == PARAMETER]
+    body = next((c for c in node.children if c.kind == COMPOUND), None)
+    element = ccode.Function(
+        name=name,
+        comment=context.comment(node) if context.depth == 0 else None,
+        storage=types.storage(context, node.cursor),
+        variadic="..." in signature or None,
+        signature=signature,
+        definition=body is not None or None,
+        returnType=result,
+        parameters=parameters,
+        body=block(context, body) if body is not None else None,
+        **context.source.place(node.start, node.end),
+    )
+    context.register(node.cursor, element)
+    return element
+
+
+def _parameter(context: Context, node: Node) -> ccode.Parameter:
+    at = context.name_offset(node.cursor)
+    name = context.spelling(node.cursor)
+    stop = at if at >= 0 and name else node.end
+    spec = types.specifiers(context, node.start, stop)
+    pointer, dims, depth, _ = types.declarator(context, spec, stop)
+    if at >= 0:
+        context.declarators.add(at)
+    use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
+    element = ccode.Parameter(name=name or None, valueType=use, **context.source.place(node.start, node.end))
+    context.register(node.cursor, element)
+    return element
+
+
+def _variable(context: Context, node: Node) -> ccode.Declaration:
+    at = context.name_offset(node.cursor)
+    stop = at if at >= 0 else node.end
+    spec = types.specifiers(context, node.start, stop)
+    pointer, dims, depth, after = types.declarator(context, spec, stop)
+    use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
+    context.declarators.add(at)
+    initial: ccode.Expression | None = None
+    written = after < len(context.tokens) and context.tokens[after][3] in ("=", "(", "{") and node.kind == 9
+    assigned = written and context.tokens[after][3] == "="
+    if written:
+        begin = context.tokens[after][1]
+        value = next((c for c in reversed(node.children) if 100 <= c.kind < 200 and (c.start >= begin or c.from_macro)), None)
+        if value is not None:
+            initial = expression(context, value)
+        elif assigned:
+            start, end = _lost_initializer(context, after)
+            initial = ccode.UnknownExpression(text=context.source.text(start, end), **context.source.place(start, end))
+    element = ccode.Variable(
+        name=context.spelling(node.cursor),
+        comment=context.comment(node) if context.depth == 0 else None,
+        storage=types.storage(context, node.cursor),
+        initialised=assigned or None,
+        valueType=use,
+        initializer=initial,
+        **context.source.place(node.start, node.end),
+    )
+    context.register(node.cursor, element)
+    return element
+
+
+def _lost_initializer(context: Context, equals: int) -> tuple[int, int]:
+    """The range of an initial value that the parser lost."""
+    i = equals + 1
+    start = end = context.tokens[equals][2]
+    while i < len(context.tokens) and context.tokens[i][3] not in (",", ";"):
+        close = context.matching(i) if context.tokens[i][3] in ("(", "[", "{") else i
+        start = context.tokens[i][1] if end == context.tokens[equals][2] else start
+        end = context.tokens[close][2]
+        i = close + 1
+    return start, end
+
+
+def _typedef(context: Context, node: Node) -> ccode.Declaration:
+    at = context.name_offset(node.cursor)
+    stop = at if at >= 0 else node.end
+    spec = types.specifiers(context, node.start, stop)
+    pointer, dims, depth, _ = types.declarator(context, spec, stop)
+    context.declarators.add(at)
+    use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
+    element = ccode.Typedef(name=context.spelling(node.cursor), aliased=use, **context.source.place(node.start, node.end))
+    context.register(node.cursor, element)
+    return element
+
+
+def _record(context: Context, node: Node) -> ccode.Declaration:
+    fields = [_field(context, c) for c in node.children if c.kind == FIELD]
+    methods = [m for c in node.children if c.kind in (21, 24, 25) and isinstance(m := _function(context, c), ccode.Function)]
+    kind = {2: "structType", 3: "unionType", 4: "classType"}[node.kind]
+    element = ccode.Record(
+        name=_tag(context, node), recordKind=getattr(ccode.RecordKind, kind), fields=fields, methods=methods, **context.source.place(node.start, node.end)
+    )
+    context.register(node.cursor, element)
+    return element
+
+
+def _tag(context: Context, node: Node) -> str | None:
+    i = context.token_at(node.start) + 1
+    while i < len(context.tokens) and context.tokens[i][3] in ("__attribute__", "__attribute"):
+        i = context.matching(i + 1) + 1
+    return context.tokens[i][3] if i < len(context.tokens) and context.tokens[i][0] == "name" and not node.from_macro else None
+
+
+def _field(context: Context, node: Node) -> ccode.Field:
+    at = context.name_offset(node.cursor)
+    stop = at if at >= 0 else node.end
+    spec = types.specifiers(context, node.start, stop)
+    pointer, dims, depth, _ = types.declarator(context, spec, stop)
+    context.declarators.add(at)
+    width = context.lib.getFieldDeclBitWidth(node.cursor)
+    use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
+    name = context.spelling(node.cursor)
+    element = ccode.Field(name=name or None, valueType=use, bitWidth=width if width > 0 else None, **context.source.place(node.start, node.end))
+    context.register(node.cursor, element)
+    return element
+
+
+def _enumeration(context: Context, node: Node) -> ccode.Declaration:
+    literals = []
+    for child in node.children:
+        if child.kind == LITERAL:
+            value = context.lib.getEnumConstantDeclValue(child.cursor)
+            literal = ccode.EnumerationLiteral(name=context.spelling(child.cursor), value=value, **context.source.place(child.start, child.end))
+            context.register(child.cursor, literal)
+            literals.append(literal)
+    element = ccode.Enumeration(name=_tag(context, node), literals=literals, **context.source.place(node.start, node.end))
+    context.register(node.cursor, element)
+    return element
+
+
+def _namespace(context: Context, node: Node) -> ccode.Declaration:
+    return ccode.Namespace(
+        name=context.spelling(node.cursor), declarations=group(context, node.children), **context.source.place(node.start, node.end)
+    )
+
+
+BUILDERS: dict[int, Callable[[Context, Node], ccode.Declaration]] = {
+    2: _record,
+    3: _record,
+    4: _record,
+    5: _enumeration,
+    8: _function,
+    9: _variable,
+    20: _typedef,
+    21: _function,
+    22: _namespace,
+}
+"""CXCursorKind -> builder."""

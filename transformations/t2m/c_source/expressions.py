@@ -1,0 +1,215 @@
+"""Builders of expressions: one function a kind of cursor, chosen from a table.
+
+Parentheses and implicit conversions have no element of their own. What comes whole out of an object-like macro is a
+reference to that macro's name, as the text says; what comes out of a function-like macro of a header is a call of it
+(`macros`). Too deep or unknown forms become `UnknownExpression`. Links to declarations are made later (`linking`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import literals, macros, types
+from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, Context
+from robosmi.transformations.t2m.c_source.tree import Node
+
+UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = 100, 101, 102, 103, 111, 112, 114, 115, 117, 118
+FUNCTION_KINDS = (8, 21)
+TYPE_REF = 43
+
+UNARY_OPERATORS = ("", "++", "--", "++", "--", "&", "*", "+", "-", "~", "!", "__real", "__imag", "__extension__", "co_await")
+BINARY_OPERATORS = (
+    "", ".*", "->*", "*", "/", "%", "+", "-", "<<", ">>", "<=>", "<", ">", "<=", ">=", "==", "!=", "&", "^", "|", "&&", "||",
+    "=", "*=", "/=", "%=", "+=", "-=", "<<=", ">>=", "&=", "^=", "|=", ",",
+)  # fmt: skip
+
+
+def expression(context: Context, node: Node) -> ccode.Expression:
+    """The element for an expression's cursor."""
+    while node.kind in (UNEXPOSED, PAREN) and len(node.children) == 1:
+        node = node.children[0]
+    if context.depth > MAX_DEPTH:
+        return too_deep(context, node)
+    context.depth += 1
+    try:
+        if node.from_macro:
+            found = macros.from_macro(context, node, expression)
+            if found is not None:
+                return found
+        builder = BUILDERS.get(node.kind)
+        return (builder and builder(context, node)) or unknown(context, node)
+    finally:
+        context.depth -= 1
+
+
+def too_deep(context: Context, node: Node) -> ccode.Expression:
+    """What stands below the deepest level that is taken apart, as text."""
+    context.parsed.cut.append((node.start, node.end))
+    return unknown(context, node)
+
+
+def unknown(context: Context, node: Node) -> ccode.Expression:
+    """An expression of another form, as text."""
+    return ccode.UnknownExpression(text=context.text(node), **context.source.place(node.start, node.end))
+
+
+def operands(node: Node) -> list[Node]:
+    """The children that are expressions."""
+    return [c for c in node.children if 100 <= c.kind < 200]
+
+
+def _name(context: Context, node: Node) -> ccode.Expression:
+    referenced = context.lib.getCursorReferenced(node.cursor)
+    name = context.spelling(node.cursor) if node.from_macro else context.text(node)
+    element = ccode.NameReference(name=name, **context.source.place(node.start, node.end))
+    context.references.append((element, referenced))
+    return element
+
+
+def _call(context: Context, node: Node) -> ccode.Expression:
+    children = operands(node)
+    callee = children[0] if children else None
+    while callee is not None and callee.kind in (UNEXPOSED, PAREN) and len(callee.children) == 1:
+        callee = callee.children[0]
+    arguments = [expression(context, c) for c in children[1:]]
+    place, written, via_macro = macros.call_place(context, node)
+    if callee is None or callee.kind == UNEXPOSED or (callee.kind == DECL_REF and _is_function(context, callee)):
+        name = written or (context.spelling(callee.cursor if callee is not None else node.cursor) or context.spelling(node.cursor))
+        element = ccode.Call(calleeName=name, viaMacro=via_macro or None, arguments=arguments, **place)
+        context.calls.append((element, context.lib.getCursorReferenced(callee.cursor) if callee is not None else None))
+        if not via_macro:
+            context.covered.add(node.start)
+    else:
+        element = ccode.Call(calleeExpression=expression(context, callee), viaMacro=via_macro or None, arguments=arguments, **place)
+        before = context.tokens[context.token_before(callee.end)]
+        context.covered.add(before[1])
+    context.call_nodes.append((element, node, callee))
+    return element
+
+
+def _is_function(context: Context, callee: Node) -> bool:
+    referenced = context.lib.getCursorReferenced(callee.cursor)
+    if referenced.kind in FUNCTION_KINDS:
+        return True
+    return context.pointer(referenced) not in context.declared and context.parsed.prelude.declares(context.spelling(callee.cursor))
+
+
+def _unary(context: Context, node: Node) -> ccode.Expression | None:
+    children = operands(node)
+    if len(children) != 1:
+        return None
+    number = context.lib.getCursorUnaryOperatorKind(node.cursor)
+    operand = expression(context, children[0])
+    if UNARY_OPERATORS[number] == "__extension__":
+        return operand
+    return ccode.Unary(operator=UNARY_OPERATORS[number], postfix=number in (1, 2) or None, operand=operand, **context.source.place(node.start, node.end))
+
+
+def _binary(context: Context, node: Node) -> ccode.Expression | None:
+    children = operands(node)
+    if len(children) != 2:
+        return None
+    operator = BINARY_OPERATORS[context.lib.getCursorBinaryOperatorKind(node.cursor)]
+    left, right = expression(context, children[0]), expression(context, children[1])
+    kind = ccode.Assignment if node.kind == COMPOUND_ASSIGN or operator == "=" else ccode.Binary
+    return kind(operator=operator, left=left, right=right, **context.source.place(node.start, node.end))
+
+
+def _conditional(context: Context, node: Node) -> ccode.Expression | None:
+    children = operands(node)
+    if len(children) != 3:
+        return None
+    parts = [expression(context, c) for c in children]
+    return ccode.ConditionalExpression(condition=parts[0], whenTrue=parts[1], whenFalse=parts[2], **context.source.place(node.start, node.end))
+
+
+def _index(context: Context, node: Node) -> ccode.Expression | None:
+    children = operands(node)
+    if len(children) != 2:
+        return None
+    array, index = expression(context, children[0]), expression(context, children[1])
+    return ccode.Index(array=array, index=index, **context.source.place(node.start, node.end))
+
+
+def _member(context: Context, node: Node) -> ccode.Expression:
+    children = operands(node)
+    arrow = False
+    element = None
+    if children:
+        element = expression(context, children[0])
+        arrow = b"->" in context.source.parsed[children[0].end : node.end]
+    name = context.spelling(node.cursor)
+    return ccode.Member(name=name, arrow=arrow or None, object=element, **context.source.place(node.start, node.end))
+
+
+def _cast(context: Context, node: Node) -> ccode.Expression | None:
+    children = operands(node)
+    if not children:
+        return None
+    operand = expression(context, children[-1])
+    return ccode.Cast(target=_parenthesised_type(context, node), operand=operand, **context.source.place(node.start, node.end))
+
+
+def _parenthesised_type(context: Context, node: Node) -> ccode.TypeUse | None:
+    i = context.token_at(node.start)
+    if i < len(context.tokens) and context.tokens[i][3] != "(":
+        i += 1  # sizeof
+    if i >= len(context.tokens) or context.tokens[i][3] != "(":
+        return None
+    close = context.matching(i)
+    return types.written_type(context, context.tokens[i][2], context.tokens[close][1], context.lib.getCursorType(node.cursor))
+
+
+def _size_of(context: Context, node: Node) -> ccode.Expression:
+    children = operands(node)
+    place = context.source.place(node.start, node.end)
+    if children:
+        return ccode.SizeOf(operand=expression(context, children[0]), **place)
+    measured = _parenthesised_type(context, node)
+    if measured is not None:  # the parser's type is that of the result, not of what is measured
+        measured = ccode.TypeUse(
+            spelling=measured.spelling, canonical=measured.spelling, pointerDepth=measured.pointerDepth, arrayDims=measured.arrayDims or None
+        )
+    return ccode.SizeOf(measured=measured, **place)
+
+
+def _initializer_list(context: Context, node: Node) -> ccode.Expression:
+    elements = [_element(context, c) for c in operands(node) if c.end > c.start]
+    return ccode.InitializerList(elements=elements, **context.source.place(node.start, node.end))
+
+
+def _element(context: Context, node: Node) -> ccode.Expression:
+    """An element of a list; `.name = value` and `[index] = value` are assignments whose object is the list."""
+    if node.kind != UNEXPOSED or len(node.children) < 2:
+        return expression(context, node)
+    value = expression(context, node.children[-1])
+    designator = node.children[-2]
+    place = context.source.place(designator.start, designator.end)
+    left: ccode.Expression
+    if designator.kind == 47:  # MEMBER_REF
+        left = ccode.Member(name=context.spelling(designator.cursor), **place)
+    else:
+        left = ccode.Index(index=expression(context, designator), **place)
+    return ccode.Assignment(operator="=", left=left, right=value, **context.source.place(node.start, node.end))
+
+
+BUILDERS: dict[int, Callable[[Context, Node], ccode.Expression | None]] = {
+    DECL_REF: _name,
+    MEMBER: _member,
+    CALL: _call,
+    106: literals.integer,
+    107: literals.floating,
+    109: literals.string,
+    110: literals.character,
+    UNARY: _unary,
+    113: _index,
+    BINARY: _binary,
+    COMPOUND_ASSIGN: _binary,
+    116: _conditional,
+    CAST: _cast,
+    COMPOUND_LITERAL: _cast,
+    119: _initializer_list,
+    136: _size_of,
+}
+"""CXCursorKind -> builder; what is not here becomes an `UnknownExpression`."""

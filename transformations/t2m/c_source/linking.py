@@ -1,0 +1,203 @@
+"""Links uses to declarations once all units are built, and makes the externals of a program.
+
+A name of the program's own is linked to its element: by the parser's declaration, or by name for a function that is called
+before it is declared or stands in another unit. Any other name becomes one external a program. Signatures of functions
+that no header declares are inferred in `inference`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.inference import CallSite, infer
+from robosmi.transformations.t2m.c_source.lexer import KEYWORDS, TYPE_WORDS
+from robosmi.transformations.t2m.c_source.macros import header_of
+
+_STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]
+FUNCTION_KINDS = (8, 21)
+
+
+class Linker:
+    """Links the units of one program.
+
+    Args:
+        contexts: of the units, in order.
+        declarations: of each unit at file scope.
+    """
+
+    def __init__(self, contexts: list[Context], declarations: list[list[ccode.Declaration]]) -> None:
+        self.contexts = contexts
+        self.externals: dict[tuple[str, str], ccode.Declaration] = {}
+        self.own_functions: list[dict[str, ccode.Function]] = [_functions(d) for d in declarations]
+        self.own_types: list[dict[str, ccode.Declaration]] = [_types(c) for c in contexts]
+        self._uses: dict[str, str] = {}
+        self._sites: dict[str, list[CallSite]] = {}
+        self._headers: dict[str, tuple[str, str]] = {}
+
+    def run(self) -> list[ccode.Declaration]:
+        """Link everything; the externals, sorted by kind and name."""
+        for number, context in enumerate(self.contexts):
+            self._link_calls(number, context)
+            self._link_names(number, context)
+            self._link_types(number, context)
+        functions: list[ccode.Declaration] = []
+        for name in sorted(self._sites):
+            function = self._external_function(name, self._sites[name])
+            functions.append(function)
+            for site in self._sites[name]:
+                site.call.callee = function
+        symbols = [self.externals[key] for key in sorted(self.externals)]
+        return functions + symbols
+
+    def _link_calls(self, number: int, context: Context) -> None:
+        nodes = {id(call): node for call, node, _ in context.call_nodes}
+        for call, cursor in context.calls:
+            element = context.declared.get(context.pointer(cursor)) if cursor is not None else None
+            function = element if isinstance(element, ccode.Function) else None
+            if function is None or not function.definition:
+                function = self._own(number, str(call.calleeName)) or function
+            if function is not None:
+                call.callee = function
+                continue
+            name = str(call.calleeName)
+            header = (header_of(context, cursor) if cursor is not None else None) or ""
+            if header and name not in self._headers:
+                self._headers[name] = (header, self._declared_signature(context, cursor, name))
+            elif cursor is not None and name not in self._headers and name not in context.parsed.prelude.functions:
+                self._headers[name] = ("", self._builtin_signature(context, cursor, name))
+            self._sites.setdefault(name, []).append(CallSite(context, call, nodes.get(id(call))))
+
+    def _own(self, number: int, name: str) -> ccode.Function | None:
+        """The program's own function of that name: in the unit, or with external linkage in another."""
+        if name in self.own_functions[number]:
+            return self.own_functions[number][name]
+        for functions in self.own_functions:
+            function = functions.get(name)
+            if function is not None and function.definition and function.storage.name != "staticStorage":
+                return function
+        return None
+
+    @staticmethod
+    def _declared_signature(context: Context, cursor: Any, name: str) -> str:
+        if cursor.kind not in FUNCTION_KINDS:
+            return f"{name}(...)"
+        text: str = context.lib.text(context.lib.getCursorPrettyPrinted(cursor, None))
+        text = text.partition("{")[0].strip()
+        for word in ("extern ", "static ", "inline ", "__inline__ "):
+            text = text.removeprefix(word)
+        return text
+
+    @staticmethod
+    def _builtin_signature(context: Context, cursor: Any, name: str) -> str:
+        """The signature that the parser itself knows of a library function, empty for a function that it knows nothing of."""
+        if cursor.kind not in FUNCTION_KINDS:
+            return ""
+        kind: str = context.lib.text(context.lib.getTypeSpelling(context.lib.getCursorType(cursor)))
+        result, open_, rest = kind.partition("(")
+        return f"{result}{'' if result.endswith('*') else ''}{name}({rest}" if open_ and rest != ")" else ""
+
+    def _external_function(self, name: str, sites: list[CallSite]) -> ccode.Function:
+        header, signature = self._headers.get(name, ("", ""))
+        inferred = infer(name, sites)
+        if signature:
+            return ccode.Function(
+                name=name,
+                linkage=ccode.Linkage.declaredInHeader if header else ccode.Linkage.inferred,
+                header=header or None,
+                signature=signature,
+                variadic="..." in signature or None,
+                returnType=ccode.TypeUse(spelling=signature.partition(f"{name}(")[0].strip() or inferred.returns),
+                parameters=inferred.parameters(),
+            )
+        return ccode.Function(
+            name=name,
+            linkage=ccode.Linkage.inferred,
+            signature=inferred.signature(),
+            variadic=inferred.variadic or None,
+            returnType=ccode.TypeUse(spelling=inferred.returns),
+            parameters=inferred.parameters(),
+        )
+
+    def _link_names(self, number: int, context: Context) -> None:
+        for reference, cursor in context.references:
+            element = context.declared.get(context.pointer(cursor))
+            name = str(reference.name)
+            if isinstance(element, ccode.Function) and not element.definition:
+                element = self._own(number, name) or element
+            if element is None:
+                element = self._own(number, name)
+            if element is None:
+                element = self._external_symbol(context, reference, cursor)
+            if element is not None:
+                reference.target = element
+
+    def _external_symbol(self, context: Context, reference: ccode.NameReference, cursor: Any) -> ccode.Declaration | None:
+        name = str(reference.name)
+        header = header_of(context, cursor)
+        if header is None and not context.parsed.prelude.declares(name):
+            return None
+        return self._symbol(name, header or "", _use(reference))
+
+    def _symbol(self, name: str, header: str, use: str) -> ccode.Declaration:
+        known = self.externals.get(("symbol", name))
+        if known is None:
+            linkage = ccode.Linkage.declaredInHeader if header else ccode.Linkage.inferred
+            known = ccode.ExternalSymbol(name=name, linkage=linkage, header=header or None, use=getattr(ccode.SymbolUse, use))
+            self.externals[("symbol", name)] = known
+            self._uses[name] = use
+        elif _STRENGTH.index(use) > _STRENGTH.index(self._uses[name]) and isinstance(known, ccode.ExternalSymbol):
+            self._uses[name] = use
+            known.use = getattr(ccode.SymbolUse, use)
+        return known
+
+    def _link_types(self, number: int, context: Context) -> None:
+        headers: dict[str, str] | None = None
+        for use, name in context.type_uses:
+            own = self.own_types[number].get(name)
+            if own is None and name not in KEYWORDS and name not in TYPE_WORDS:
+                if headers is None:
+                    headers = _type_headers(context)
+                own = self._symbol(name, headers.get(name, ""), "typeUse")
+            if own is not None:
+                use.declaration = own
+
+
+def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Function]:
+    found: dict[str, ccode.Function] = {}
+    for declaration in declarations:
+        if isinstance(declaration, ccode.Function) and (declaration.definition or declaration.name not in found):
+            found[str(declaration.name)] = declaration
+    return found
+
+
+def _types(context: Context) -> dict[str, ccode.Declaration]:
+    kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
+    return {str(d.name): d for d in context.declared.values() if isinstance(d, kinds) and d.name}
+
+
+def _type_headers(context: Context) -> dict[str, str]:
+    """Name -> header of the types that the file takes from headers that were found."""
+    found: dict[str, str] = {}
+    pending = list(context.parsed.nodes)
+    while pending:
+        node = pending.pop()
+        if node.kind == 43:  # TYPE_REF
+            name = context.source.text(node.start, node.end)
+            if name not in found:
+                found[name] = header_of(context, context.lib.getCursorReferenced(node.cursor)) or ""
+        pending.extend(node.children)
+    return found
+
+
+def _use(reference: ccode.NameReference) -> str:
+    container: Any = reference.eContainer()
+    if isinstance(container, ccode.Assignment) and container.left is reference:
+        return "writtenUse"
+    if isinstance(container, ccode.Index) and container.array is reference:
+        return "indexedUse"
+    if isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--", "&"):
+        return "writtenUse"
+    return "constantUse"

@@ -1,0 +1,141 @@
+"""Macros: the preprocessor's elements of a unit, and expressions that come out of a macro's expansion.
+
+An expression out of an object-like macro is a reference to its name; one out of a function-like macro of a header is a
+call by that name with the arguments as written; the body of the program's own function-like macros is built as it
+expands, and its calls are marked `viaMacro`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.tree import Expansion, Node
+
+Build = Callable[[Context, Node], ccode.Expression]
+CALL = 103
+
+
+def expansion_of(context: Context, node: Node) -> Expansion | None:
+    """The macro use that the whole node comes out of; None when it is (part of) an argument, or when more than the use belongs to it."""
+    for expansion in context.expansions_at(node.start):
+        if node.end <= expansion.end:
+            return expansion
+    return None
+
+
+def from_macro(context: Context, node: Node, build: Build) -> ccode.Expression | None:
+    """The element for a node that comes out of a macro, or None when it is to be built like any other."""
+    expansion = expansion_of(context, node)
+    if expansion is None:
+        return None
+    own = expansion.name in context.user_macros
+    if context.function_like(expansion):
+        return None if own else macro_call(context, node, expansion, build)
+    if own and _has_call(node):
+        return None
+    element = ccode.NameReference(name=expansion.name, **context.source.place(expansion.start, expansion.end))
+    if not own:
+        context.references.append((element, context.lib.getCursorReferenced(expansion.cursor)))
+    return element
+
+
+def macro_call(context: Context, node: Node, expansion: Expansion, build: Build) -> ccode.Expression:
+    """The use of a header's function-like macro as a call, its arguments taken from where the expansion has them."""
+    arguments: list[ccode.Expression] = []
+    for start, end in context.arguments(expansion):
+        found = _within(node, start, end)
+        if found is None:
+            arguments.append(ccode.UnknownExpression(text=context.source.text(start, end), **context.source.place(start, end)))
+        else:
+            arguments.append(build(context, found))
+    element = ccode.Call(calleeName=expansion.name, arguments=arguments, **context.source.place(expansion.start, expansion.end))
+    context.covered.add(expansion.start)
+    context.calls.append((element, context.lib.getCursorReferenced(expansion.cursor)))
+    context.call_nodes.append((element, node, None))
+    return element
+
+
+def call_place(context: Context, node: Node) -> tuple[dict[str, int], str, bool]:
+    """Place of a call, the callee's name where a header's alias hides it, and whether it stands in the body of an own macro."""
+    if not node.from_macro:
+        return context.source.place(node.start, node.end), "", False
+    for expansion in context.expansions_at(node.start):
+        if expansion.name in context.user_macros:
+            end = max(expansion.end, node.end)
+            return context.source.place(expansion.start, end), "", True
+        return context.source.place(node.start, node.end), expansion.name, False
+    repeated = node.start in context.covered  # a macro's argument that its body has twice
+    return context.source.place(node.start, node.end), "", repeated
+
+
+def _has_call(node: Node) -> bool:
+    pending = [node]
+    while pending:
+        one = pending.pop()
+        if one.kind == CALL:
+            return True
+        pending.extend(one.children)
+    return False
+
+
+def _within(node: Node, start: int, end: int) -> Node | None:
+    """The outermost node, first in order, that covers the range exactly, or else that lies in it."""
+    inside: Node | None = None
+    pending = [node]
+    while pending:
+        one = pending.pop(0)
+        if 100 <= one.kind < 200 and start <= one.start and one.end <= end and one.end > one.start:
+            if one.start == start and one.end == end:
+                return one
+            inside = inside or one
+        pending = one.children + pending
+    return inside
+
+
+def uses(context: Context) -> list[ccode.MacroUse]:
+    """The uses of macros in the file, in text order; names that only our prelude defines are left out."""
+    found: list[ccode.MacroUse] = []
+    seen: set[tuple[int, int]] = set()
+    headers: dict[str, str] = {}
+    for expansion in context.parsed.expansions:
+        if (expansion.start, expansion.end) in seen:
+            continue
+        seen.add((expansion.start, expansion.end))
+        own = expansion.name in context.user_macros
+        header = "" if own else headers.get(expansion.name)
+        if header is None:
+            header = headers[expansion.name] = header_of(context, context.lib.getCursorReferenced(expansion.cursor)) or ""
+        like = context.function_like(expansion)
+        if like:
+            context.covered.add(expansion.start)
+        found.append(
+            ccode.MacroUse(
+                name=expansion.name,
+                text=context.source.text(expansion.start, expansion.end),
+                functionLike=like or None,
+                header=header or None,
+                **context.source.place(expansion.start, expansion.end),
+            )
+        )
+    return sorted(found, key=lambda use: int(use.startOffset))
+
+
+def header_of(context: Context, cursor: Any) -> str | None:
+    """The header that a declaration stands in, as it is included; empty for our prelude, None for the file itself."""
+    from robosmi.transformations.t2m.c_source.parsing import HEADERS, PRELUDE
+
+    if cursor is None:
+        return None
+    file, _ = clang.file_offset(context.lib.getCursorLocation(cursor))
+    if file == context.parsed.reader.file:
+        return None
+    name = clang.file_name(file)
+    if not name or name == PRELUDE:
+        return ""
+    if name.startswith(HEADERS + "/"):
+        return name[len(HEADERS) + 1 :]
+    return context.header_name(name)

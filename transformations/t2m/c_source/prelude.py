@@ -1,0 +1,252 @@
+"""The auto-prelude: declarations for the names that a program uses and nothing declares.
+
+In C a statement with one undeclared name vanishes from the parser's tree, calls and all. So the names are taken from the
+diagnostics and declared by how the text uses them, and the text is parsed again. What the platform's repository knows of
+a name decides the form first; the use in the text decides for the rest. Which parse comes when is in `parsing`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+STANDARD_NAMES = {
+    "NULL": "#define NULL ((void *)0)", "true": "#define true 1", "false": "#define false 0", "bool": "typedef _Bool bool;",
+    "size_t": "typedef __SIZE_TYPE__ size_t;", "ssize_t": "typedef int ssize_t;", "ptrdiff_t": "typedef int ptrdiff_t;",
+    "wchar_t": "typedef __WCHAR_TYPE__ wchar_t;", "FILE": "typedef struct robosmi_file FILE;", "EOF": "#define EOF (-1)",
+    "stdin": "extern struct robosmi_file *stdin;", "stdout": "extern struct robosmi_file *stdout;",
+    "stderr": "extern struct robosmi_file *stderr;", "va_list": "typedef __builtin_va_list va_list;",
+    "int8_t": "typedef signed char int8_t;", "uint8_t": "typedef unsigned char uint8_t;", "int16_t": "typedef short int16_t;",
+    "uint16_t": "typedef unsigned short uint16_t;", "int32_t": "typedef int int32_t;", "uint32_t": "typedef unsigned int uint32_t;",
+    "int64_t": "typedef long long int64_t;", "uint64_t": "typedef unsigned long long uint64_t;", "intptr_t": "typedef int intptr_t;",
+    "uintptr_t": "typedef unsigned int uintptr_t;", "time_t": "typedef long time_t;", "clock_t": "typedef unsigned long clock_t;",
+    "errno": "extern int errno;", "INT_MAX": "#define INT_MAX 2147483647", "INT_MIN": "#define INT_MIN (-2147483647 - 1)",
+    "M_PI": "#define M_PI 3.14159265358979323846", "RAND_MAX": "#define RAND_MAX 32767",
+}  # fmt: skip
+"""What the standard fixes about names that arrive through platform headers, so that types keep their width."""
+
+_UNKNOWN = [
+    re.compile(r"^unknown type name '(?P<name>\w+)'"),
+    re.compile(r"^use of undeclared identifier '(?P<name>\w+)'"),
+    re.compile(r"^use of unknown builtin '(?P<name>\w+)'"),
+]
+_NOT_RECORD = re.compile(r"^member reference (?:base )?type '(?:const |volatile )*(?P<name>\w+)[ *']")
+_ASSIGNMENTS = frozenset("= += -= *= /= %= &= |= ^= <<= >>= ++ --".split())
+
+
+@dataclass
+class Prelude:
+    """Names to declare and how.
+
+    Attributes:
+        types: type name -> True when it must be a record.
+        values: value name -> its declaration.
+        macros: attribute macros to define empty.
+        standard: names of the standard library that need no guess.
+        functions: platform function -> the type of its value.
+    """
+
+    platform: ApiIndex
+    types: dict[str, bool] = field(default_factory=dict)
+    values: dict[str, str] = field(default_factory=dict)
+    macros: set[str] = field(default_factory=set)
+    standard: dict[str, str] = field(default_factory=dict)
+    functions: dict[str, str] = field(default_factory=dict)
+    members: set[str] = field(default_factory=set)
+
+    def collect(self, messages: Iterable[str], tokens: list[Token], own: dict[str, str]) -> bool:
+        """Take over what the diagnostics complain about.
+
+        Args:
+            messages: diagnostics of the last parse.
+            tokens: of the text.
+            own: names that the text itself declares at file scope, with `function`, `variable` or `type`.
+
+        Returns:
+            Whether anything is new, so that another parse is worth while.
+        """
+        new = False
+        names: dict[str, bool] = {}
+        for message in messages:
+            for number, pattern in enumerate(_UNKNOWN):
+                if match := pattern.match(message):
+                    names.setdefault(match["name"], number == 0)
+            if (match := _NOT_RECORD.match(message)) and self.types.get(match["name"]) is False:
+                self.types[match["name"]] = new = True
+        if not names and not new:
+            return False
+        uses = _Uses(tokens)
+        for name, is_type in names.items():
+            if not self._known(name):
+                new = self._declare(name, is_type, uses, own) or new
+        if new:
+            self.members |= {m for m in uses.members if m not in self.macros}
+            self._add_functions(uses, own)
+        return new
+
+    def _known(self, name: str) -> bool:
+        return name in self.types or name in self.values or name in self.macros or name in self.standard
+
+    def _declare(self, name: str, is_type: bool, uses: _Uses, own: dict[str, str]) -> bool:
+        if own.get(name) == "function":  # used as a value before it is declared
+            self.values[name] = f"int {name}();"
+        elif name in ("va_start", "va_arg", "va_end", "va_copy"):
+            self.standard[name] = "#include <stdarg.h>"
+        elif name in STANDARD_NAMES:
+            self.standard[name] = STANDARD_NAMES[name]
+        elif form := self._from_platform(name, uses):
+            self.values[name] = form
+        elif name in self.types:
+            pass
+        elif is_type and uses.attribute(name):
+            self.macros.add(name)
+        elif is_type or uses.as_type(name):
+            self.types[name] = uses.as_pointer(name) or uses.record_values(name)
+        elif uses.written(name):
+            self.values[name] = f"extern int {name}{'[]' if uses.indexed(name) else ''};"
+        elif uses.indexed(name):
+            self.values[name] = f"extern int {name}[];"
+        else:
+            self.values[name] = f"enum {{ {name} = {self._number()} }};"
+        return True
+
+    def _from_platform(self, name: str, uses: _Uses) -> str | None:
+        """The declaration of a value that the repository knows; a type goes straight into `types`."""
+        found = self.platform.entries(name)
+        if not found:
+            return None
+        entry = found[0]
+        if entry.kind == "type":
+            self.types[name] = uses.as_pointer(name) or uses.record_values(name)
+            return None
+        if self.platform.symbol_kind(name, entry) == "register":
+            return f"extern volatile unsigned int {name};"
+        if entry.kind == "variable":
+            base = entry.detail.rstrip("[]")
+            plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in base.replace("*", " ").split())
+            return f"extern {base if plain else 'int'} {name}{'[]' if entry.detail.endswith('[]') else ''};"
+        if entry.callable:
+            return f"int {name}();"
+        if uses.written(name) or uses.indexed(name):
+            return None
+        return f"enum {{ {name} = {self._number()} }};"
+
+    def _add_functions(self, uses: _Uses, own: dict[str, str]) -> None:
+        """Functions whose value is a pointer, a record or a real number: as int their uses would not parse."""
+        for name in uses.called - own.keys() - self.functions.keys():
+            found = self.platform.entries(name)
+            if not found or found[0].kind != "function" or self.platform.kind_of(found[0]) != "platform":
+                continue
+            result = found[0].detail
+            words = re.findall(r"\w+", result)
+            base = next((w for w in words if w not in QUALIFIERS and w not in TYPE_WORDS), None)
+            if base in self.types or (base is None and ("*" in result or {"float", "double"} & set(words))):
+                self.functions[name] = result
+
+    def _number(self) -> int:
+        return 1000003 + 7919 * len(self.values)  # different values, so that case labels differ
+
+    def text(self, builtins: dict[str, str], attribute_macros: Iterable[str]) -> str:
+        """The prelude as C text."""
+        lines = [f"{kind} {name}();" for name, kind in sorted(builtins.items())]
+        lines += [f"#ifndef {m}\n#define {m}\n#endif" for m in sorted({*attribute_macros, *self.macros})]
+        lines += sorted(self.standard.values())
+        fields = "".join(f" int {m};" for m in sorted(self.members))
+        for name, record in self.types.items():
+            lines.append(f"typedef struct {name}__ {{ int _;{fields} }} {name};" if record else f"typedef int {name};")
+        lines += self.values.values()
+        lines += [f"{kind} {name}();" for name, kind in sorted(self.functions.items())]
+        return "\n".join(lines) + "\n"
+
+    def declares(self, name: str) -> bool:
+        """Whether the name is one that this prelude made up, standard names left out."""
+        return name in self.types or name in self.values
+
+
+class _Uses:
+    """How a text uses its names, from its tokens alone; bodies of macros count too."""
+
+    def __init__(self, tokens: list[Token]) -> None:
+        plain: list[tuple[str, str]] = []
+        bodies: list[str] = []
+        for kind, _, _, text in tokens:
+            if kind == "directive":
+                bodies.append(text)
+            elif kind != "comment":
+                plain.append((kind, text))
+        from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
+
+        for body in bodies:
+            if re.match(r"#\s*define", body):
+                inner = tokenise(body[1:].encode("latin-1"))[1:]
+                plain += [("punct", ";"), *((k, t) for k, _, _, t in inner if k != "comment"), ("punct", ";")]
+        self._texts = [text for _, text in plain] + ["", "", ""]
+        self._places: dict[str, list[int]] = {}
+        self.called: set[str] = set()
+        self.members: set[str] = set()
+        for i, (kind, text) in enumerate(plain):
+            if kind == "name":
+                self._places.setdefault(text, []).append(i)
+                if self._texts[i + 1] == "(":
+                    self.called.add(text)
+                if i and self._texts[i - 1] in (".", "->"):
+                    self.members.add(text)
+
+    def _any(self, name: str, test: Callable[[list[str], int], bool]) -> bool:
+        return any(test(self._texts, i) for i in self._places.get(name, ()))
+
+    def as_pointer(self, name: str) -> bool:
+        """`T *x`, `(T *)`, `T *)` in some place where a type may stand."""
+        return self._any(name, lambda t, i: t[i + 1] == "*" and (i == 0 or t[i - 1] in _BEFORE_TYPE))
+
+    def as_type(self, name: str) -> bool:
+        """A declaration of a local, a parameter or a cast."""
+
+        def test(t: list[str], i: int) -> bool:
+            before = t[i - 1] if i else ";"
+            if before not in _BEFORE_TYPE:
+                return False
+            j = i + 1
+            while t[j] in ("*", "const", "volatile"):
+                j += 1
+            if t[j] == ")" and before == "(":
+                return j > i + 1 or _word(t[j + 1]) or t[j + 1] in ("&", "*")
+            return _word(t[j]) and t[j] not in QUALIFIERS and t[j + 1] in ("=", ";", ",", "[", ")", "(") and (j == i + 1 or before != "(" or t[j + 1] == ",")
+
+        return self._any(name, test)
+
+    def record_values(self, name: str) -> bool:
+        """Some variable of the type is used with a member."""
+        variables = {self._texts[i + 1] for i in self._places.get(name, ()) if _word(self._texts[i + 1])}
+        return any(self._any(v, lambda t, i: t[i + 1] in (".", "->")) for v in variables)
+
+    def written(self, name: str) -> bool:
+        """Assigned to, counted up or down, or its address is taken."""
+
+        def test(t: list[str], i: int) -> bool:
+            before = t[i - 1] if i else ""
+            if t[i + 1] in _ASSIGNMENTS or before in ("++", "--"):
+                return True
+            return before == "&" and i > 1 and (t[i - 2] in _BEFORE_OPERAND)
+
+        return self._any(name, test) or (self.indexed(name))
+
+    def indexed(self, name: str) -> bool:
+        """Used with an index."""
+        return self._any(name, lambda t, i: t[i + 1] == "[")
+
+    def attribute(self, name: str) -> bool:
+        """Directly followed by another type: a macro that stands for an attribute."""
+        return self._any(name, lambda t, i: t[i + 1] in TYPE_WORDS or t[i + 1] in STORAGE_WORDS or t[i + 1] in ("struct", "union", "enum"))
+
+
+_BEFORE_TYPE = frozenset({"", ";", "{", "}", "(", ",", "const", "volatile", "static", "extern", "register", "unsigned", "sizeof", ")", ":", "typedef"})
+_BEFORE_OPERAND = frozenset("( , = { ; return + - * / % & | ^ ! ~ < > <= >= == != && || ? :".split())
+
+
+def _word(text: str) -> bool:
+    return bool(text) and (text[0].isalpha() or text[0] == "_")

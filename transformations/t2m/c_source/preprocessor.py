@@ -1,0 +1,65 @@
+"""Builders of the preprocessor's elements of a unit: includes, macros, conditional directives, comments.
+
+All from the tokens; what was compiled and what was not comes from the parser's skipped ranges. Uses of macros are in
+`macros`, since they need the parser.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_parts
+from robosmi.transformations.t2m.c_source.parsing import HEADERS
+
+_INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
+CONDITIONALS = frozenset({"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef", "else", "endif"})
+
+
+def read(context: Context) -> tuple[list[ccode.Include], list[ccode.Macro], list[ccode.PreprocessorConditional], list[ccode.Comment]]:
+    """Includes, macros, conditionals and comments in text order; directives in text that was not compiled are left out."""
+    includes: list[ccode.Include] = []
+    macros: list[ccode.Macro] = []
+    conditionals: list[ccode.PreprocessorConditional] = []
+    comments: list[ccode.Comment] = []
+    found = _found_headers(context)
+    place = context.source.place
+    for kind, start, end, text in context.source.tokens:
+        if kind == "comment":
+            comments.append(ccode.Comment(text=context.source.text(start, end), **place(start, end)))
+        if kind != "directive":
+            continue
+        end = start + len(text.rstrip())
+        word, rest = directive_parts(text)
+        if word in CONDITIONALS:
+            active = context.active(end) if word != "endif" else context.active(start)
+            conditionals.append(ccode.PreprocessorConditional(directive=word, condition=rest or None, active=active or None, **place(start, end)))
+        elif not context.active(start):
+            continue
+        elif word in ("include", "include_next", "import"):
+            match = _INCLUDE.match(rest)
+            name = match["name"].strip() if match else rest
+            system = bool(match and match["form"] == "<")
+            includes.append(ccode.Include(header=name, system=system or None, resolvedPath=found.get(name), **place(start, end)))
+        elif word == "define":
+            name, parameters, body = definition_parts(rest)
+            if name:
+                context.user_macros[name] = parameters is not None
+                like = parameters is not None or None
+                macros.append(ccode.Macro(name=name, functionLike=like, parameters=parameters, body=body or None, **place(start, end)))
+    return includes, macros, conditionals, comments
+
+
+def _found_headers(context: Context) -> dict[str, str]:
+    """Name as included -> path of the file that was read; our own standard headers have no path."""
+    result: dict[str, str] = {}
+    for path in context.parsed.inclusions:
+        if path.startswith(HEADERS) or os.path.abspath(path) == os.path.abspath(context.source.path):
+            continue
+        absolute = os.path.abspath(path)
+        own = os.path.dirname(os.path.abspath(context.source.path))
+        for folder in (own, *context.include_dirs):
+            result.setdefault(os.path.relpath(absolute, folder).replace(os.sep, "/"), path)
+    return result

@@ -1,0 +1,109 @@
+"""Reads C programs: files in, a code model and findings out.
+
+The order of the steps is here, the steps are in the other modules of this package: bytes and tokens (`source`, `lexer`),
+parsing (`parsing`, `prelude`, `tree`), elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`,
+`macros`), links (`linking`), coverage and findings (`coverage`, `checks`).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+
+from robosmi.diagnostics import Finding, Location
+from robosmi.errors import SourceError, UsageError
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.linking import Linker
+from robosmi.transformations.t2m.c_source.parsing import parse
+from robosmi.transformations.t2m.c_source.source import read_source
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+PathLike = str | os.PathLike[str]
+
+
+def read_program(
+    paths: PathLike | Iterable[PathLike],
+    *,
+    platform: str = "propeller",
+    include_dirs: Sequence[PathLike] = (),
+    defines: Sequence[str] = (),
+) -> tuple[ccode.Program, list[Finding]]:
+    """Read the source files of one program.
+
+    Args:
+        paths: one file, or all that are compiled together; `SourceUnit.path` is what is given here.
+        platform: name of the source platform in the repository.
+        include_dirs: folders with headers, searched after the file's own.
+        defines: macros from outside, `NAME` or `NAME=VALUE`.
+
+    Returns:
+        The code model with its externals, and the findings (rules RS101 to RS107) in the order of the units.
+
+    Raises:
+        SourceError: a file cannot be read or is no C.
+        UsageError: no file is given.
+        PlatformDataError: the repository has no such platform.
+        MissingToolError: libclang is not installed.
+    """
+    given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    if not given:
+        raise UsageError("no source file is given", fix="name at least one C file")
+    api = ApiIndex.load(platform)
+    folders = [os.fspath(d) for d in include_dirs]
+    contexts: list[Context] = []
+    try:
+        units = [_unit(path, api, folders, defines, contexts) for path in given]
+        externals = Linker(contexts, [list(unit.declarations) for unit in units]).run()
+    finally:
+        for context in contexts:
+            context.parsed.close()
+    program = ccode.Program(
+        name=os.path.splitext(os.path.basename(units[0].path))[0],
+        languages=list(dict.fromkeys(str(u.language) for u in units)),
+        includeFolders=folders,
+        defines=list(defines),
+        units=units,
+        externals=externals,
+    )
+    return program, [finding for context in contexts for finding in context.findings]
+
+
+def _unit(path: PathLike, api: ApiIndex, folders: Sequence[str], defines: Sequence[str], contexts: list[Context]) -> ccode.SourceUnit:
+    source = read_source(path)
+    parsed = parse(source, api, folders, defines)
+    if parsed is None:
+        raise SourceError("the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text")
+    context = Context(parsed, api, folders)
+    contexts.append(context)
+    checks.refuse_other_languages(parsed)
+    includes, own_macros, conditionals, comments = preprocessor.read(context)
+    made = declarations.group(context, parsed.nodes)
+    uses = macros.uses(context)
+    covered = coverage.calls(context)
+    found = coverage.problems(context)
+    coverage.notes(context, includes, conditionals)
+    unit = ccode.SourceUnit(
+        path=source.path,
+        encoding=source.encoding,
+        digest=source.digest,
+        language=source.language,
+        size=source.size,
+        callsInText=covered.in_text,
+        callsInModel=covered.in_model,
+        includes=includes,
+        macros=own_macros,
+        macroUses=uses,
+        declarations=made,
+        comments=comments,
+        conditionals=conditionals,
+        unresolved=covered.unresolved,
+        problems=found,
+    )
+    by_name = {str(macro.name): macro for macro in own_macros}
+    for use in uses:
+        macro = by_name.get(str(use.name))
+        if macro is not None:
+            use.macro = macro
+    return unit

@@ -1,0 +1,137 @@
+"""One source file as bytes: reading it, its encoding, slices of its text, lines and columns.
+
+Offsets are always those of the file's own bytes. The parser gets a copy of the same length in which bytes that are no
+UTF-8 are question marks, so that its offsets are the file's. What cannot be a source file at all is refused here; what
+is not C is noticed after parsing (`checks`).
+"""
+
+from __future__ import annotations
+
+import codecs
+import hashlib
+import os
+from bisect import bisect_right
+from dataclasses import dataclass, field
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.c_source.lexer import Token, tokens
+
+CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
+
+
+@dataclass(slots=True)
+class SourceText:
+    """The text of one file.
+
+    Attributes:
+        path: as given.
+        data: the bytes that offsets count.
+        parsed: bytes of the same length that the parser reads.
+        encoding: name of the encoding of the file.
+        digest: SHA-256 of the file, hexadecimal.
+        size: length of the file in bytes.
+        tokens: tokens, comments and directives in text order.
+    """
+
+    path: str
+    data: bytes
+    parsed: bytes
+    encoding: str
+    digest: str
+    size: int
+    tokens: list[Token] = field(default_factory=list)
+    _lines: list[int] = field(default_factory=list)
+    _codec: str = "utf-8"
+
+    @property
+    def language(self) -> str:
+        """`C` or `C++`, by the file's name."""
+        return "C++" if self.path.endswith(CPLUSPLUS) else "C"
+
+    def text(self, start: int, end: int) -> str:
+        """The text between two offsets."""
+        return self.data[start:end].decode(self._codec, "replace")
+
+    def line(self, offset: int) -> int:
+        """The line of an offset, from 1."""
+        return bisect_right(self._lines, offset)
+
+    def place(self, start: int, end: int) -> dict[str, int]:
+        """The features of `Located` for a range of offsets."""
+        lines = self._lines
+        line = bisect_right(lines, start)
+        last = bisect_right(lines, end - 1) if end > start else line
+        return {
+            "startOffset": start,
+            "endOffset": end,
+            "line": line,
+            "column": start - lines[line - 1] + 1,
+            "endLine": last,
+            "endColumn": end - lines[last - 1] + 1,
+        }
+
+    def location(self, start: int, end: int | None = None) -> Location:
+        """The place of a range for findings."""
+        place = self.place(start, start if end is None else end)
+        if end is None:
+            return Location(self.path, place["line"], place["column"])
+        return Location(self.path, place["line"], place["column"], place["endLine"], place["endColumn"])
+
+
+def read_source(path: str | os.PathLike[str]) -> SourceText:
+    """Read and tokenise a file.
+
+    Raises:
+        SourceError: it does not exist, cannot be read, is a folder, is empty or is no text.
+    """
+    name = os.fspath(path)
+    raw = _bytes(name)
+    place = Location(name)
+    data, encoding, codec = _decode(raw)
+    if b"\0" in data:
+        raise SourceError("the file is binary, not text", location=place, fix="give the C source file, not a compiled program")
+    source = SourceText(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
+    if codec != "utf-8":
+        source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
+    source._lines = [0, *(i + 1 for i, byte in enumerate(data) if byte == 10)]
+    source.tokens = tokens(source.parsed)
+    if all(token[0] == "comment" for token in source.tokens):
+        what = "holds nothing but comments" if source.tokens else "is empty"
+        raise SourceError(f"the file {what}", location=place, fix="give a C source file with declarations")
+    return source
+
+
+def _bytes(name: str) -> bytes:
+    place = Location(name)
+    try:
+        with open(name, "rb") as stream:
+            return stream.read()
+    except FileNotFoundError as error:
+        raise SourceError("there is no such file", location=place, fix="check the path") from error
+    except IsADirectoryError as error:
+        raise SourceError("this is a folder, not a file", location=place, fix="give the C source files in it") from error
+    except PermissionError as error:
+        if os.path.isdir(name):  # Windows says so of folders
+            raise SourceError("this is a folder, not a file", location=place, fix="give the C source files in it") from error
+        raise SourceError("the file may not be read", location=place, fix="change its permissions") from error
+    except (OSError, ValueError) as error:
+        cause = getattr(error, "strerror", None) or str(error)
+        raise SourceError(f"the file cannot be read: {cause}", location=place, fix="check the path and the disk") from error
+
+
+def _decode(raw: bytes) -> tuple[bytes, str, str]:
+    """The bytes to work on, the encoding's name, and the codec of those bytes."""
+    for mark, codec in ((codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16")):
+        if raw.startswith(mark):
+            try:
+                return raw.decode(codec).encode("utf-8"), "UTF-16", "utf-8"
+            except UnicodeDecodeError:
+                break
+    try:
+        raw.decode("utf-8")
+    except UnicodeDecodeError:
+        # bytes 80 to 9F are letters and quotes in Windows-1252, control characters in Latin-1
+        windows = any(0x80 <= byte <= 0x9F for byte in raw)
+        return (raw, "windows-1252", "cp1252") if windows else (raw, "ISO-8859-1", "latin-1")
+    return raw, "UTF-8", "utf-8"

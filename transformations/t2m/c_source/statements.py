@@ -1,0 +1,211 @@
+"""Builders of statements: one function a kind of cursor, chosen from a table.
+
+An expression's cursor where a statement is wanted is an expression statement. The end of a statement includes its
+semicolon. Forms that are not taken apart (assembler, statements out of a header's macro) keep their text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import declarations, macros
+from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, Context
+from robosmi.transformations.t2m.c_source.expressions import expression
+from robosmi.transformations.t2m.c_source.tree import Node
+
+COMPOUND, FOR = 202, 209
+_CONSTANT_KINDS = frozenset({100, 106, 110, 111, 112, 114, 117, 130})
+
+
+def statement(context: Context, node: Node) -> ccode.Statement:
+    """The element for a statement's cursor."""
+    while node.kind == 200 and len(node.children) == 1:
+        node = node.children[0]
+    if context.depth > MAX_DEPTH:
+        context.parsed.cut.append((node.start, node.end))
+        return ccode.UnknownStatement(text=context.text(node), **context.source.place(node.start, node.end))
+    context.depth += 1
+    try:
+        if node.from_macro and node.kind >= 200:
+            whole = _from_header_macro(context, node)
+            if whole is not None:
+                return whole
+        if 100 <= node.kind < 200:
+            return _expression_statement(context, node)
+        builder = BUILDERS.get(node.kind)
+        return builder(context, node) if builder else _unknown(context, node)
+    finally:
+        context.depth -= 1
+
+
+def block(context: Context, node: Node) -> ccode.Block:
+    """A compound statement."""
+    return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
+
+
+def _place(context: Context, node: Node) -> dict[str, int]:
+    """The place of a statement with its semicolon."""
+    end = node.end
+    i = context.token_at(end)
+    if i < len(context.tokens) and context.tokens[i][3] == ";":
+        end = context.tokens[i][2]
+    return context.source.place(node.start, end)
+
+
+def _expression_statement(context: Context, node: Node) -> ccode.Statement:
+    return ccode.ExpressionStatement(expression=expression(context, node), **_place(context, node))
+
+
+def _from_header_macro(context: Context, node: Node) -> ccode.Statement | None:
+    expansion = macros.expansion_of(context, node)
+    if expansion is None or expansion.name in context.user_macros or not context.function_like(expansion):
+        return None
+    place = _place(context, node)
+    return ccode.ExpressionStatement(expression=macros.macro_call(context, node, expansion, expression), **place)
+
+
+def _unknown(context: Context, node: Node) -> ccode.Statement:
+    place = _place(context, node)
+    text = context.source.text(place["startOffset"], place["endOffset"])
+    what = "assembler" if node.kind in (215, 216) else "a statement of an unusual form"
+    context.find("RS107", Severity.warning, f"{what} is kept as text", node.start, node.end, "read it by hand")
+    return ccode.UnknownStatement(text=text, **place)
+
+
+def _if(context: Context, node: Node) -> ccode.Statement:
+    children = node.children
+    condition = expression(context, children[0]) if children else None
+    then = statement(context, children[1]) if len(children) > 1 else None
+    other = statement(context, children[2]) if len(children) > 2 else None
+    return ccode.If(condition=condition, thenBranch=then, elseBranch=other, **context.source.place(node.start, node.end))
+
+
+def _while(context: Context, node: Node) -> ccode.Statement:
+    condition, body = (node.children[0], node.children[-1]) if len(node.children) > 1 else (None, node.children[0] if node.children else None)
+    return ccode.While(
+        form=ccode.LoopForm.whileLoop,
+        endless=(condition is not None and constant_true(context, condition)) or None,
+        condition=expression(context, condition) if condition is not None else None,
+        body=statement(context, body) if body is not None else None,
+        **context.source.place(node.start, node.end),
+    )
+
+
+def _do(context: Context, node: Node) -> ccode.Statement:
+    body, condition = (node.children[0], node.children[-1]) if len(node.children) > 1 else (node.children[0] if node.children else None, None)
+    return ccode.DoWhile(
+        form=ccode.LoopForm.doLoop,
+        endless=(condition is not None and constant_true(context, condition)) or None,
+        body=statement(context, body) if body is not None else None,
+        condition=expression(context, condition) if condition is not None else None,
+        **_place(context, node),
+    )
+
+
+def _for(context: Context, node: Node) -> ccode.Statement:
+    initial, condition, step, body = for_parts(context, node)
+    return ccode.For(
+        form=ccode.LoopForm.forLoop,
+        endless=(condition is None and body is not None) or (condition is not None and constant_true(context, condition)) or None,
+        initial=statement(context, initial) if initial is not None else None,
+        condition=expression(context, condition) if condition is not None else None,
+        step=expression(context, step) if step is not None else None,
+        body=statement(context, body) if body is not None else None,
+        **context.source.place(node.start, node.end),
+    )
+
+
+def for_parts(context: Context, node: Node) -> tuple[Node | None, Node | None, Node | None, Node | None]:
+    """The clauses and the body of a for loop; the parser gives those that are written without saying which they are."""
+    children = node.children
+    if len(children) == 4:
+        return children[0], children[1], children[2], children[3]
+    i = context.token_at(node.start)
+    if i + 1 >= len(context.tokens) or context.tokens[i][3] != "for":  # out of a macro
+        padded = [None] * (4 - len(children)) + list(children)
+        return padded[0], padded[1], padded[2], padded[3]
+    close = context.matching(i + 1)
+    depth, semicolons = 0, []
+    for j in range(i + 1, close + 1):
+        text = context.tokens[j][3]
+        depth += (text in ("(", "[", "{")) - (text in (")", "]", "}"))
+        if text == ";" and depth == 1:
+            semicolons.append(context.tokens[j][1])
+    limits = [*semicolons[:2], context.tokens[close][1]]
+    parts: list[Node | None] = [None, None, None, None]
+    for child in children:
+        parts[next((k for k, limit in enumerate(limits) if child.start < limit), 3) if len(limits) == 3 else 3] = child
+    return parts[0], parts[1], parts[2], parts[3]
+
+
+def constant_true(context: Context, node: Node) -> bool:
+    """Whether a condition is made of constants alone and is not zero."""
+    from robosmi.transformations.t2m.c_source.literals import evaluated
+
+    pending = [node]
+    while pending:
+        one = pending.pop()
+        if one.kind not in _CONSTANT_KINDS:
+            return False
+        pending.extend(one.children)
+    return bool(evaluated(context, node))
+
+
+def _switch(context: Context, node: Node) -> ccode.Statement:
+    selector = expression(context, node.children[0]) if node.children else None
+    body = statement(context, node.children[-1]) if len(node.children) > 1 else None
+    return ccode.Switch(selector=selector, body=body, **context.source.place(node.start, node.end))
+
+
+def _case(context: Context, node: Node) -> ccode.Statement:
+    constant = expression(context, node.children[0]) if node.children else None
+    inner = statement(context, node.children[-1]) if len(node.children) > 1 else None
+    return ccode.Case(constant=constant, statement=inner, **_place(context, node))
+
+
+def _default(context: Context, node: Node) -> ccode.Statement:
+    return ccode.Default(statement=statement(context, node.children[-1]) if node.children else None, **_place(context, node))
+
+
+def _label(context: Context, node: Node) -> ccode.Statement:
+    inner = statement(context, node.children[-1]) if node.children else None
+    return ccode.Label(name=context.spelling(node.cursor), statement=inner, **_place(context, node))
+
+
+def _goto(context: Context, node: Node) -> ccode.Statement:
+    name = context.spelling(node.children[0].cursor) if node.children else ""
+    return ccode.Goto(labelName=name, **_place(context, node))
+
+
+def _return(context: Context, node: Node) -> ccode.Statement:
+    return ccode.Return(value=expression(context, node.children[0]) if node.children else None, **_place(context, node))
+
+
+def _declaration(context: Context, node: Node) -> ccode.Statement:
+    return ccode.DeclarationStatement(declarations=declarations.group(context, node.children), **_place(context, node))
+
+
+def _plain(kind: type[ccode.Statement]) -> Callable[[Context, Node], ccode.Statement]:
+    return lambda context, node: kind(**_place(context, node))
+
+
+BUILDERS: dict[int, Callable[[Context, Node], ccode.Statement]] = {
+    201: _label,
+    COMPOUND: block,
+    203: _case,
+    204: _default,
+    205: _if,
+    206: _switch,
+    207: _while,
+    208: _do,
+    FOR: _for,
+    210: _goto,
+    212: _plain(ccode.Continue),
+    213: _plain(ccode.Break),
+    214: _return,
+    230: _plain(ccode.EmptyStatement),
+    231: _declaration,
+}
+"""CXCursorKind -> builder; what is not here becomes an `UnknownStatement`."""

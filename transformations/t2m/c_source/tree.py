@@ -1,0 +1,186 @@
+"""The parser's tree as plain Python: a `Node` per cursor of the file, with its kind, byte offsets and children.
+
+One visit in C with one callback a cursor; places are compared as numbers, not asked one by one. Cursors of headers and of
+the prelude are left out. Also the macro expansions in the file and the ranges that the preprocessor skipped. What kinds
+mean is in the builders.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.clang import Cursor
+
+MACRO_ID = 1 << 31
+MAX_TREE_DEPTH = 700
+TRANSLATION_UNIT, MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 350, 501, 502, 503
+FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = 8, 9, 20, 2, 3, 4, 5, 7
+_OWN = {FUNCTION: "function", VARIABLE: "variable", TYPEDEF: "type"}
+
+
+class Node:
+    """A cursor of the file.
+
+    Attributes:
+        kind: CXCursorKind.
+        start, end: byte offsets in the file; of a macro's expansion where the text has it.
+        from_macro: it begins in the expansion of a macro.
+        cursor: the cursor itself.
+        children: in the parser's order.
+    """
+
+    __slots__ = ("kind", "start", "end", "from_macro", "cursor", "children")
+
+    def __init__(self, kind: int, start: int, end: int, from_macro: bool, cursor: Cursor) -> None:
+        self.kind = kind
+        self.start = start
+        self.end = end
+        self.from_macro = from_macro
+        self.cursor = cursor
+        self.children: list[Node] = []
+
+    def __repr__(self) -> str:
+        return f"<Node {self.kind} {self.start}..{self.end}{' macro' if self.from_macro else ''} {len(self.children)} children>"
+
+
+class Expansion:
+    """A use of a macro in the file: its name and range, with the arguments if it has any."""
+
+    __slots__ = ("name", "start", "end", "cursor")
+
+    def __init__(self, name: str, start: int, end: int, cursor: Cursor) -> None:
+        self.name, self.start, self.end, self.cursor = name, start, end, cursor
+
+
+class TreeReader:
+    """Reads the tree of one translation unit.
+
+    Args:
+        unit: the handle.
+        path: of the main file, as it was parsed.
+        length: of the main file in bytes.
+    """
+
+    def __init__(self, unit: int, path: str, length: int) -> None:
+        lib = clang.library()
+        self.unit = unit
+        self.length = length
+        self.file: int | None = lib.getFile(unit, os.fsencode(path))
+        self.base: int = lib.getLocationForOffset(unit, self.file, 0).int_data
+        self.expansions: list[Expansion] = []
+        self.cut: list[tuple[int, int]] = []
+        self._root = lib.getTranslationUnitCursor(unit)
+
+    def offset(self, location: clang.SourceLocation) -> int:
+        """The offset of a place in the main file, -1 for any other place."""
+        raw = location.int_data
+        if raw < MACRO_ID:
+            return raw - self.base if 0 <= raw - self.base <= self.length else -1
+        file, offset = clang.file_offset(location)
+        return offset if file == self.file else -1
+
+    def extent(self, cursor: Cursor) -> tuple[int, int, bool]:
+        """Start and end offsets, and whether the start lies in a macro's expansion; -1 outside the main file."""
+        extent = clang.library().getCursorExtent(cursor)
+        begin, end, base = extent.begin, extent.end, self.base
+        start = begin - base
+        if begin < MACRO_ID:
+            if not 0 <= start <= self.length or not begin:
+                start = -1
+        else:
+            start = self._slow(extent, begin)
+        if end < MACRO_ID:
+            stop = end - base
+            if not 0 <= stop <= self.length:
+                stop = -1
+        else:  # the place behind a macro's token has no file place, the one before has
+            stop = self._slow(extent, end - 1)
+            if stop >= 0:
+                stop += 1
+        return start, stop if stop >= start else start, begin >= MACRO_ID
+
+    def _slow(self, extent: clang.SourceRange, raw: int) -> int:
+        location = clang.SourceLocation()
+        location.ptr_data = extent.ptr_data
+        location.int_data = raw
+        file, offset = clang.file_offset(location)
+        return offset if file == self.file else -1
+
+    def own_names(self) -> dict[str, str]:
+        """Names that the file declares at its top level: `function`, `variable` or `type`."""
+        lib = clang.library()
+        found: dict[str, str] = {}
+
+        def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+            what = _OWN.get(cursor.kind)
+            if what and self.offset(lib.getCursorLocation(cursor)) >= 0:
+                found[lib.text(lib.getCursorSpelling(cursor))] = what
+            return 1
+
+        clang.visit(self._root, visitor)
+        return found
+
+    def read(self) -> list[Node]:
+        """The nodes of the file's top level with all below them; fills `expansions` and `cut`."""
+        top: list[Node] = []
+        stack: list[tuple[Any, Any, Any, Node]] = []
+
+        def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+            kind = cursor.kind
+            if parent.kind == TRANSLATION_UNIT:
+                if kind == MACRO_DEFINITION or kind == INCLUSION:
+                    return 1
+                if kind == MACRO_EXPANSION:
+                    self._expansion(cursor)
+                    return 1
+                start, end, macro = self.extent(cursor)
+                if start < 0:
+                    return 1
+                node = Node(kind, start, end, macro, cursor)
+                top.append(node)
+                stack.clear()
+            else:
+                held = parent.data
+                key = (held[0], held[1], held[2])
+                while stack and stack[-1][:3] != key:
+                    stack.pop()
+                if not stack:
+                    return 1
+                start, end, macro = self.extent(cursor)
+                above = stack[-1][3]
+                if start < 0:  # recovered by the parser, or from an included table
+                    start, end = above.start, above.start
+                node = Node(kind, start, end, macro, cursor)
+                above.children.append(node)
+                if len(stack) > MAX_TREE_DEPTH:
+                    self.cut.append((start, end))
+                    return 1
+            held = cursor.data
+            stack.append((held[0], held[1], held[2], node))
+            return 2
+
+        clang.visit(self._root, visitor)
+        return top
+
+    def _expansion(self, cursor: Cursor) -> None:
+        start, end, macro = self.extent(cursor)
+        if start >= 0 and not macro:
+            lib = clang.library()
+            self.expansions.append(Expansion(lib.text(lib.getCursorSpelling(cursor)), start, end, cursor))
+
+    def skipped(self) -> list[tuple[int, int]]:
+        """Ranges that conditional directives left out, in text order."""
+        lib = clang.library()
+        ranges = lib.getSkippedRanges(self.unit, self.file)
+        found = []
+        if ranges:
+            content = ranges.contents
+            for i in range(content.count):
+                one = content.ranges[i]
+                start, end = one.begin - self.base, one.end - self.base
+                if 0 <= start <= end <= self.length:
+                    found.append((start, end))
+            lib.disposeSourceRangeList(ranges)
+        return sorted(found)

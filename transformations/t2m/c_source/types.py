@@ -1,0 +1,195 @@
+"""Type uses and declarators: the type as written from the tokens, its meaning on the source platform from the parser.
+
+The parser alone would lose pointers and names of types that nothing declares, and the tokens alone know no typedef. What
+declarations are made of types is in `declarations`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS
+
+_SIGNED = frozenset({13, 14, 16, 17, 18, 19, 20, 21, 22, 23})  # CXTypeKind: Char_S to LongDouble
+_ARITHMETIC = frozenset(range(3, 24))
+_POINTER, _ENUM, _FLOATING, _DOUBLE = 101, 106, frozenset({21, 22, 23}), frozenset({22, 23})
+_STORAGES = {0: "unspecified", 1: "unspecified", 2: "externStorage", 3: "staticStorage", 6: "autoStorage", 7: "registerStorage"}
+
+
+@dataclass(slots=True)
+class Specifiers:
+    """What stands before the declarators of a declaration.
+
+    Attributes:
+        text: the type, without storage words, a record's body and attribute macros.
+        end: number of the first token behind them.
+        start: offset of the first token of the type.
+        base: the name that the type goes back to: a tag, a typedef's name, or empty.
+        constant: const is among them.
+    """
+
+    text: str
+    end: int
+    start: int
+    base: str
+    constant: bool
+
+
+def storage(context: Context, cursor: Any) -> ccode.Storage:
+    """Storage class of a declaration."""
+    literal: ccode.Storage = getattr(ccode.Storage, _STORAGES.get(context.lib.Cursor_getStorageClass(cursor), "unspecified"))
+    return literal
+
+
+def specifiers(context: Context, offset: int, stop: int) -> Specifiers:
+    """The specifiers that start at an offset; never reads beyond the offset `stop` (the declared name)."""
+    tokens = context.tokens
+    i = context.token_at(offset)
+    words: list[str] = []
+    base, seen, start = "", False, -1
+    while i < len(tokens) and tokens[i][1] < stop:
+        kind, begin, _, text = tokens[i]
+        if kind != "name":
+            break
+        if text in STORAGE_WORDS or text in context.attribute_macros:
+            i += 1
+            continue
+        if text in ("__attribute__", "__attribute", "_Alignas"):
+            i = context.matching(i + 1) + 1
+            continue
+        if text in QUALIFIERS:
+            words.append(text)
+        elif text in TYPE_WORDS:
+            words.append(text)
+            seen = True
+        elif text in ("struct", "union", "enum"):
+            words.append(text)
+            seen = True
+            if i + 1 < len(tokens) and tokens[i + 1][0] == "name":
+                i += 1
+                base = tokens[i][3]
+                words.append(base)
+            if i + 1 < len(tokens) and tokens[i + 1][3] == "{":
+                i = context.matching(i + 1)
+        elif not seen:
+            following = tokens[i + 1][3] if i + 1 < len(tokens) else ""
+            if following in TYPE_WORDS or following in STORAGE_WORDS:  # an attribute macro that nobody knows
+                i += 1
+                continue
+            words.append(text)
+            base, seen = text, True
+        else:
+            break
+        start = begin if start < 0 else start
+        i += 1
+    constant = "const" in words or "__const" in words
+    return Specifiers(" ".join(words) or "int", i, start if start >= 0 else offset, base, constant)
+
+
+def declarator(context: Context, spec: Specifiers, name_offset: int) -> tuple[str, str, int, int]:
+    """The declarator around a name.
+
+    Returns:
+        The pointer part as written (`*`, `(*)`, ...), the array dimensions, the number of pointer levels, and the number of the
+        token behind the declarator.
+    """
+    tokens = context.tokens
+    name = context.token_at(name_offset)
+    first = name
+    while first - 1 >= spec.end and tokens[first - 1][3] in ("*", "(", "const", "volatile", "restrict", "^"):
+        first -= 1
+    before = [t[3] for t in tokens[first:name]]
+    i = name + 1 if name < len(tokens) and tokens[name][1] == name_offset and tokens[name][0] == "name" else name
+    dims, after = "", ""
+    opened = before.count("(")
+    while i < len(tokens):
+        text = tokens[i][3]
+        if text == "[":
+            close = context.matching(i)
+            dims += context.source.text(tokens[i][1], tokens[close][2])
+            i = close + 1
+        elif text == ")" and opened:
+            opened -= 1
+            after += ")"
+            i += 1
+        elif text == "(" and "(" in before and not opened:
+            close = context.matching(i)
+            after += " ".join(context.source.text(tokens[i][1], tokens[close][2]).split())
+            i = close + 1
+        else:
+            break
+    return "".join(w if w in "*(" else f" {w}" for w in before) + after, dims, before.count("*"), i
+
+
+def type_use(context: Context, cursor: Any, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None) -> ccode.TypeUse:
+    """The type of a declaration.
+
+    Args:
+        cursor: the declaration.
+        spec: its specifiers.
+        pointer: pointer part of the declarator.
+        dims: array dimensions as written.
+        depth: pointer levels.
+        of: the parser's type where it is not the cursor's own (the value of a function).
+    """
+    spelling = f"{spec.text} {pointer}".strip() if pointer else spec.text
+    return _type_use(context, of or context.lib.getCursorType(cursor), spelling, spec.base, dims, depth, spec.constant)
+
+
+def written_type(context: Context, start: int, end: int, kind: Any) -> ccode.TypeUse:
+    """A type in parentheses (a cast, sizeof), given by the range inside them and the parser's type."""
+    text = " ".join(context.source.text(start, end).split())
+    spec = specifiers(context, start, end)
+    dims = text[text.index("[") :] if "[" in text else ""
+    return _type_use(context, kind, text, spec.base, dims, text.count("*"), spec.constant)
+
+
+def _type_use(context: Context, kind: Any, spelling: str, base: str, dims: str, depth: int, constant: bool) -> ccode.TypeUse:
+    canonical, bits, signed, pointer = resolve(context, kind)
+    if base in context.parsed.prelude.types:
+        canonical = spelling + dims
+        bits, signed = (context.api.settings["pointer_bits"], False) if depth else (0, False)
+    elif depth and not pointer and not dims:
+        bits, signed = context.api.settings["pointer_bits"], False
+    use = ccode.TypeUse(
+        spelling=spelling, canonical=canonical, bits=bits, signed=signed, pointerDepth=depth, arrayDims=dims or None, constant=constant or None
+    )
+    if base:
+        context.type_uses.append((use, base))
+    return use
+
+
+def resolve(context: Context, kind: Any) -> tuple[str, int, bool, bool]:
+    """Canonical spelling, width in bits (of an array's element), signedness, and whether it is a pointer."""
+    key = (kind.data[0] or 0) ^ (kind.kind << 56)
+    known = context.canonical.get(key)
+    if known is not None:
+        return known
+    lib = context.lib
+    canonical = lib.getCanonicalType(kind)
+    text: str = lib.text(lib.getTypeSpelling(canonical))
+    element = canonical
+    for _ in range(8):
+        if element.kind not in (112, 114, 115):  # CXTypeKind: arrays
+            break
+        element = _element(lib, element)
+    size = lib.Type_getSizeOf(element) if element.kind in _ARITHMETIC or element.kind in (_POINTER, _ENUM) else 0
+    bits = 8 * size if size > 0 else 0
+    if element.kind in _DOUBLE:
+        bits = context.api.settings["double_bits"]
+    signed = element.kind in _SIGNED or (element.kind == _ENUM)
+    result = (text, bits, signed, element.kind == _POINTER)
+    context.canonical[key] = result
+    return result
+
+
+def _element(lib: Any, kind: Any) -> Any:
+    return lib.getCanonicalType(lib.getArrayElementType(kind))
+
+
+def is_floating(kind: Any) -> bool:
+    """Whether a canonical type of the parser is a real number."""
+    return kind.kind in _FLOATING

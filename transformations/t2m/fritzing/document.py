@@ -1,0 +1,205 @@
+"""The text of a sketch as plain records: instances, their properties, and in each view what is connected to what.
+
+XML is read with lxml without network, without external or internal entities, and without a document type at all (Fritzing
+writes none). What the parts are, and which connectors are one node, is not told here.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from lxml import etree
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+
+VIEWS = ("breadboardView", "schematicView", "pcbView")
+"""The views that hold connections, in the order in which they are believed."""
+
+_OWN_ATTRIBUTES = frozenset({"moduleIdRef", "modelIndex", "path"})
+_DOCTYPE = re.compile(rb"\A(?:\xef\xbb\xbf)?(?:\s++|(?><\?.*?\?>)|(?><!--.*?-->))*+<!DOCTYPE", re.DOTALL)
+_NUMBER = re.compile(r"(\d+)")
+
+Edge = tuple[str, str, str]
+"""Own connector, the other's model index, the other's connector."""
+
+
+@dataclass(slots=True)
+class View:
+    """What an instance has in one view: connections, connectors mentioned, wire flags (None if not given) and colour."""
+
+    edges: list[Edge] = field(default_factory=list)
+    connectors: list[str] = field(default_factory=list)
+    flags: int | None = None
+    color: str = ""
+
+
+@dataclass(slots=True)
+class Instance:
+    """A placed part. `index` is its model index as written, `line` its line in the sketch; views are read when asked for."""
+
+    index: str
+    module_id: str
+    title: str
+    file_hint: str
+    line: int
+    properties: dict[str, str]
+    local_names: dict[str, str]
+    elements: dict[str, etree._Element]
+    read: dict[str, View] = field(default_factory=dict)
+
+    def view(self, name: str) -> View:
+        """What it has in the view of that name; an empty record where it is not in that view."""
+        if name not in self.read:
+            element = self.elements.get(name)
+            self.read[name] = View() if element is None else _view(element)
+        return self.read[name]
+
+    @property
+    def is_wire(self) -> bool:
+        """Whether it is a wire and no component."""
+        return self.module_id == "WireModuleID"
+
+
+@dataclass(slots=True)
+class Sketch:
+    """A sketch: version of Fritzing as written, live instances in the file's order, and how many had no view."""
+
+    version: str
+    instances: list[Instance]
+    without_views: int
+
+
+def natural(text: str) -> tuple[tuple[int, int, str], ...]:
+    """A sort key by which connector2 comes before connector10."""
+    return tuple((0, int(piece), "") if piece.isdecimal() else (1, 0, piece) for piece in _NUMBER.split(text) if piece)
+
+
+def parse_xml(data: bytes, path: str, what: str) -> etree._Element:
+    """The root of an XML text.
+
+    Args:
+        data: the text.
+        path: file to name in an error.
+        what: name of the text in that file, for the message.
+
+    Raises:
+        SourceError: it is not well-formed, or has a document type.
+    """
+    if found := _DOCTYPE.match(data):
+        raise _refused_doctype(path, what, data.count(b"\n", 0, found.end()) + 1)
+    parser = etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        dtd_validation=False,
+        huge_tree=False,
+        remove_comments=True,
+        remove_pis=True,
+    )
+    try:
+        root = etree.fromstring(data, parser)
+    except etree.XMLSyntaxError as error:
+        line, column = error.position
+        place = Location(path, line or None, column or None)
+        cause = (error.msg or "no XML at all").partition(", line")[0]
+        raise SourceError(
+            f"'{what}' is not well-formed XML: {cause}", location=place, fix="open it in Fritzing and save it again"
+        ) from error
+    docinfo: Any = root.getroottree().docinfo
+    if docinfo.doctype:  # written in an encoding that the test above does not see through
+        raise _refused_doctype(path, what, 1)
+    return root
+
+
+def parse_sketch(data: bytes, path: str, name: str) -> Sketch:
+    """The records of a sketch.
+
+    Args:
+        data: the bytes of the `.fz`.
+        path: the file, for messages.
+        name: name of the `.fz` in it, for messages.
+
+    Raises:
+        SourceError: it is no Fritzing sketch.
+    """
+    root = parse_xml(data, path, name)
+    instances = root.find("instances")
+    if root.tag != "module" or instances is None:
+        raise SourceError(
+            _no_sketch(root, name), location=Location(path, _line(root)), fix="give the .fz or .fzz file of a sketch"
+        )
+    live: list[Instance] = []
+    empty = 0
+    for element in instances.iterchildren("instance"):
+        views = element.find("views")
+        if views is None or len(views) == 0:
+            empty += 1
+        else:
+            live.append(_instance(element, views))
+    return Sketch(root.get("fritzingVersion", ""), live, empty)
+
+
+def _no_sketch(root: etree._Element, name: str) -> str:
+    if root.tag == "module" and (root.get("moduleId") is not None or root.find("connectors") is not None):
+        return f"'{name}' is the definition of a part (.fzp), not a sketch"
+    if root.tag == "module":
+        return f"'{name}' is no Fritzing sketch: it has no <instances>"
+    return f"'{name}' is no Fritzing sketch: its root is <{root.tag}>, not <module>"
+
+
+def _refused_doctype(path: str, what: str, line: int) -> SourceError:
+    return SourceError(
+        f"'{what}' has a DOCTYPE, which Fritzing never writes and which is refused",
+        location=Location(path, line),
+        fix="remove the DOCTYPE, or open it in Fritzing and save it again",
+    )
+
+
+def _line(element: etree._Element) -> int:
+    line: Any = element.sourceline
+    return line if isinstance(line, int) else 1
+
+
+def _instance(element: etree._Element, views: etree._Element) -> Instance:
+    attributes = element.attrib
+    properties = {str(k): str(v) for k, v in attributes.items() if k not in _OWN_ATTRIBUTES}  # written so by old versions
+    local_names: dict[str, str] = {}
+    title = ""
+    for child in element:
+        if child.tag == "property":
+            properties[child.get("name", "")] = child.get("value", "")
+        elif child.tag == "title":
+            title = (child.text or "").strip()
+        elif child.tag == "localConnectors":
+            local_names.update((c.get("id", ""), c.get("name", "")) for c in child)
+    properties.pop("", None)
+    return Instance(
+        index=(element.get("modelIndex") or "").strip(),
+        module_id=element.get("moduleIdRef", ""),
+        title=title,
+        file_hint=re.split(r"[\\/]", element.get("path", ""))[-1],
+        line=_line(element),
+        properties=properties,
+        local_names=local_names,
+        elements={str(view.tag): view for view in views if view.tag in VIEWS},
+    )
+
+
+def _view(element: etree._Element) -> View:
+    view = View()
+    for child in element:
+        if child.tag == "connectors":
+            for connector in child:
+                own = connector.get("connectorId", "")
+                view.connectors.append(own)
+                for connect in connector.iterfind("connects/connect"):
+                    view.edges.append((own, connect.get("modelIndex", "").strip(), connect.get("connectorId", "")))
+        elif child.tag == "geometry":
+            flags = child.get("wireFlags", "")
+            view.flags = int(flags) if flags.isdecimal() else None
+        elif child.tag == "wireExtras":
+            view.color = child.get("color", "")
+    return view

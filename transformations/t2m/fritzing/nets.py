@@ -1,0 +1,208 @@
+"""Which connectors of a drawing are one electrical node: plain records in, sets of nodes out.
+
+A node is a connector with all that its part joins to it (a bus); a wire is one node from end to end. Stripboards, net labels
+and power symbols join by what their properties say. A union-find is used and not a graph library, because importing one takes
+longer than the whole reading; a test compares the two. What a net is for (rails) is told by `rails`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from robosmi.transformations.t2m.fritzing.document import Instance
+from robosmi.transformations.t2m.parts_catalogue import Part
+
+Node = tuple[str, str]
+"""Identity of an instance, and the connector that stands for its bus (empty for a wire)."""
+
+Leaders = Mapping[str, Mapping[str, str]]
+"""By module id, for each connector that a part joins to others the one that stands for all of them."""
+
+DERIVED = 8 | 16
+"""Wire flags of old jumpers and of rats' nests: hints that Fritzing derives and does not conduct by (viewgeometry.h)."""
+
+
+class Joined:
+    """Disjoint sets of nodes."""
+
+    def __init__(self) -> None:
+        self.parent: dict[Node, Node] = {}
+
+    def __contains__(self, node: Node) -> bool:
+        return node in self.parent
+
+    def find(self, node: Node) -> Node:
+        """The representative of the node's set; a new node is a set of its own."""
+        parent = self.parent
+        root = parent.setdefault(node, node)
+        while parent[root] != root:
+            root = parent[root]
+        while parent[node] != root:
+            parent[node], node = root, parent[node]
+        return root
+
+    def union(self, one: Node, other: Node) -> None:
+        """Make the two nodes one."""
+        self.parent[self.find(one)] = self.find(other)
+
+
+@dataclass(slots=True)
+class Wiring:
+    """The connections of one view.
+
+    Attributes:
+        view: the view they were read from.
+        joined: the nodes.
+        used: connectors that the drawing mentions in a connection, by instance.
+        wire_ends: connectors of components at a wire's ends, by wire.
+        wires: identities of the wires that conduct.
+        ignored_wires: how many wires are derived hints.
+        dangling: connections to instances that are not in the drawing.
+    """
+
+    view: str
+    joined: Joined = field(default_factory=Joined)
+    used: dict[str, dict[str, None]] = field(default_factory=dict)
+    wire_ends: dict[str, dict[tuple[str, str], None]] = field(default_factory=dict)
+    wires: list[str] = field(default_factory=list)
+    ignored_wires: int = 0
+    dangling: list[tuple[Instance, str]] = field(default_factory=list)
+
+
+def bus_leaders(part: Part) -> dict[str, str]:
+    """For every connector that the part joins to others the one that stands for all of them."""
+    leaders: dict[str, str] = {}
+    for members in part.buses.values():
+        known = [leaders[m] for m in members if m in leaders]
+        leader = known[0] if known else (members[0] if members else "")
+        for member in members:
+            leaders[member] = leader
+        for other in set(known) - {leader}:  # a connector in two buses joins them
+            leaders.update((m, leader) for m, old in list(leaders.items()) if old == other)
+    return leaders
+
+
+def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> Wiring:
+    """What is joined in a view.
+
+    Args:
+        view: name of the view.
+        instances: the live instances by identity, which is their model index.
+        leaders: what parts join inside (`bus_leaders`), by module id.
+    """
+    result = Wiring(view)
+    joined, used = result.joined, result.used
+    silent: set[str] = set()
+    for identity, instance in instances.items():
+        if instance.is_wire:
+            if (instance.view(view).flags or 0) & DERIVED:
+                silent.add(identity)
+            else:
+                result.wires.append(identity)
+    result.ignored_wires = len(silent)
+
+    def node(identity: str, instance: Instance, connector: str) -> Node:
+        if instance.is_wire:
+            return identity, ""
+        used.setdefault(identity, {})[connector] = None
+        return identity, leaders[instance.module_id].get(connector, connector)
+
+    for identity, instance in instances.items():
+        if identity in silent:
+            continue
+        for own, index, theirs in instance.view(view).edges:
+            other = instances.get(index)
+            if other is None:
+                result.dangling.append((instance, index))
+            elif index not in silent:
+                joined.union(node(identity, instance, own), node(index, other, theirs))
+                if instance.is_wire and not other.is_wire:
+                    result.wire_ends.setdefault(identity, {})[index, theirs] = None
+                elif other.is_wire and not instance.is_wire:
+                    result.wire_ends.setdefault(index, {})[identity, own] = None
+    _join_symbols(result, instances)
+    _join_strips(result, instances)
+    return result
+
+
+def links_parts(found: Wiring, instances: Mapping[str, Instance]) -> bool:
+    """Whether the view connects at least two different components."""
+    owner: dict[Node, str] = {}
+    for identity, leader in list(found.joined.parent):
+        if not instances[identity].is_wire and owner.setdefault(found.joined.find((identity, leader)), identity) != identity:
+            return True
+    return False
+
+
+def partition(found: Wiring, instances: Mapping[str, Instance], ignore: Iterable[str] = ()) -> set[frozenset[Node]]:
+    """The nets as sets of nodes of components, without those of fewer than two nodes, and without instances to ignore."""
+    skip = set(ignore)
+    sets: dict[Node, set[Node]] = {}
+    for node in list(found.joined.parent):
+        if node[0] not in skip and not instances[node[0]].is_wire:
+            sets.setdefault(found.joined.find(node), set()).add(node)
+    return {frozenset(nodes) for nodes in sets.values() if len(nodes) > 1}
+
+
+_VOLTAGE = re.compile(r"[-+]?\d+(?:\.\d+)?")
+
+
+def symbol_net(instance: Instance) -> dict[str, str]:
+    """The common net of each connector of a net label or power symbol, by connector; empty for other parts.
+
+    Source: fritzing-app src/items/symbolpaletteitem.cpp.
+    """
+    module_id, properties = instance.module_id, instance.properties
+    number = _VOLTAGE.search(properties.get("voltage", ""))
+    voltage = f"voltage {float(number[0]):g}" if number else "voltage ?"
+    if module_id in ("NetLabelModuleID", "LeftNetLabelModuleID"):
+        label = properties.get("label", "") or instance.title
+        return {"connector0": f"label {label}"}
+    if module_id == "PowerLabelModuleID":
+        return {"connector0": voltage.replace("voltage", "label")}
+    if module_id == "GroundModuleID":
+        return {"connector0": "ground"}
+    if module_id in ("PowerModuleID", "JustPowerModuleID"):
+        return {"connector0": voltage, "connector1": "ground"} if module_id == "PowerModuleID" else {"connector0": voltage}
+    return {}
+
+
+def _join_symbols(result: Wiring, instances: Mapping[str, Instance]) -> None:
+    first: dict[str, Node] = {}
+    for identity, instance in instances.items():
+        for connector, net in symbol_net(instance).items():
+            if connector in result.used.get(identity, ()):
+                result.joined.union(first.setdefault(net, (identity, connector)), (identity, connector))
+
+
+_STRIPBOARD = re.compile(r"(\d+)\.(\d+)Stripboard(2?)ModuleID")
+_CUT = re.compile(r"(\d+)\.(\d+)([vh]+)")
+_ROW = 1000  # connector id = connector + (row * 1000 + column), src/items/perfboard.cpp
+
+
+def _join_strips(result: Wiring, instances: Mapping[str, Instance]) -> None:
+    for identity, instance in instances.items():
+        size = _STRIPBOARD.fullmatch(instance.module_id)
+        used = [c for c in result.used.get(identity, ()) if c.startswith("connector") and c[9:].isdecimal()]
+        if size is None or not used:
+            continue
+        columns, rows = min(int(size[1]), _ROW), min(int(size[2]), _ROW)
+        for one, other in _strip_links(columns, rows, instance.properties, size[3] == ""):
+            result.joined.union((identity, one), (identity, other))
+
+
+def _strip_links(columns: int, rows: int, properties: Mapping[str, str], old: bool) -> Iterator[tuple[str, str]]:
+    """The neighbouring holes that copper joins (src/items/stripboard.cpp): a full grid less the cuts."""
+    cuts = {(int(c[1]), int(c[2]), way) for c in _CUT.finditer(properties.get("buses", "")) for way in c[3]}
+    horizontal = old or "horizontal" in properties.get("layout", "").lower()
+    if not properties.get("buses"):
+        cuts = {(x, y, "v" if horizontal else "h") for x in range(columns) for y in range(rows)}
+    for y in range(rows):
+        for x in range(columns):
+            here = f"connector{y * _ROW + x}"
+            if y + 1 < rows and (x, y, "v") not in cuts:
+                yield here, f"connector{(y + 1) * _ROW + x}"
+            if x + 1 < columns and (x, y, "h") not in cuts:
+                yield here, f"connector{y * _ROW + x + 1}"

@@ -1,0 +1,47 @@
+"""A part definition (`.fzp`) as a `Part` of the catalogue's form: for definitions that a sketch carries with it.
+
+The role is left open: what a part is for the software is told by the catalogue's rules, not by the file.
+"""
+
+from __future__ import annotations
+
+from robosmi.transformations.t2m.fritzing.document import parse_xml
+from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector, Rules, connector_kind
+
+
+def parse_part(data: bytes, path: str, name: str, known: Rules) -> Part | None:
+    """The part that a definition describes, or None if it is no part definition.
+
+    Args:
+        data: the bytes of the `.fzp`.
+        path: the file that holds it, for messages.
+        name: its name in that file, for messages.
+        known: the rules, for what a connector's name says.
+
+    Raises:
+        SourceError: it is no well-formed XML.
+    """
+    root = parse_xml(data, path, name)
+    part_id = root.get("moduleId", "")
+    if root.tag != "module" or not part_id:
+        return None
+    properties = {p.get("name", "").strip(): (p.text or "").strip() for p in root.iterfind("properties/property")}
+    family = next((value for key, value in properties.items() if key.lower() == "family"), "")
+    connectors: dict[str, PartConnector] = {}
+    for connector in root.iterfind("connectors/connector"):
+        identity, label = connector.get("id", ""), connector.get("name", "").strip()
+        connectors[identity] = PartConnector(identity, label, connector_kind(label, known))
+    buses: dict[str, tuple[str, ...]] = {}
+    for bus in root.iterfind("buses/bus"):
+        members = [m.get("connectorId", "") for m in bus.iterfind("nodeMember")]
+        buses[bus.get("id", "")] = buses.get(bus.get("id", ""), ()) + tuple(m for m in members if m in connectors)
+    return Part(
+        id=part_id,
+        title=(root.findtext("title") or "").strip(),
+        family=family.removeprefix("//obsolete//").strip(),
+        tags=tuple(tag.text.strip() for tag in root.iterfind("tags/tag") if tag.text),
+        connectors=connectors,
+        buses=buses,
+        properties={key: value for key, value in properties.items() if key and value and key.lower() != "family"},
+        source=f"the definition '{name}' in the drawing",
+    )

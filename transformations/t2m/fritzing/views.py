@@ -1,0 +1,65 @@
+"""Which view of a sketch is believed.
+
+Fritzing stores the connections in each of its views, and they should agree. The breadboard view is read; where it connects no
+parts, the schematic and then the PCB view; where the first two disagree, that is a finding. The views are never united, since
+that would unite their errors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance
+from robosmi.transformations.t2m.fritzing.nets import Leaders, Wiring, links_parts, partition, wiring
+
+
+def believed(
+    instances: Mapping[str, Instance], leaders: Leaders, by_bus: Collection[str], path: str
+) -> tuple[Wiring, list[Finding]]:
+    """The wiring of the view that is believed, and what speaks against it.
+
+    Args:
+        instances: the live instances by identity.
+        leaders: what parts join inside, by module id.
+        by_bus: instances that only join others (breadboards), which views need not have in common.
+        path: the file, for findings.
+    """
+    first, second, last = VIEWS
+    breadboard = wiring(first, instances, leaders)
+    linked = links_parts(breadboard, instances)
+    if linked and all(i.view(first).edges == i.view(second).edges for i in instances.values()):
+        return breadboard, []
+    schematic = wiring(second, instances, leaders)
+    if linked:
+        return breadboard, _differences(breadboard, schematic, instances, by_bus, path)
+    others = (schematic, wiring(last, instances, leaders))
+    chosen = next((other for other in others if links_parts(other, instances)), None)
+    if chosen is None:
+        message = "no part is connected to another in this drawing"
+        return breadboard, [_finding("RS212", message, path, "connect the parts in the breadboard view")]
+    message = f"the {_spoken(first)} connects no parts; the {_spoken(chosen.view)} was read"
+    return chosen, [_finding("RS201", message, path, "check the connections in the breadboard view")]
+
+
+def _differences(
+    chosen: Wiring, other: Wiring, instances: Mapping[str, Instance], by_bus: Collection[str], path: str
+) -> list[Finding]:
+    if not links_parts(other, instances):
+        return []
+    here, there = (partition(wired, instances, by_bus) for wired in (chosen, other))
+    if here == there:
+        return []
+    odd = sorted({f"{identity}.{connector}" for net in here ^ there for identity, connector in net})
+    message = (
+        f"{_spoken(chosen.view)} and {_spoken(other.view)} connect the parts differently; the {_spoken(chosen.view)} was read"
+    )
+    return [_finding("RS202", message, path, "compare the two views in Fritzing", connectors=odd[:20])]
+
+
+def _finding(rule: str, message: str, path: str, fix: str, **evidence: object) -> Finding:
+    return Finding(rule, Severity.warning, message, Location(path), fix=fix, evidence=evidence)
+
+
+def _spoken(view: str) -> str:
+    return view.removesuffix("View").replace("pcb", "PCB") + " view"

@@ -1,0 +1,126 @@
+"""Text to model: a file of facts about libraries (JSON lines) becomes the index that ships with RoboSMi.
+
+    python -m robosmi.transformations.t2m.library_index index.jsonl.gz platform_repo/arduino/libraries/index.sqlite
+
+Kept are declared metadata, header names and how often each word occurs in a header (the 700 commonest words of each:
+the source has no more). Left out are identifiers, signatures and all text. The file format is in
+`robosmi.recommend.index`, the ranking in `transformations.m2m.library_ranking`.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import RobosmiError, SourceError, UsageError
+from robosmi.recommend.index import Header, Library
+from robosmi.recommend.index_writer import write_index
+
+_ADDRESS = re.compile(r"\s*[<(][^<>()]*@[^<>()]*[>)]|\S+@\S+")
+_FIX = "take a file that has one library a line, as the README beside the index says"
+
+
+def build(index_jsonl_gz: Path, target: Path) -> tuple[int, int]:
+    """Build the index from facts; the same facts give the same bytes. A target that is there is replaced.
+
+    Args:
+        index_jsonl_gz: JSON lines, gzip; one library a line with `name`, `main`, `headers` (`file`, `main`, `raw`: word ->
+            count) and perhaps version, author, category, architectures, depends, license, url, repo, commit, path,
+            copies, in_registry.
+        target: the SQLite file to write; its folder is made.
+
+    Returns:
+        How many libraries and headers are in it.
+
+    Raises:
+        SourceError: the facts cannot be read, a library is given twice, has no main header or an unfit value.
+    """
+    rows = sorted(_rows(index_jsonl_gz), key=lambda row: (row["name"].casefold(), row["name"]))
+    for before, row in pairwise(rows):
+        if before["name"] == row["name"]:
+            raise SourceError(f"the library '{row['name']}' is there twice", location=Location(str(index_jsonl_gz)), fix=_FIX)
+    libraries = [_library(number, row) for number, row in enumerate(rows)]
+    headers: list[tuple[Header, Mapping[str, int]]] = []
+    for library, row in zip(libraries, rows, strict=True):
+        for item in row["headers"]:
+            headers.append((Header(len(headers), library.id, item["file"], bool(item["main"])), item["raw"]))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    write_index(target, libraries, headers)
+    return len(libraries), len(headers)
+
+
+def _rows(path: Path) -> Iterator[dict[str, Any]]:
+    place = Location(str(path))
+    number = 0
+    try:
+        with gzip.open(path, "rt", encoding="utf-8") as lines:
+            for number, line in enumerate(lines, 1):
+                yield _checked(json.loads(line), Location(str(path), number))
+    except json.JSONDecodeError as error:
+        raise SourceError(f"is not JSON: {error.msg}", location=Location(str(path), number, error.colno), fix=_FIX) from error
+    except (OSError, EOFError, UnicodeDecodeError) as error:
+        raise SourceError(f"cannot be read: {error}", location=place, fix=_FIX) from error
+
+
+def _checked(row: Any, place: Location) -> dict[str, Any]:
+    """The row, if it has what an index needs."""
+    if not isinstance(row, dict) or not isinstance(row.get("name"), str) or not row["name"]:
+        raise SourceError("this line is not a library with a name", location=place, fix=_FIX)
+    if not _texts(row.get("main")) or not row["main"]:
+        raise SourceError(f"the library '{row['name']}' has no main header", location=place, fix=_FIX)
+    headers = row.get("headers")
+    if not isinstance(headers, list) or not all(
+        isinstance(item, dict) and isinstance(item.get("file"), str) and "main" in item and isinstance(item.get("raw"), dict)
+        for item in headers
+    ):
+        raise SourceError(f"a header of '{row['name']}' lacks file, main or raw", location=place, fix=_FIX)
+    if not all(isinstance(tf, int) and tf > 0 for item in headers for tf in item["raw"].values()):
+        raise SourceError(f"a count of a word of '{row['name']}' is not a whole number above 0", location=place, fix=_FIX)
+    return row
+
+
+def _texts(value: object) -> bool:
+    return isinstance(value, list) and all(isinstance(item, str) and "\n" not in item for item in value)
+
+
+def _library(number: int, row: Mapping[str, Any]) -> Library:
+    repo, commit, folder = (str(row.get(key) or "") for key in ("repo", "commit", "path"))
+    return Library(
+        id=number,
+        name=row["name"],
+        version=str(row.get("version") or ""),
+        author=_ADDRESS.sub("", str(row.get("author") or "")).strip(" ,"),  # people's addresses are nobody's business here
+        category=str(row.get("category") or ""),
+        architectures=tuple(row.get("architectures") or ()),
+        depends=tuple(row.get("depends") or ()),
+        url=str(row.get("url") or ""),
+        license=str(row.get("license") or ""),
+        origin=f"{repo}@{commit}:{folder}" if repo else "",
+        main=tuple(row["main"]),
+        copies=int(row.get("copies") or 1),
+        in_registry=bool(row.get("in_registry")),
+    )
+
+
+def main(arguments: list[str]) -> int:
+    """The command line: SOURCE and TARGET. Returns the exit code."""
+    try:
+        if len(arguments) != 2:
+            raise UsageError("a source and a target are wanted", fix="library_index index.jsonl.gz index.sqlite")
+        libraries, headers = build(Path(arguments[0]), Path(arguments[1]))
+    except RobosmiError as error:
+        print(error, file=sys.stderr)
+        return error.exit_code
+    print(f"{arguments[1]}: {libraries} libraries, {headers} headers")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

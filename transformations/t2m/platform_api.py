@@ -1,0 +1,255 @@
+"""What the repository knows of a platform's API: which header declares a name, as what, and what it means.
+
+`ApiIndex` answers look-ups from the platform's folder (`platform.toml`, `api.json`, `pins.json`, `meanings.toml`) and
+builds the part of the platform model that a program needs. No platform is known by name here, no program is read here;
+the queries in `queries.code` put both together.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Iterable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from robosmi import resources
+from robosmi.errors import PlatformDataError
+from robosmi.metamodels import platform as pf
+
+HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
+
+
+class Entry(NamedTuple):
+    """One declaration of a name in one header.
+
+    Attributes:
+        header: as it is included.
+        kind: function, function_macro, macro, variable, constant or type.
+        detail: of a function its return type, of a variable its type, of a type its form (typedef, struct ...).
+        parameters: of a function, from the opening to the closing parenthesis.
+    """
+
+    header: str
+    kind: str
+    detail: str = ""
+    parameters: str = ""
+
+    @property
+    def callable(self) -> bool:
+        """True for functions and function-like macros."""
+        return self.kind in ("function", "function_macro")
+
+
+class PinParameter(NamedTuple):
+    """A parameter that is a pin; fields as in `pins.json`, directions in, out, both, unknown."""
+
+    index: int
+    name: str
+    direction: str
+    range_with: int | None = None
+    span: int = 1
+    count: int | None = None
+    none: tuple[str, ...] = ()
+
+
+class Convention(NamedTuple):
+    """A pin that a function uses without an argument; `when` restricts it to calls with such an argument."""
+
+    pin: int
+    direction: str
+    what: str
+    set_by: str | None = None
+    when: dict[str, int] | None = None
+
+
+class PinFacts(NamedTuple):
+    """The pins of one function of one header."""
+
+    parameters: tuple[PinParameter, ...]
+    conventions: tuple[Convention, ...]
+
+
+class ApiIndex:
+    """The API of one platform.
+
+    Args:
+        folder: the platform's folder in the repository.
+
+    Raises:
+        PlatformDataError: a file is missing or damaged.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.settings: dict[str, Any] = _toml(folder / "platform.toml")
+        self._headers: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
+        self._entries: dict[str, list[Entry]] = {}
+        for header, content in self._headers.items():
+            for name, entry in _entries(header, content):
+                self._entries.setdefault(name, []).append(entry)
+        self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
+        self._pins: dict[tuple[str, str], PinFacts] | None = None
+        self._meanings: dict[str, Any] | None = None
+
+    @staticmethod
+    def load(name: str) -> ApiIndex:
+        """The index of the platform of that name, one a process.
+
+        Raises:
+            PlatformDataError: the repository has no such platform, or its data is damaged.
+        """
+        return _load(str(resources.find("platform_repo", name)))
+
+    @property
+    def name(self) -> str:
+        """The platform's name."""
+        return str(self.settings["name"])
+
+    def header_kind(self, header: str) -> str | None:
+        """platform, standard or posix; None for a header that the repository does not know."""
+        content = self._headers.get(header)
+        if content is not None:
+            return HEADER_KINDS[content["kind"]]
+        return "standard" if header in self.virtual_headers() else None
+
+    def closure(self, includes: Iterable[str]) -> tuple[str, ...]:
+        """The headers that these includes bring in, an including header before the ones it includes."""
+        key = tuple(includes)
+        known = self._closures.get(key)
+        if known is None:
+            order: dict[str, None] = {}
+            pending = list(reversed(key))
+            while pending:
+                header = pending.pop()
+                if header in self._headers and header not in order:
+                    order[header] = None
+                    pending.extend(reversed(self._headers[header].get("includes", ())))
+            known = self._closures[key] = tuple(order)
+        return known
+
+    def entries(self, name: str) -> Sequence[Entry]:
+        """All declarations of a name, in the order of their headers' names; empty for an unknown name."""
+        if name in self.settings["parser"].get("builtins", {}):
+            return [Entry("", "function", self.settings["parser"]["builtins"][name], "()")]
+        return self._entries.get(name, ())
+
+    def resolve(self, name: str, includes: Iterable[str]) -> Entry | None:
+        """The one declaration that a program with these includes means.
+
+        Headers that the includes bring in come first, those included earlier before later ones; then, for a program that forgot the
+        include, any header of the platform before standard ones. None for a name that the repository does not know.
+        """
+        found = self.entries(name)
+        if len(found) <= 1:
+            return found[0] if found else None
+        order = {header: i for i, header in enumerate(self.closure(includes))}
+        outside = len(order)
+        return min(found, key=lambda e: (order.get(e.header, outside), self.kind_of(e) != "platform", e.header))
+
+    def kind_of(self, entry: Entry) -> str:
+        """platform, standard or posix, as the entry's header is; builtins of the compiler are the platform's."""
+        return self.header_kind(entry.header) or "platform" if entry.header else "platform"
+
+    def signature(self, name: str, entry: Entry) -> str:
+        """Return type, name and parameters of a function; name and parentheses of a function-like macro; else the name with its type."""
+        if entry.kind == "function":
+            return f"{entry.detail}{'' if entry.detail.endswith('*') else ' '}{name}{entry.parameters}"
+        if entry.kind == "function_macro":
+            return f"{name}(...)"
+        return f"{entry.detail} {name}".strip()
+
+    def pins(self, function: str, header: str) -> PinFacts | None:
+        """Pins of a function as the header declares it, or None where nothing is known."""
+        if self._pins is None:
+            self._pins = {}
+            for fact in _json(self.folder / "pins.json").get("functions", []):
+                facts = _pin_facts(fact)
+                self._pins.update({(fact["function"], h): facts for h in fact["headers"]})
+        return self._pins.get((function, header))
+
+    def meaning(self, function: str) -> dict[str, Any]:
+        """What `meanings.toml` says of a function: parameters, blocking, startsCog."""
+        found: dict[str, Any] = self._meaning_tables().get("functions", {}).get(function, {})
+        return found
+
+    def symbol_meaning(self, symbol: str) -> dict[str, str]:
+        """What `meanings.toml` says of another name: kind, type, meaning."""
+        found: dict[str, str] = self._meaning_tables().get("symbols", {}).get(symbol, {})
+        return found
+
+    def symbol_kind(self, name: str, entry: Entry) -> str:
+        """macro, constant, register or variable (contract: `platform_symbols[].kind`)."""
+        if name in self.settings.get("registers", {}).get("names", ()):
+            return "register"
+        return {"macro": "macro", "function_macro": "macro", "constant": "constant"}.get(entry.kind, "variable")
+
+    def code_argument(self, function: str) -> int | None:
+        """Which argument, from 0, is the code that a function starts on another core; None for a function that starts none."""
+        position = self.settings.get("cogs", {}).get(function)
+        return None if position is None else int(position)
+
+    def virtual_headers(self) -> dict[str, bytes]:
+        """Our own text of the standard headers, by the name a program includes."""
+        return _virtual_headers(str(self.folder / "include"))
+
+    def to_model(self, names: Iterable[str], includes: Iterable[str] = ()) -> pf.Platform:
+        """The part of the platform model that has these names, each in the one header where it resolves."""
+        from robosmi.transformations.t2m.platform_model import build
+
+        return build(self, names, tuple(includes))
+
+    def _meaning_tables(self) -> dict[str, Any]:
+        if self._meanings is None:
+            path = self.folder / "meanings.toml"
+            self._meanings = _toml(path) if path.is_file() else {}
+        return self._meanings
+
+
+@cache
+def _load(folder: str) -> ApiIndex:
+    return ApiIndex(Path(folder))
+
+
+@cache
+def _virtual_headers(folder: str) -> dict[str, bytes]:
+    root = Path(folder)
+    return {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(root.rglob("*.h"))}
+
+
+def _json(path: Path) -> dict[str, Any]:
+    try:
+        content: dict[str, Any] = json.loads(path.read_bytes())
+        return content
+    except (OSError, ValueError) as error:
+        raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
+
+
+def _toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
+
+
+def _entries(header: str, content: dict[str, Any]) -> Iterable[tuple[str, Entry]]:
+    for name, (result, parameters) in content.get("functions", {}).items():
+        yield name, Entry(header, "function", result, parameters)
+    for name, function_like in content.get("macros", {}).items():
+        yield name, Entry(header, "function_macro" if function_like else "macro")
+    for name, of_type in content.get("vars", {}).items():
+        yield name, Entry(header, "variable", of_type)
+    for name in content.get("consts", ()):
+        yield name, Entry(header, "constant")
+    for name, form in content.get("types", {}).items():
+        yield name, Entry(header, "type", form)
+
+
+def _pin_facts(fact: dict[str, Any]) -> PinFacts:
+    known = PinParameter._fields
+    parameters = [{**p, "none": tuple(p.get("none", ()))} for p in fact.get("parameters", ())]
+    return PinFacts(
+        tuple(PinParameter(**{k: v for k, v in p.items() if k in known}) for p in parameters),
+        tuple(Convention(**c) for c in fact.get("conventions", ())),
+    )

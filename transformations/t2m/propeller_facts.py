@@ -1,0 +1,83 @@
+"""Makes `platform_repo/propeller/api.json` and `pins.json` from the collected facts about the Propeller's headers.
+
+Input: a folder with `api_db.json` (what every header declares) and `pin_parameters.json` (which parameters are pins).
+Output is compact and deterministic: sorted names, one header or function a line. What the facts mean for a migration is
+written by hand in `meanings.toml`. Run: `python -m robosmi.transformations.t2m.propeller_facts FOLDER`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+from robosmi import resources
+
+PLATFORM = "propeller"
+
+
+def tidy(text: str) -> str:
+    """A signature or type in one spelling: a blank behind a comma, none behind an asterisk."""
+    text = re.sub(r"\s*,\s*", ", ", " ".join(text.split()))
+    return re.sub(r"\*\s+(?=[\w*,)])", "*", text).strip()
+
+
+def api_facts(database: dict[str, Any]) -> dict[str, Any]:
+    """The content of `api.json`: headers by name, in the order of their names.
+
+    Functions are `name: [return type, parameters]`, macros `name: 1 when function-like, else 0`.
+    """
+    headers = {}
+    for name, header in sorted(database.items()):
+        entry: dict[str, Any] = {"kind": header["kind"], "source": header["source"], "includes": header["includes"]}
+        entry["functions"] = {f: [tidy(x["ret"]), tidy(x["sig"])] for f, x in sorted(header["functions"].items())}
+        entry["macros"] = {m: int(kind == "function-like") for m, kind in sorted(header["macros"].items())}
+        entry["vars"] = {v: tidy(kind) for v, kind in sorted(header["vars"].items())}
+        entry["consts"] = sorted(header["consts"])
+        entry["types"] = dict(sorted(header["types"].items()))
+        headers[name] = {key: value for key, value in entry.items() if value}
+    return {"headers": headers}
+
+
+def pin_facts(parameters: dict[str, Any]) -> dict[str, Any]:
+    """The content of `pins.json`: one entry per function and group of headers; notes are left out."""
+    functions = []
+    for entry in sorted(parameters["functions"], key=lambda x: (x["function"], x["headers"])):
+        functions.append({key: value for key, value in entry.items() if key != "note" and value})
+    return {"functions": functions}
+
+
+def write(folder: Path, target: Path) -> list[Path]:
+    """Write both files.
+
+    Args:
+        folder: holds `api_db.json` and `pin_parameters.json`.
+        target: the platform's folder.
+    """
+
+    def line(value: Any) -> str:
+        return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
+
+    api = api_facts(json.loads((folder / "api_db.json").read_text(encoding="utf-8")))
+    rows = ",\n".join(f"{line(name)}:{line(header)}" for name, header in api["headers"].items())
+    (target / "api.json").write_text('{"headers":{\n' + rows + "\n}}\n", encoding="utf-8")
+    pins = pin_facts(json.loads((folder / "pin_parameters.json").read_text(encoding="utf-8")))
+    rows = ",\n".join(line(entry) for entry in pins["functions"])
+    (target / "pins.json").write_text('{"functions":[\n' + rows + "\n]}\n", encoding="utf-8")
+    return [target / "api.json", target / "pins.json"]
+
+
+def main(arguments: list[str]) -> int:
+    """The command line; exit code 2 without a folder."""
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    for path in write(Path(arguments[0]), resources.built_in("platform_repo") / PLATFORM):
+        print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))
