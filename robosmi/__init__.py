@@ -1,7 +1,56 @@
-"""RoboSMi moves robot software between microcontroller boards with models (scratch docstring)."""
-from pathlib import Path
+"""RoboSMi moves robot software between microcontroller boards with models, and is a model-driven engineering framework.
 
+It is no compiler and no emulator: it reads a program and a drawing as models, decides in a plan that can be read and
+edited, and writes a sketch with a truthful list of what is left. The functions below are what the command line does;
+they are imported when first used, so `import robosmi` stays light.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robosmi.api import (
+        compile_sketch,
+        generate_sketch,
+        load_code,
+        load_hardware,
+        migrate,
+        plan_migration,
+        recommend_libraries,
+    )
+    from robosmi.model import load_model, save_model
+
+__version__ = "0.1.0"
+
+# A source checkout keeps the content folders beside the package; in a wheel they are inside it and this does nothing.
 _here = Path(__file__).resolve().parent
 if not (_here / "transformations").is_dir() and (_here.parent / "transformations" / "__init__.py").is_file():
     __path__.append(str(_here.parent))
-__version__ = "0.1.0"
+
+__all__ = [
+    "compile_sketch",
+    "generate_sketch",
+    "load_code",
+    "load_hardware",
+    "load_model",
+    "migrate",
+    "plan_migration",
+    "recommend_libraries",
+    "save_model",
+]
+
+_PLACES = {name: "robosmi.api" for name in __all__} | {"load_model": "robosmi.model", "save_model": "robosmi.model"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _PLACES:
+        from importlib import import_module
+
+        return getattr(import_module(_PLACES[name]), name)
+    raise AttributeError(f"module 'robosmi' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -21,9 +21,15 @@ SCHEMA = "robosmi-manifest/1"
 
 @dataclass
 class Manifest:
-    """Relative path (with slashes) -> SHA-256 of what the last run wrote there."""
+    """What the last run made.
+
+    Attributes:
+        files: relative path (with slashes) -> SHA-256 of what was written there.
+        choices: choices of persons that were already counted in the history, so that a second run does not count them again.
+    """
 
     files: dict[str, str] = field(default_factory=dict)
+    choices: list[str] = field(default_factory=list)
 
     @classmethod
     def load(cls, folder: Path) -> Manifest:
@@ -38,22 +44,23 @@ class Manifest:
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
             files = {str(k): str(v) for k, v in data["files"].items()}
+            choices = [str(c) for c in data.get("choices", ())]
         except (OSError, ValueError, KeyError, AttributeError, TypeError) as error:
             raise SourceError(
                 f"the record of the last run cannot be read: {error}",
                 location=Location(str(path)),
                 fix="remove it together with the generated files, or give another output folder",
             ) from error
-        return cls(files)
+        return cls(files, choices)
 
     @classmethod
-    def of(cls, contents: Mapping[str, bytes]) -> Manifest:
+    def of(cls, contents: Mapping[str, bytes], choices: Iterable[str] = ()) -> Manifest:
         """The manifest for new contents."""
-        return cls({name: digest(data) for name, data in contents.items()})
+        return cls({name: digest(data) for name, data in contents.items()}, sorted(choices))
 
     def to_bytes(self) -> bytes:
         """The file's bytes, the same for the same contents."""
-        return (json.dumps({"schema": SCHEMA, "files": self.files}, indent=1, sort_keys=True) + "\n").encode()
+        return (json.dumps({"schema": SCHEMA, "choices": self.choices, "files": self.files}, indent=1, sort_keys=True) + "\n").encode()
 
     def guard(self, folder: Path, contents: Mapping[str, bytes], *, inputs: Iterable[str] = ()) -> frozenset[str]:
         """Make sure that writing these contents loses nothing.

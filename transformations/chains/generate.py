@@ -6,6 +6,7 @@ from pathlib import Path
 
 from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
 from robosmi.transformations.chains.output import Generated, produce
+from robosmi.transformations.m2m.plan_tasks import settle
 
 
 def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False) -> Generated:
@@ -23,5 +24,6 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
     models = load_models(Path(plan))
+    settle(models.plan)
     own = Path(plan).resolve() == (Path(output) / FOLDER / PLAN).resolve()
     return produce(models, Path(output), inputs=[f"{FOLDER}/{PLAN}"] if own else (), dry_run=dry_run, strict=strict)

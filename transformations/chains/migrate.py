@@ -11,16 +11,15 @@ from pathlib import Path
 
 from robosmi import __version__
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RobosmiError, SourceError, UsageError
+from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, load_project
-from robosmi.query import Q
+from robosmi.query import ancestor_of_kind
 from robosmi.recommend.history import History
-from robosmi.transformations.chains.models import FOLDER, MigrationModels
-from robosmi.transformations.chains.output import Generated, produce
+from robosmi.transformations.chains.models import MigrationModels
+from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.reading import read_drawing, read_program
-from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
 from robosmi.transformations.queries.circuit import the_board
 from robosmi.transformations.t2m.boards import load_board
@@ -139,10 +138,8 @@ def migrate(
         files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
         defines=defines, libraries=libraries, bind=bind,
     )  # fmt: skip
-    before = (Path(output) / FOLDER / "plan.xmi").is_file()
     made = produce(models, Path(output), dry_run=dry_run, strict=strict)
-    if made.written and not before:
-        _remember(models)
+    remember(made)
     return made
 
 
@@ -183,25 +180,7 @@ def _store_units(program: ccode.Program) -> dict[str, str]:
 
 def _sketch_name(main: ccode.Function) -> str:
     """The sketch's name: that of the unit with main, as the target's tools allow it (letters, digits, underscores)."""
-    from robosmi.query import ancestor_of_kind
-
     unit = ancestor_of_kind(main, ccode.SourceUnit)
     stem = Path(unit.path).stem if unit is not None else ""
     name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
     return name if name[:1].isalnum() else f"sketch_{name}"
-
-
-def _remember(models: MigrationModels) -> None:
-    """Count the libraries that persons chose; a history that cannot be written is a finding, not a failure."""
-    from robosmi.metamodels import migration
-
-    history = History()
-    try:
-        for choice in Q(models.plan.libraryChoices).select(lambda c: c.chosenBy is migration.ChosenBy.person):
-            component = choice.component
-            if component is not None and choice.choice not in ("", NO_LIBRARY):
-                history.record(component.partId, component.partTitle or component.title, choice.choice)
-    except RobosmiError as error:
-        models.plan.findings.append(
-            migration.PlanFinding(rule="RS410", severity=migration.SeverityLevel.warning, message=f"the choice was not remembered: {error.message}")
-        )

@@ -6,17 +6,19 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Finding
-from robosmi.errors import StoppedError
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import RobosmiError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
+from robosmi.metamodels import migration
 from robosmi.model.files import write_folder
 from robosmi.plugins import content
 from robosmi.query import Q
+from robosmi.recommend.history import History
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
 from robosmi.transformations.m2m.edits import derive_edits
 from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said
@@ -34,12 +36,16 @@ class Generated:
         output: the output folder.
         contents: every file made, relative path -> bytes.
         written: whether they were written (not in a dry run).
+        new_choices: libraries that a person chose and that no earlier run into this folder has counted.
+        notes: findings of this run that are not the plan's.
     """
 
     models: MigrationModels
     output: Path
     contents: dict[str, bytes]
     written: bool
+    new_choices: list[migration.LibraryChoice] = field(default_factory=list)
+    notes: list[Finding] = field(default_factory=list)
 
     @property
     def sketch(self) -> Path:
@@ -48,8 +54,8 @@ class Generated:
 
     @property
     def findings(self) -> list[Finding]:
-        """The plan's findings."""
-        return said(Q(self.models.plan.findings), self.models.places)
+        """The plan's findings, and those of this run alone."""
+        return [*said(Q(self.models.plan.findings), self.models.places), *self.notes]
 
     def tasks(self) -> list[Finding]:
         """The plan's tasks."""
@@ -115,11 +121,29 @@ def produce(models: MigrationModels, output: Path, *, inputs: Iterable[str] = ()
     contents |= {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
     manifest = Manifest.load(output)
     obsolete = manifest.guard(output, contents, inputs=inputs)
+    by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
     if not dry_run:
-        record = Manifest.of(contents).to_bytes()
+        record = Manifest.of(contents, by_person).to_bytes()
         write_folder(output, {**contents, MANIFEST: record}, obsolete)
-    return Generated(models, output, contents, not dry_run)
+    return Generated(models, output, contents, not dry_run, [c for key, c in by_person.items() if key not in manifest.choices])
+
+
+def _key(choice: migration.LibraryChoice) -> str:
+    component = choice.component
+    return f"{component.elementId if component is not None else ''} {choice.choice}"
 
 
 def _component(decision: Any) -> str:
     return f"library for {decision.component.title}" if decision.component is not None else "library"
+
+
+def remember(made: Generated) -> None:
+    """Count the libraries that persons chose (paper 3.3); a history that cannot be written is a finding, not a failure."""
+    history = History()
+    try:
+        for choice in made.new_choices if made.written else []:
+            component = choice.component
+            if component is not None:
+                history.record(component.partId, component.partTitle or component.title, choice.choice)
+    except RobosmiError as error:
+        made.notes.append(Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix))

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location
-from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.plugins import content
 from robosmi.project import defaults
 from robosmi.transformations.m2m.connector_mapping import map_connectors
-from robosmi.transformations.queries.circuit import boards, component_named
+from robosmi.transformations.queries.circuit import boards
 from robosmi.transformations.t2m.boards import drawn_board, load_board
 
 
@@ -85,13 +85,7 @@ def read_drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
     """
     read = reader_for(path)
     circuit: hardware.Circuit
-    circuit, findings = read(path)  # type: ignore[operator]
-    known = {literal.name: literal for literal in hardware.Role.eLiterals}  # type: ignore[attr-defined]
-    for name, role in roles.items():
-        if role not in known:
-            raise UsageError(f"[roles] {name} = '{role}' is no role{did_you_mean(role, known)}", fix=f"use one of: {', '.join(known)}")
-        component = component_named(circuit, name)
-        component.role, component.roleEvidence = known[role], "set in robosmi.toml"
+    circuit, findings = read(path, roles=roles)  # type: ignore[operator]
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
         drawn = drawn_board(board.partId, circuit.tool.lower())

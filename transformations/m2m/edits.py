@@ -57,6 +57,11 @@ def _disposition_edits(disposition: migration.Disposition, texts: Mapping[int, S
         text = texts[id(unit)]
         end = text.line_end(element.endOffset)
         return [_edit(unit, text.line_start(element.startOffset), end, "", disposition, _INCLUDE_RULES[disposition.rule])]
+    if isinstance(element, ccode.Variable) and disposition.action is migration.Action.hoist:
+        return [_hoist_edit(element, disposition, texts[id(_unit(element))])]
+    if isinstance(element, ccode.Return) and disposition.rule == "return-value-from-setup" and element.value is not None:
+        value = texts[id(_unit(element))].slice(element.value.startOffset, element.value.endOffset)[0]
+        return [_edit(_unit(element), element.startOffset, element.endOffset, f"return (void)({value})", disposition, disposition.reason)]
     if disposition.action is migration.Action.rewrite and element is not None and disposition.rule in RULE_TEXTS:
         replacement = RULE_TEXTS[disposition.rule]
         return [_edit(_unit(element), element.startOffset, element.endOffset, replacement, disposition, disposition.reason)]
@@ -65,6 +70,19 @@ def _disposition_edits(disposition: migration.Disposition, texts: Mapping[int, S
         end = texts[id(unit)].line_end(element.endOffset)
         return [_edit(unit, element.startOffset, max(element.endOffset, end - 1), "", disposition, disposition.reason)]
     return []
+
+
+def _hoist_edit(variable: ccode.Variable, disposition: migration.Disposition, text: SourceText) -> migration.Edit:
+    """Takes the declaration of a hoisted local out; a value that is not constant is assigned where the declaration stood."""
+    statement = variable.eContainer()
+    assert isinstance(statement, ccode.Located)
+    start, end = statement.startOffset, statement.endOffset
+    if disposition.rule == "hoist-local-split" and variable.initializer is not None:
+        value = text.slice(variable.initializer.startOffset, variable.initializer.endOffset)[0]
+        return _edit(text.unit, start, end, f"{variable.name} = {value};", disposition, disposition.reason)
+    if text.blank(text.line_start(start), start):  # a line of its own goes with its comment, which moves along
+        start, end = text.line_start(start), text.line_end(end - 1)
+    return _edit(text.unit, start, end, "", disposition, disposition.reason)
 
 
 _INCLUDE_RULES = {
@@ -95,6 +113,8 @@ def _binding_edits(binding: migration.PortBinding) -> list[migration.Edit]:
         )
     start, end = place
     unit = _unit(binding.element)
+    if isinstance(binding.element, ccode.EnumerationLiteral):
+        value = f"{binding.element.name} = {value}"
     return [_edit(unit, start, end, value, binding, f"the port is {binding.choice} on the target")]
 
 
@@ -122,4 +142,10 @@ def _macro_body(macro: ccode.Macro) -> tuple[int, int] | None:
     return (macro.endOffset - len(macro.body.encode()), macro.endOffset) if macro.body and not macro.functionLike else None
 
 
-_PLACES: dict[type, Callable[[Any], tuple[int, int] | None]] = {ccode.Variable: _initial_value, ccode.Macro: _macro_body}
+def _enumerator(literal: ccode.EnumerationLiteral) -> tuple[int, int] | None:
+    return literal.startOffset, literal.endOffset
+
+
+_PLACES: dict[type, Callable[[Any], tuple[int, int] | None]] = {
+    ccode.Variable: _initial_value, ccode.Macro: _macro_body, ccode.EnumerationLiteral: _enumerator,
+}  # fmt: skip

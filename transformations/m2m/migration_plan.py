@@ -94,7 +94,7 @@ def make_plan(
     connections = list(drawn.connections) if drawn else []
     for connection in connections:
         trace.link("connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection])
-    bindings = bind_ports(program, api, connections, board, choices.bind, choices.limit)
+    bindings = bind_ports(program, dependence.source, api, connections, board, choices.bind, choices.limit)
     for binding in bindings:
         trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
     libraries = LibraryModels(target.platform)

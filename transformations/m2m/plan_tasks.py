@@ -41,6 +41,39 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
     return findings + list(_width_findings(plan))
 
 
+def settle(plan: migration.MigrationPlan) -> None:
+    """Bring a plan that a person may have edited in line with itself: what a decision refers to counts, texts and tasks follow.
+
+    Args:
+        plan: the plan; decisions whose reference differs from their recorded choice become the person's.
+    """
+    for binding in plan.portBindings:
+        choice = binding.connection.name if binding.connection is not None else binding.pin.label if binding.pin is not None else ""
+        if binding.connection is not None and binding.connection.pin is not binding.pin:
+            binding.pin = binding.connection.pin
+        _settle(binding, choice)
+    for library in plan.libraryChoices:
+        if library.choice != NO_LIBRARY or library.chosen is not None:
+            _settle(library, library.chosen.name if library.chosen is not None else "")
+    kept = [t for t in plan.tasks if t.rule not in DERIVED]
+    plan.tasks.clear()
+    plan.tasks.extend([*plan_tasks(plan), *kept])
+
+
+def _settle(decision: migration.Decision, choice: str) -> None:
+    if decision.choice != choice:
+        decision.choice, decision.confidence = choice, 1.0
+        decision.chosenBy = migration.ChosenBy.person if choice else migration.ChosenBy.nobody
+        decision.evidence.clear()
+        if choice:
+            decision.evidence.append("chosen in the stored plan")
+        decision.open = not choice
+
+
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503"})
+"""Rules whose tasks follow from decisions, so that they are made anew when a decision changes."""
+
+
 def _place(element: ccode.Located | None) -> dict[str, object]:
     unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
     if element is None or unit is None:
@@ -111,10 +144,10 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Drawn components that no port of the program is bound to."""
-    bound = {id(b.connection) for b in plan.portBindings if b.connection is not None}
+    bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
     for connection in plan.connections:
         component = connection.component
-        if id(connection) not in bound and component is not None and component.role is not hardware.Role.Unknown:
+        if id(connection.pin) not in bound and component is not None and component.role is not hardware.Role.Unknown:
             yield Task(
                 rule="RS331", severity=Level.info, message=f"'{component.title}' ({connection.name}) is drawn but no port of the program is bound to it",
                 effort="small", fix="bind a port to it, or leave it unused", elements=[connection],

@@ -12,7 +12,7 @@ from robosmi.generate.environment import render
 from robosmi.generate.text import Part
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries.source_text import Piece, SourceText, dedent
+from robosmi.transformations.queries.source_text import Piece, SourceText, reindent
 
 
 def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
@@ -70,7 +70,9 @@ def _function(
     """`void name() { ... }` around copied text, one part for each run of lines."""
     yield Part(f"void {name}() {{\n", "generation", name, [owner])
     pieces = [p for p in source.pieces(start, end, statements) if p.text]
-    texts = dedent("\0".join(p.text if p.text.endswith("\n") else p.text + "\n" for p in pieces)).split("\0") if pieces else []
+    texts = reindent([p.text if p.text.endswith("\n") else p.text + "\n" for p in pieces])
+    if texts:
+        texts[0], texts[-1] = texts[0].lstrip("\n"), texts[-1].rstrip("\n") + "\n"
     for piece, text in zip(pieces, texts, strict=True):
         if text.strip():
             yield Part(text if text.endswith("\n") else text + "\n", "code", "retained statement", _elements(piece))

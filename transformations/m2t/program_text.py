@@ -58,7 +58,7 @@ def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.Source
             connectors=[c.name for c in connection.connectors],
         )  # fmt: skip
         file.add(text if number else "\n" + text, "hardware", "port interface", [connection])
-    file.add(f'\n#include "{ADAPTERS}"\n', "generation", "adapter include", [plan])
+    file.add(f'\n#include "{ADAPTERS}"\n\n', "generation", "adapter include", [plan])
 
 
 def _body(file: GeneratedFile, plan: migration.MigrationPlan, source: SourceText, main: ccode.Function | None) -> None:

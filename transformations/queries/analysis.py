@@ -42,8 +42,11 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
     """RS109: functions that are called and that neither the program nor the repository knows."""
     found = []
     for function in view.unknown():
-        message = f"nothing is known of the function {function.name}: its signature is inferred as {function.signature}"
-        found.append(_finding(view, "RS109", Severity.warning, function.calls[0], message, "add the file that defines it, or its header's folder with -I"))
+        if function.header:
+            message = f"the function {function.name} is declared in {function.header} and defined in no file of the program"
+        else:
+            message = f"nothing is known of the function {function.name}: its signature is inferred as {function.signature}"
+        found.append(_finding(view, "RS109", Severity.warning, function.calls[0], message, "add the file that defines it"))
     return found
 
 
@@ -58,6 +61,7 @@ def _unit(view: code.CodeView, user_calls: dict[str, list[ccode.Call]]) -> dict[
     variables = [d for d in unit.declarations if isinstance(d, ccode.Variable)]
     explicit = set(view.includes)
     own_calls = {name: [c for c in calls if code.unit_of(c) is unit] for name, calls in user_calls.items()}
+    own_calls.update({f.name: f.calls for f in view.header_macros()})
     return {
         "path": str(unit.path),
         "includes": [_include(i, api) for i in unit.includes],
@@ -80,7 +84,7 @@ def _unit(view: code.CodeView, user_calls: dict[str, list[ccode.Call]]) -> dict[
         "platform_symbols": [{"name": s.name, "kind": s.kind, "lines": s.lines} for s in view.symbols()],
         "platform_types": [{"name": t.name, "header": t.header, "lines": t.lines} for t in view.types()],
         "user_calls": [
-            {"name": name, "count": len(calls), "lines": sorted(int(c.line) for c in calls)} for name, calls in own_calls.items() if calls
+            {"name": name, "count": len(calls), "lines": sorted(int(c.line) for c in calls)} for name, calls in sorted(own_calls.items()) if calls
         ],
         "main": _main(unit),
         "cogs": [{"via": c.via, "function": c.function, "line": int(c.call.line)} for c in code.cogs_of(view)],

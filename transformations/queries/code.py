@@ -46,6 +46,11 @@ class CalledFunction:
     callee: ccode.Function | None = None
 
     @property
+    def header_macro(self) -> bool:
+        """True for a function-like macro of a header that was read and that is not the platform's."""
+        return self.signature_source == "header" and self.entry is None and self.signature == f"{self.name}(...)"
+
+    @property
     def lines(self) -> list[int]:
         """Lines of the calls, sorted, one a call."""
         return sorted(int(call.line) for call in self.calls)
@@ -110,7 +115,7 @@ class CodeView:
         if self._functions is None:
             found: dict[str, CalledFunction] = {}
             for call in self.calls:
-                name, callee = str(call.calleeName), call.callee
+                name, callee = str(call.calleeName or ""), call.callee
                 if not name or name in self.own_macros or (callee is not None and callee.definition):
                     continue
                 found.setdefault(name, CalledFunction(name, callee=callee)).calls.append(call)
@@ -135,7 +140,7 @@ class CodeView:
         callee = function.callee
         header = str(callee.header or "") if callee is not None else ""
         entry = self.resolve(function.name)
-        if entry is not None and not entry.callable:
+        if entry is not None and not entry.callable and entry.kind != "macro":  # an object-like macro may be a function's other name
             entry = None
         if header and (entry is None or entry.header != header):
             known = [e for e in self.api.entries(function.name) if e.header == header and e.callable]
@@ -160,7 +165,11 @@ class CodeView:
 
     def unknown(self) -> list[CalledFunction]:
         """The called functions that nobody knows."""
-        return [f for f in self.called().values() if f.entry is None and f.calls]
+        return [f for f in self.called().values() if f.entry is None and f.calls and not f.header_macro]
+
+    def header_macros(self) -> list[CalledFunction]:
+        """The function-like macros of the user's own headers that are used."""
+        return [f for f in self.called().values() if f.entry is None and f.calls and f.header_macro]
 
     def symbols(self) -> list[UsedName]:
         """Constants, registers, variables and macros of the platform that are used as values, in bodies of own macros too."""
@@ -178,7 +187,7 @@ class CodeView:
                     uses.setdefault(name, set()).add(int(macro.line))
         found: list[UsedName] = []
         for name, lines in sorted(uses.items()):
-            entry = None if name in self.own_macros else self.resolve(name)
+            entry = None if name in self.own_macros or name in self.called() else self.resolve(name)
             if entry is not None and entry.kind in ("macro", "variable", "constant") and self.api.kind_of(entry) == "platform":
                 found.append(UsedName(name, self.api.symbol_kind(name, entry), entry.header, sorted(lines)))
         return found

@@ -24,7 +24,7 @@ def expression_text(element: Any) -> str:
     if isinstance(element, ccode.NameReference):
         return str(element.name)
     if isinstance(element, ccode.Call):
-        callee = str(element.calleeName) or f"({expression_text(element.calleeExpression)})"
+        callee = str(element.calleeName or "") or f"({expression_text(element.calleeExpression)})"
         return f"{callee}({', '.join(expression_text(a) for a in element.arguments)})"
     if isinstance(element, ccode.Binary):
         level = _level(str(element.operator))

@@ -6,8 +6,7 @@ bytes of the original; an edit is applied wherever its range is copied. Which ed
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from robosmi.errors import InternalError
@@ -109,8 +108,15 @@ class SourceText:
         return Piece(text, start, end, tuple(elements), applied)
 
 
-def dedent(text: str) -> str:
-    """Take the common indentation away and give two blanks instead; text with continued lines is left as it is."""
-    if "\\\n" in text:
-        return text
-    return textwrap.indent(textwrap.dedent(text.expandtabs(4)), "  ", lambda line: bool(line.strip()))
+def reindent(texts: Sequence[str]) -> list[str]:
+    """Texts that stand together, with their common indentation taken away and two blanks given instead.
+
+    A text with continued lines (a backslash at the end) is left as it is, since blanks in it may matter.
+    """
+    lines = [line.expandtabs(4) for text in texts for line in text.splitlines() if line.strip()]
+    common = min((len(line) - len(line.lstrip(" ")) for line in lines), default=0)
+    return [text if "\\\n" in text else "".join(_reindented(line, common) for line in text.splitlines(keepends=True)) for text in texts]
+
+
+def _reindented(line: str, common: int) -> str:
+    return "  " + line.expandtabs(4)[common:] if line.strip() else line.lstrip(" \t")

@@ -162,7 +162,7 @@ class Values:
         """What callers pass, the first caller first; runtime where nobody calls, or where the function changes it."""
         if any(_written(r) for r in parameter.references):
             return [RUNTIME]
-        arguments = _arguments(parameter)
+        arguments = passed_arguments(parameter)
         return [value for argument in arguments for value in self.of(argument)] or [RUNTIME]
 
     def _macro(self, name: str) -> list[Value]:
@@ -213,7 +213,7 @@ class Values:
         """The elements of an array that is initialised with constants and never written, None for any other; also through a parameter."""
         target = array.target if isinstance(array, ccode.NameReference) else None
         if isinstance(target, ccode.Parameter):
-            passed = [self.elements(a) for a in _arguments(target)]
+            passed = [self.elements(a) for a in passed_arguments(target)]
             return None if not passed or any(p is None for p in passed) else [v for p in passed for v in p or []]
         if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
             return None
@@ -309,7 +309,7 @@ def _start(loop: Any, variable: Any) -> Any:
     return None
 
 
-def _arguments(parameter: Any) -> list[Any]:
+def passed_arguments(parameter: Any) -> list[Any]:
     """The arguments that callers pass for a parameter, in text order."""
     function = parameter.eContainer()
     if not isinstance(function, ccode.Function):

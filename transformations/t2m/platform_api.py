@@ -12,11 +12,13 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError
-from robosmi.metamodels import platform as pf
+
+if TYPE_CHECKING:
+    from robosmi.metamodels import platform as pf
 
 HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
 

@@ -32,10 +32,13 @@ def calls(context: Context) -> Coverage:
     in_text = in_model = 0
     lost: list[ccode.UnresolvedCall] = []
     types = {name for _, name in context.type_uses} | context.attribute_macros
+    behind = 0  # of an attribute, whose words are no calls
     for i in range(len(tokens) - 1):
-        if tokens[i + 1][3] != "(" or tokens[i][0] != "name":
+        if tokens[i + 1][3] != "(" or tokens[i][0] != "name" or i < behind:
             continue
         _, start, end, name = tokens[i]
+        if name in ("__attribute__", "__attribute"):
+            behind = context.matching(i + 1)
         if name in _NO_CALL or start in context.declarators or not context.active(start):
             continue
         if start in context.covered:

@@ -55,7 +55,6 @@ def macro_call(context: Context, node: Node, expansion: Expansion, build: Build)
     element = ccode.Call(calleeName=expansion.name, arguments=arguments, **context.source.place(expansion.start, expansion.end))
     context.covered.add(expansion.start)
     context.calls.append((element, context.lib.getCursorReferenced(expansion.cursor)))
-    context.call_nodes.append((element, node, None))
     return element
 
 
@@ -65,6 +64,7 @@ def call_place(context: Context, node: Node) -> tuple[dict[str, int], str, bool]
         return context.source.place(node.start, node.end), "", False
     for expansion in context.expansions_at(node.start):
         if expansion.name in context.user_macros:
+            context.covered.add(expansion.start)  # an alias: the text has a call by the macro's name
             end = max(expansion.end, node.end)
             return context.source.place(expansion.start, end), "", True
         return context.source.place(node.start, node.end), expansion.name, False
@@ -110,8 +110,8 @@ def uses(context: Context) -> list[ccode.MacroUse]:
         if header is None:
             header = headers[expansion.name] = header_of(context, context.lib.getCursorReferenced(expansion.cursor)) or ""
         like = context.function_like(expansion)
-        if like:
-            context.covered.add(expansion.start)
+        if like or own:
+            context.covered.add(expansion.start)  # also an object-like macro in front of parentheses
         found.append(
             ccode.MacroUse(
                 name=expansion.name,

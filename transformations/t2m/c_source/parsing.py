@@ -106,6 +106,8 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
     path = os.path.abspath(source.path)
     fixed = _virtual_files(api, source, include_dirs)
     prelude = Prelude(api)
+    if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
+        prelude.always.append("#include <stdarg.h>")
     first: list[Diagnostic] = []
     for number in range(1, MAX_PARSES + 1):
         text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))

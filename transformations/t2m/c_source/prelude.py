@@ -35,6 +35,7 @@ _UNKNOWN = [
     re.compile(r"^use of unknown builtin '(?P<name>\w+)'"),
 ]
 _NOT_RECORD = re.compile(r"^member reference (?:base )?type '(?:const |volatile )*(?P<name>\w+)[ *']")
+_NOT_SCALAR = re.compile(r"'(?P<name>\w+)' \(aka 'struct (?P=name)__'\)")
 _ASSIGNMENTS = frozenset("= += -= *= /= %= &= |= ^= <<= >>= ++ --".split())
 
 
@@ -48,6 +49,8 @@ class Prelude:
         macros: attribute macros to define empty.
         standard: names of the standard library that need no guess.
         functions: platform function -> the type of its value.
+        members: member of records -> its declarator.
+        always: lines that the text needs from the first parse on.
     """
 
     platform: ApiIndex
@@ -56,7 +59,9 @@ class Prelude:
     macros: set[str] = field(default_factory=set)
     standard: dict[str, str] = field(default_factory=dict)
     functions: dict[str, str] = field(default_factory=dict)
-    members: set[str] = field(default_factory=set)
+    members: dict[str, str] = field(default_factory=dict)
+    always: list[str] = field(default_factory=list)
+    _fixed: set[str] = field(default_factory=set)
 
     def collect(self, messages: Iterable[str], tokens: list[Token], own: dict[str, str]) -> bool:
         """Take over what the diagnostics complain about.
@@ -71,20 +76,29 @@ class Prelude:
         """
         new = False
         names: dict[str, bool] = {}
+        scalar: set[str] = set()
         for message in messages:
             for number, pattern in enumerate(_UNKNOWN):
                 if match := pattern.match(message):
                     names.setdefault(match["name"], number == 0)
             if (match := _NOT_RECORD.match(message)) and self.types.get(match["name"]) is False:
                 self.types[match["name"]] = new = True
-        if not names and not new:
+                self._fixed.add(match["name"])
+            for name in _NOT_SCALAR.findall(message):
+                scalar.add(name)
+        if not names and not new and not scalar:
             return False
         uses = _Uses(tokens)
+        for name in scalar - self._fixed:
+            if self.types.get(name) and not uses.record_values(name):  # calculated with: no record after all
+                self.types[name] = False
+                self._fixed.add(name)
+                new = True
         for name, is_type in names.items():
             if not self._known(name):
                 new = self._declare(name, is_type, uses, own) or new
         if new:
-            self.members |= {m for m in uses.members if m not in self.macros}
+            self.members |= {m: form for m, form in uses.members.items() if m not in self.macros}
             self._add_functions(uses, own)
         return new
 
@@ -155,7 +169,8 @@ class Prelude:
         lines = [f"{kind} {name}();" for name, kind in sorted(builtins.items())]
         lines += [f"#ifndef {m}\n#define {m}\n#endif" for m in sorted({*attribute_macros, *self.macros})]
         lines += sorted(self.standard.values())
-        fields = "".join(f" int {m};" for m in sorted(self.members))
+        lines += self.always
+        fields = "".join(f" int {form.format(m)};" for m, form in sorted(self.members.items()))
         for name, record in self.types.items():
             lines.append(f"typedef struct {name}__ {{ int _;{fields} }} {name};" if record else f"typedef int {name};")
         lines += self.values.values()
@@ -187,14 +202,16 @@ class _Uses:
         self._texts = [text for _, text in plain] + ["", "", ""]
         self._places: dict[str, list[int]] = {}
         self.called: set[str] = set()
-        self.members: set[str] = set()
+        self.members: dict[str, str] = {}
         for i, (kind, text) in enumerate(plain):
             if kind == "name":
                 self._places.setdefault(text, []).append(i)
                 if self._texts[i + 1] == "(":
                     self.called.add(text)
                 if i and self._texts[i - 1] in (".", "->"):
-                    self.members.add(text)
+                    form = {"[": "*{}", "(": "(*{})()"}.get(self._texts[i + 1], "{}")
+                    if self.members.get(text, "{}") == "{}":
+                        self.members[text] = form
 
     def _any(self, name: str, test: Callable[[list[str], int], bool]) -> bool:
         return any(test(self._texts, i) for i in self._places.get(name, ()))
@@ -241,7 +258,8 @@ class _Uses:
 
     def attribute(self, name: str) -> bool:
         """Directly followed by another type: a macro that stands for an attribute."""
-        return self._any(name, lambda t, i: t[i + 1] in TYPE_WORDS or t[i + 1] in STORAGE_WORDS or t[i + 1] in ("struct", "union", "enum"))
+        words = TYPE_WORDS | STORAGE_WORDS | {"struct", "union", "enum"}
+        return self._any(name, lambda t, i: t[i + 1] in words or (_word(t[i + 1]) and _word(t[i + 2]) and t[i + 1] not in QUALIFIERS))
 
 
 _BEFORE_TYPE = frozenset({"", ";", "{", "}", "(", ",", "const", "volatile", "static", "extern", "register", "unsigned", "sizeof", ")", ":", "typedef"})

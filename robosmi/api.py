@@ -1,0 +1,131 @@
+"""The Python API: everything the command line does is one function call, and every result is a model or holds one.
+
+`import robosmi` offers these functions without importing this module; that happens at the first use. Readers,
+transformations and generators are found through the registry, so no platform is named here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from robosmi.plugins import content
+from robosmi.project import defaults
+
+
+def load_code(*files: str | Path, source_platform: str | None = None, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()) -> Any:
+    """Read the source files of one program.
+
+    Args:
+        files: the files.
+        source_platform: platform it was written for; the default of the repository if None.
+        include_dirs: folders with headers.
+        defines: macros defined from outside, NAME or NAME=VALUE.
+
+    Returns:
+        A `ccode.Program`.
+
+    Raises:
+        SourceError: a file cannot be read as a program.
+    """
+    platform = source_platform or defaults()["migrate"]["source_platform"]
+    paths = [Path(f) for f in files]
+    return content("chain", "analyse")(paths, source_platform=platform, include_dirs=include_dirs, defines=defines).program
+
+
+def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None) -> Any:
+    """Read a drawing.
+
+    Args:
+        sketch: the file.
+        roles: component -> role, where the catalogue of parts is wrong or silent.
+
+    Returns:
+        A `hardware.Circuit`.
+
+    Raises:
+        SourceError: it cannot be read, or has no board.
+    """
+    return content("chain", "hardware")(Path(sketch), roles=roles or {}).circuit
+
+
+def recommend_libraries(
+    sketch: str | Path | None = None, *, components: str | Path | None = None, ranker: str | None = None, target: str | None = None
+) -> Any:
+    """Rank libraries for the components of a drawing, or for components listed in a JSON file.
+
+    Returns:
+        The recommendations; `.answers` in order, `.result` as the JSON contract has them.
+
+    Raises:
+        SourceError: the input cannot be read.
+        UsageError: there is no such ranker or target.
+    """
+    drawing, listed = Path(sketch) if sketch is not None else None, Path(components) if components is not None else None
+    return content("chain", "recommend")(drawing, components=listed, ranker=ranker, target=target)
+
+
+def plan_migration(files: Sequence[str | Path], **options: Any) -> Any:
+    """Make the plan of a migration without generating anything.
+
+    Args:
+        files: source files of one program.
+        options: hardware, target, source_platform, include_dirs, defines, libraries, bind, project.
+
+    Returns:
+        The models of the migration; `.plan` is the `migration.MigrationPlan`.
+
+    Raises:
+        SourceError: an input cannot be read or used.
+        UsageError: a choice names what does not exist.
+    """
+    return content("chain", "plan")(files, **options)
+
+
+def migrate(files: Sequence[str | Path], output: str | Path, **options: Any) -> Any:
+    """Migrate a program: plan, generate, write.
+
+    Args:
+        files: source files of one program.
+        output: the output folder.
+        options: as for `plan_migration`, and dry_run, strict.
+
+    Returns:
+        What was made; `.models.plan` is the plan, `.sketch` the sketch's folder.
+
+    Raises:
+        SourceError: an input cannot be read or used, or the output cannot be written.
+        UsageError: a choice names what does not exist.
+        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+    """
+    return content("chain", "migrate")(files, output, **options)
+
+
+def generate_sketch(plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False) -> Any:
+    """Make the sketch of a stored plan, from it and the models beside it alone.
+
+    Raises:
+        SourceError: a file cannot be read, or does not match its digest.
+        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+    """
+    return content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict)
+
+
+def compile_sketch(sketch: str | Path, board: str | None = None) -> Any:
+    """Compile a generated sketch with the target's real toolchain.
+
+    Args:
+        sketch: the output folder, or the sketch's own.
+        board: another board than the one in sketch.yaml.
+
+    Returns:
+        A `robosmi.verify.compile_report.CompileReport`.
+
+    Raises:
+        MissingToolError: the compiler is not installed.
+        SourceError: there is no sketch.
+    """
+    from robosmi.verify.toolchain import compile_sketch as compiled
+
+    return compiled(Path(sketch), board)
