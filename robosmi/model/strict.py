@@ -74,6 +74,14 @@ class Element(_Base):
             )  # fmt: skip
             return instance
 
+        @property
+        def eResource(self) -> Any:
+            """The resource of the root container; a loop, since pyecore asks for it at every change, recursively."""
+            element = self
+            while (container := element._container) is not None:
+                element = container.dyn_inst
+            return element._eresource
+
     def __init__(self, **features: Any) -> None:
         from robosmi.model.construct import initialise  # it needs this module's errors
 

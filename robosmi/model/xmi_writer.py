@@ -8,7 +8,7 @@ a type. Here all models of a set are checked first and only then turned into byt
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 from urllib.parse import quote
 
@@ -20,14 +20,15 @@ _SPECIAL_TEXT = re.compile("[&<\r]|]]>")
 _FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
 
-def to_xmi(models: Mapping[str, Any]) -> dict[str, bytes]:
+def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, bytes]:
     """The bytes of a set of models that refer to each other.
 
     Args:
         models: relative file name -> root element; the names are those that references use.
+        wanted: the names whose bytes are wanted; all if None.
 
     Returns:
-        The same names -> UTF-8 text of an XMI file.
+        The wanted names -> UTF-8 text of an XMI file.
 
     Raises:
         ModelError: a reference leads to an element in none of the models, or a text holds a character XML cannot.
@@ -35,7 +36,7 @@ def to_xmi(models: Mapping[str, Any]) -> dict[str, bytes]:
     places: dict[int, tuple[str, str]] = {}
     for name, root in models.items():
         _number(root, "/", name, places)
-    return {name: _Writer(name, root, places).write() for name, root in models.items()}
+    return {name: _Writer(name, models[name], places).write() for name in (models if wanted is None else wanted)}
 
 
 class _Plan:

@@ -50,7 +50,7 @@ class MigrationModels:
         roots = {CODE: self.program, PLATFORM: self.repository}
         if self.circuit is not None:
             roots[HARDWARE] = self.circuit
-        stored = to_xmi({**roots, PLAN: self.plan})
+        stored = to_xmi({**roots, PLAN: self.plan}, roots)
         kinds = {CODE: "code", HARDWARE: "hardware", PLATFORM: "platform"}
         known = {i.path: i for i in self.plan.inputs}
         for name, kind in kinds.items():
@@ -59,8 +59,7 @@ class MigrationModels:
                     known[name] = migration.Input(path=name, kind=kind, digest="0" * 64, origin=name)
                     self.plan.inputs.append(known[name])
                 known[name].digest = digest(stored[name])
-        stored[PLAN] = to_xmi({**roots, PLAN: self.plan})[PLAN]
-        return {**stored, **self.files}
+        return {**stored, **to_xmi({**roots, PLAN: self.plan}, [PLAN]), **self.files}
 
 
 def load_models(path: Path) -> MigrationModels:

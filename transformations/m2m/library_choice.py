@@ -6,14 +6,15 @@ component that a board pin reaches gets a decision. How libraries are ranked is 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
+from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.history import History, chosen_from_history
 from robosmi.recommend.ranking import Ranker, Recommendation
-from robosmi.transformations.m2m.library_ranking import library_by_name
+from robosmi.transformations.m2m.library_ranking import library_in, library_index
 from robosmi.transformations.queries.circuit import component_named
 
 NO_LIBRARY = "none"
@@ -35,6 +36,7 @@ class LibraryModels:
 
     platform: str
     elements: dict[str, platform.Library] = field(default_factory=dict)
+    _index: LibraryIndex | None = None
 
     def get(self, name: str) -> platform.Library:
         """The element of a library, with those that it depends on.
@@ -43,7 +45,9 @@ class LibraryModels:
             UsageError: no library has that name.
         """
         if name not in self.elements:
-            facts = library_by_name(name, self.platform)
+            if self._index is None:
+                self._index = library_index(self.platform)
+            facts = library_in(self._index, name)
             name = facts.name  # as the index writes it
             if name not in self.elements:
                 self.elements[name] = platform.Library(
@@ -79,18 +83,30 @@ def choose_libraries(
         UsageError: a component or library does not exist, or a title is ambiguous.
     """
     by_person = {component_named(circuit, name).elementId: library for name, library in chosen.items()}
+    ranked: dict[tuple[str, str, bool], Recommendation] = {}  # like parts are ranked once
+
+    def rank(query: ComponentQuery, weigh_history: bool) -> Recommendation:
+        key = (query.part_id, query.title, weigh_history)
+        if key not in ranked:
+            ranked[key] = ranker.rank(query, history if weigh_history else None, limit)
+        return ranked[key]
+
     listed = list(components)
     listed += [c for c in circuit.components if c.elementId in by_person and c not in listed]
-    return [_decide(c, by_person.get(c.elementId), ranker, models, history, limit) for c in listed]
+    return [_decide(c, by_person.get(c.elementId), rank, models, history) for c in listed]
 
 
 def _decide(
-    component: hardware.Component, said: str | None, ranker: Ranker, models: LibraryModels, history: History, limit: int
+    component: hardware.Component,
+    said: str | None,
+    rank: Callable[[ComponentQuery, bool], Recommendation],
+    models: LibraryModels,
+    history: History,
 ) -> migration.LibraryChoice:
     query = component_query(component)
     refused = said is not None and said.lower() == NO_LIBRARY
     # What a person says is not weighed against history, so a run that records it gives the same plan again.
-    recommendation = ranker.rank(query, None if said else history, limit)
+    recommendation = rank(query, not said)
     by, why = migration.ChosenBy.nobody, ""
     name = said
     if said:

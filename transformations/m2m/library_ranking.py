@@ -117,10 +117,14 @@ def library_by_name(name: str, platform: str = "arduino", project: Path | None =
     Raises:
         UsageError: the index has none of that name.
     """
-    index = library_index(platform, project)
+    return library_in(library_index(platform, project), name)
+
+
+def library_in(index: LibraryIndex, name: str) -> LibraryFacts:
+    """`library_by_name` for an index that is at hand."""
     found = index.library_named(name)
     if found is None:
-        by_header = libraries_by_header(name, platform, project)
+        by_header = _offering(index, name)
         hint = f" (the header {name} belongs to '{by_header[0].name}')" if by_header else did_you_mean(name, index.names())
         raise UsageError(f"no library is called '{name}'{hint}", fix="give the name of a library as the index has it")
     return _with_dependencies(index, found)
@@ -131,7 +135,10 @@ def libraries_by_header(file: str, platform: str = "arduino", project: Path | No
 
     Order: those that mean it to be included, then those that are named like it, then the more popular, then by name.
     """
-    index = library_index(platform, project)
+    return _offering(library_index(platform, project), file)
+
+
+def _offering(index: LibraryIndex, file: str) -> tuple[Library, ...]:
     found = [(header, index.library(header.library)) for header in index.headers_named(file)]
     found.sort(key=lambda pair: (not pair[0].main, not index.named[pair[0].id], -pair[1].copies, pair[1].id))
     return tuple(dict.fromkeys(library for _, library in found))

@@ -34,7 +34,9 @@ def library_cogs(view: code.CodeView) -> list[Finding]:
     for function in view.functions_of("platform"):
         if function.calls and view.api.code_argument(function.name) is None and view.api.meaning(function.name).get("startsCog"):
             call = function.calls[0]
-            found.append(_finding(view, "RS108", Severity.info, call, f"{function.name} ({function.header}) runs on a core of its own"))
+            found.append(
+                _finding(view, "RS108", Severity.info, call, f"{function.name} ({function.header}) runs on a core of its own")
+            )
     return found
 
 
@@ -50,7 +52,9 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
     return found
 
 
-def _finding(view: code.CodeView, rule: str, severity: Severity, call: ccode.Call, message: str, fix: str | None = None) -> Finding:
+def _finding(
+    view: code.CodeView, rule: str, severity: Severity, call: ccode.Call, message: str, fix: str | None = None
+) -> Finding:
     place = Location(str(view.unit.path), int(call.line), int(call.column), int(call.endLine), int(call.endColumn))
     return Finding(rule, severity, message, place, fix=fix)
 
@@ -71,11 +75,16 @@ def _unit(view: code.CodeView, user_calls: dict[str, list[ccode.Call]]) -> dict[
             {"name": str(v.name), "type": type_text(v.valueType), "line": int(v.line), "storage": _storage(v)} for v in variables
         ],
         "macros": [
-            {"name": str(m.name), "line": int(m.line), "parameters": [str(p) for p in m.parameters] if m.functionLike else None} for m in unit.macros
+            {"name": str(m.name), "line": int(m.line), "parameters": [str(p) for p in m.parameters] if m.functionLike else None}
+            for m in unit.macros
         ],
-        "types": [_type(d) for d in unit.declarations if isinstance(d, (ccode.Typedef, ccode.Record, ccode.Enumeration)) and d.name],
+        "types": [
+            _type(d) for d in unit.declarations if isinstance(d, (ccode.Typedef, ccode.Record, ccode.Enumeration)) and d.name
+        ],
         "platform_calls": [_platform_call(f) for f in view.functions_of("platform")],
-        "unknown_calls": [{"name": f.name, "count": len(f.calls), "lines": f.lines, "signature": f.signature} for f in view.unknown()],
+        "unknown_calls": [
+            {"name": f.name, "count": len(f.calls), "lines": f.lines, "signature": f.signature} for f in view.unknown()
+        ],
         "standard_calls": [
             {"name": f.name, "header": f.header, "explicit_include": f.header in explicit}
             for f in view.functions_of("standard", "posix")
@@ -84,7 +93,9 @@ def _unit(view: code.CodeView, user_calls: dict[str, list[ccode.Call]]) -> dict[
         "platform_symbols": [{"name": s.name, "kind": s.kind, "lines": s.lines} for s in view.symbols()],
         "platform_types": [{"name": t.name, "header": t.header, "lines": t.lines} for t in view.types()],
         "user_calls": [
-            {"name": name, "count": len(calls), "lines": sorted(int(c.line) for c in calls)} for name, calls in sorted(own_calls.items()) if calls
+            {"name": name, "count": len(calls), "lines": sorted(int(c.line) for c in calls)}
+            for name, calls in sorted(own_calls.items())
+            if calls
         ],
         "main": _main(unit),
         "cogs": [{"via": c.via, "function": c.function, "line": int(c.call.line)} for c in code.cogs_of(view)],
@@ -115,7 +126,8 @@ def _function(function: ccode.Function) -> dict[str, Any]:
         "line": int(function.line),
         "end_line": int(function.endLine),
         "returns": type_text(function.returnType),
-        "parameters": [f"{type_text(p.valueType)} {p.name or ''}".strip() for p in function.parameters] + (["..."] if function.variadic else []),
+        "parameters": [f"{type_text(p.valueType)} {p.name or ''}".strip() for p in function.parameters]
+        + (["..."] if function.variadic else []),
         "storage": _storage(function),
     }
 

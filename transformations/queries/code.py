@@ -140,7 +140,9 @@ class CodeView:
         callee = function.callee
         header = str(callee.header or "") if callee is not None else ""
         entry = self.resolve(function.name)
-        if entry is not None and not entry.callable and entry.kind != "macro":  # an object-like macro may be a function's other name
+        if (
+            entry is not None and not entry.callable and entry.kind != "macro"
+        ):  # an object-like macro may be a function's other name
             entry = None
         if header and (entry is None or entry.header != header):
             known = [e for e in self.api.entries(function.name) if e.header == header and e.callable]
@@ -220,8 +222,10 @@ def views(program: ccode.Program, api: ApiIndex) -> list[CodeView]:
 
 
 def platform_agnostic_libraries(program: ccode.Program, api: ApiIndex) -> Q[ccode.Include]:
-    """The include directives of standard headers, which stay as they are (paper 3.1). POSIX headers count as standard here; `api.header_kind`
-    tells them apart, since a target may not have them."""
+    """The include directives of standard headers, which stay as they are (paper 3.1).
+
+    POSIX headers count as standard here; `api.header_kind` tells them apart, since a target may not have them.
+    """
     return Q(i for unit in program.units for i in unit.includes if api.header_kind(str(i.header)) in ("standard", "posix"))
 
 
@@ -231,7 +235,7 @@ def platform_dependent_libraries(program: ccode.Program, api: ApiIndex) -> Q[cco
 
 
 def platform_dependent_constructs(program: ccode.Program, api: ApiIndex) -> Constructs:
-    """The functions of the platform that a program calls, with raw signature, header and calls; unknown ones apart (paper 3.1)."""
+    """The functions of the platform that a program calls, with signature, header and calls; unknown ones apart (paper 3.1)."""
     platform: dict[str, CalledFunction] = {}
     unknown: dict[str, CalledFunction] = {}
     for view in views(program, api):

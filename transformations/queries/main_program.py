@@ -65,7 +65,9 @@ def main_structure(unit: ccode.SourceUnit) -> MainStructure | None:
         return MainStructure(function, before=statements)
     loop: Any = statements[number]
     before = statements[:number]
-    locals_ = [v for s in before if isinstance(s, ccode.DeclarationStatement) for v in s.declarations if isinstance(v, ccode.Variable)]
+    locals_ = [
+        v for s in before if isinstance(s, ccode.DeclarationStatement) for v in s.declarations if isinstance(v, ccode.Variable)
+    ]
     hoisted = [v for v in locals_ if any(_inside(loop, r) for r in v.references) or _in_macro(unit, loop, v)]
     return MainStructure(function, loop, before, statements[number + 1 :], hoisted, exits(loop))
 
@@ -80,7 +82,8 @@ def _in_macro(unit: ccode.SourceUnit, loop: Any, variable: ccode.Variable) -> bo
 
     word = re.compile(rf"\b{re.escape(str(variable.name))}\b")
     return any(
-        use.macro is not None and _inside(loop, use) and word.search(str(use.macro.body or "")) is not None for use in unit.macroUses
+        use.macro is not None and _inside(loop, use) and word.search(str(use.macro.body or "")) is not None
+        for use in unit.macroUses
     )
 
 

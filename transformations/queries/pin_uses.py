@@ -81,9 +81,9 @@ def pin_uses_of(view: CodeView) -> list[PinUse]:
 
 def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinParameter, values: Values) -> Iterator[PinUse]:
     arguments = list(call.arguments)
-    if parameter.index >= len(arguments):
+    if parameter.position >= len(arguments):
         return
-    argument = arguments[parameter.index]
+    argument = arguments[parameter.position]
     text = expression_text(argument)
     if text in parameter.none:
         return
@@ -93,9 +93,9 @@ def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinPar
 
 
 def _pins(parameter: PinParameter, arguments: list[Any], argument: Any, values: Values) -> list[Value]:
-    if parameter.count is not None:
+    if parameter.number is not None:
         elements = values.elements(argument)
-        counts = values.of(arguments[parameter.count]) if parameter.count < len(arguments) else []
+        counts = values.of(arguments[parameter.number]) if parameter.number < len(arguments) else []
         if elements is None or len(counts) != 1 or counts[0].number is None:
             return [RUNTIME]
         return elements[: counts[0].number]
@@ -123,7 +123,9 @@ def _range(ends: list[Value], starts: list[Value]) -> list[Value]:
 def _convention_use(function: CalledFunction, convention: Convention, values: Values) -> PinUse | None:
     for call in function.calls:
         if _holds(convention.when, call, values):
-            return PinUse(convention.pin, convention.what, "convention", function.name, convention.direction, int(call.line), call)
+            return PinUse(
+                convention.pin, convention.what, "convention", function.name, convention.direction, int(call.line), call
+            )
     return None
 
 
@@ -136,10 +138,7 @@ def _holds(when: dict[str, int] | None, call: ccode.Call, values: Values) -> boo
     numbers = [v.number for v in values.of(arguments[when["index"]])]
     if None in numbers:
         return True
-    for number in numbers:
-        if number is not None and _fits(when, number):
-            return True
-    return False
+    return any(number is not None and _fits(when, number) for number in numbers)
 
 
 def _fits(when: dict[str, int], number: int) -> bool:

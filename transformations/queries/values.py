@@ -70,12 +70,15 @@ class Values:
         return self.of(cast.operand)
 
     def _unary(self, unary: Any) -> list[Value]:
-        change = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}.get(str(unary.operator))
+        change = _CHANGES.get(str(unary.operator))
         if change is None:
             return [RUNTIME]
         sign = str(unary.operator) in "+-"
         values = self.of(unary.operand)
-        return [RUNTIME if v.number is None else Value(change(v.number), v.origin if sign or v.origin != "literal" else "constant") for v in values]
+        return [
+            RUNTIME if v.number is None else Value(change(v.number), v.origin if sign or v.origin != "literal" else "constant")
+            for v in values
+        ]
 
     def _binary(self, binary: Any) -> list[Value]:
         left, right = self.of(binary.left), self.of(binary.right)
@@ -140,7 +143,8 @@ class Values:
         first, bound = self.of(start), self.of(condition.right)
         if len(first) != 1 or len(bound) != 1 or first[0].number is None or bound[0].number is None:
             return [RUNTIME]
-        found, number = [], first[0].number
+        found: list[Value] = []
+        number = first[0].number
         while len(found) <= LIMIT and calculate(str(condition.operator), number, bound[0].number):
             found.append(Value(number, "constant"))
             number += step
@@ -150,7 +154,8 @@ class Values:
         if isinstance(step, ccode.Unary) and _refers(step.operand, variable):
             return {"++": 1, "--": -1}.get(str(step.operator))
         if isinstance(step, ccode.Assignment) and _refers(step.left, variable):
-            right, operator = step.right, str(step.operator)
+            right: Any = step.right
+            operator = str(step.operator)
             if operator == "=" and isinstance(right, ccode.Binary) and _refers(right.left, variable):
                 right, operator = right.right, f"{right.operator}="
             values = self.of(right)
@@ -210,7 +215,10 @@ class Values:
         return elements
 
     def elements(self, array: Any) -> list[Value] | None:
-        """The elements of an array that is initialised with constants and never written, None for any other; also through a parameter."""
+        """The elements of an array that is initialised with constants and never written, None for any other.
+
+        A parameter stands for the arrays that callers pass.
+        """
         target = array.target if isinstance(array, ccode.NameReference) else None
         if isinstance(target, ccode.Parameter):
             passed = [self.elements(a) for a in passed_arguments(target)]
@@ -239,10 +247,19 @@ _METHODS: dict[str, Any] = {
     "NameReference": Values._name,
     "Index": Values._index,
 }
+_CHANGES: dict[str, Any] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
 _PYTHON: dict[type, str] = {
-    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Mod: "%", ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|",
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.Mod: "%",
+    ast.LShift: "<<",
+    ast.RShift: ">>",
+    ast.BitAnd: "&",
+    ast.BitOr: "|",
     ast.BitXor: "^",
-}  # fmt: skip
+}
 
 
 def calculate(operator: str, a: int, b: int) -> int | None:
@@ -259,10 +276,19 @@ def calculate(operator: str, a: int, b: int) -> int | None:
 
 
 _OPERATIONS: dict[str, Any] = {
-    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "&": lambda a, b: a & b, "|": lambda a, b: a | b,
-    "^": lambda a, b: a ^ b, "<": lambda a, b: a < b, ">": lambda a, b: a > b, "<=": lambda a, b: a <= b, ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b, "!=": lambda a, b: a != b,
-}  # fmt: skip
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "&": lambda a, b: a & b,
+    "|": lambda a, b: a | b,
+    "^": lambda a, b: a ^ b,
+    "<": lambda a, b: a < b,
+    ">": lambda a, b: a > b,
+    "<=": lambda a, b: a <= b,
+    ">=": lambda a, b: a >= b,
+    "==": lambda a, b: a == b,
+    "!=": lambda a, b: a != b,
+}
 
 
 def _c_integer(text: str) -> int:

@@ -45,14 +45,24 @@ class Entry(NamedTuple):
 
 
 class PinParameter(NamedTuple):
-    """A parameter that is a pin; fields as in `pins.json`, directions in, out, both, unknown."""
+    """A parameter that is a pin, as `pins.json` has it.
 
-    index: int
+    Attributes:
+        position: which argument, from 0.
+        name: as declared.
+        direction: in, out, both, unknown.
+        range_with: position of the other end, where two arguments give a range.
+        span: how many pins follow each other from the argument on.
+        number: position of the argument that says how many elements of an array of pins count.
+        none: constants that mean no pin.
+    """
+
+    position: int
     name: str
     direction: str
     range_with: int | None = None
     span: int = 1
-    count: int | None = None
+    number: int | None = None
     none: tuple[str, ...] = ()
 
 
@@ -140,8 +150,8 @@ class ApiIndex:
     def resolve(self, name: str, includes: Iterable[str]) -> Entry | None:
         """The one declaration that a program with these includes means.
 
-        Headers that the includes bring in come first, those included earlier before later ones; then, for a program that forgot the
-        include, any header of the platform before standard ones. None for a name that the repository does not know.
+        Headers that the includes bring in come first, those included earlier before later ones; then, for a program that forgot
+        the include, any header of the platform before standard ones. None for a name that the repository does not know.
         """
         found = self.entries(name)
         if len(found) <= 1:
@@ -155,7 +165,7 @@ class ApiIndex:
         return self.header_kind(entry.header) or "platform" if entry.header else "platform"
 
     def signature(self, name: str, entry: Entry) -> str:
-        """Return type, name and parameters of a function; name and parentheses of a function-like macro; else the name with its type."""
+        """Return type, name and parameters of a function, name and parentheses of a function-like macro, type and name of others."""
         if entry.kind == "function":
             return f"{entry.detail}{'' if entry.detail.endswith('*') else ' '}{name}{entry.parameters}"
         if entry.kind == "function_macro":
@@ -249,9 +259,18 @@ def _entries(header: str, content: dict[str, Any]) -> Iterable[tuple[str, Entry]
 
 
 def _pin_facts(fact: dict[str, Any]) -> PinFacts:
-    known = PinParameter._fields
-    parameters = [{**p, "none": tuple(p.get("none", ()))} for p in fact.get("parameters", ())]
     return PinFacts(
-        tuple(PinParameter(**{k: v for k, v in p.items() if k in known}) for p in parameters),
+        tuple(
+            PinParameter(
+                p["index"],
+                p["name"],
+                p["direction"],
+                p.get("range_with"),
+                p.get("span", 1),
+                p.get("count"),
+                tuple(p.get("none", ())),
+            )
+            for p in fact.get("parameters", ())
+        ),
         tuple(Convention(**c) for c in fact.get("conventions", ())),
     )

@@ -54,9 +54,9 @@ def _function(api: ApiIndex, name: str, entry: Entry) -> pf.ApiFunction:
     meanings = list(meaning.get("parameters", ()))
     directions: dict[int, str] = {}
     for pin in pins.parameters if pins else ():
-        meanings += [""] * (pin.index + 1 - len(meanings))
-        meanings[pin.index] = "pin"
-        directions[pin.index] = pin.direction
+        meanings += [""] * (pin.position + 1 - len(meanings))
+        meanings[pin.position] = "pin"
+        directions[pin.position] = pin.direction
     declared = split_parameters(entry.parameters)
     variadic = "..." in declared
     declared = [p for p in declared if p not in ("...", "void")]
@@ -108,7 +108,7 @@ def split_parameters(text: str) -> list[str]:
             current = ""
         else:
             current += character
-    return parts + [current.strip()] if current.strip() else parts
+    return [*parts, current.strip()] if current.strip() else parts
 
 
 def _parameter(text: str) -> tuple[str, str]:

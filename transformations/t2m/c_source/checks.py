@@ -10,7 +10,15 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.c_source.parsing import Parsed
 
-_HINTS = {".py": "Python", ".spin": "Spin", ".xml": "XML", ".html": "HTML", ".fzz": "a Fritzing sketch", ".fz": "a Fritzing sketch", ".json": "JSON"}
+_HINTS = {
+    ".py": "Python",
+    ".spin": "Spin",
+    ".xml": "XML",
+    ".html": "HTML",
+    ".fzz": "a Fritzing sketch",
+    ".fz": "a Fritzing sketch",
+    ".json": "JSON",
+}
 
 
 def refuse_other_languages(parsed: Parsed) -> None:
@@ -24,12 +32,18 @@ def refuse_other_languages(parsed: Parsed) -> None:
     if not syntax:
         return
     damaged = sorted(d.offset for d in errors)
-    unknown = {d.offset for d in errors if d.message.startswith(("unknown type name", "type specifier missing", "a type specifier"))}
+    unknown = {
+        d.offset for d in errors if d.message.startswith(("unknown type name", "type specifier missing", "a type specifier"))
+    }
 
     def survives(start: int, end: int, kind: int) -> bool:
         return kind in (2, 3, 5, 8, 9, 20) and not any(start <= o <= end for o in unknown)
 
-    bodies = [n for n in parsed.nodes if n.kind == 8 and any(c.kind == 202 for c in n.children) and survives(n.start, n.start + 1, n.kind)]
+    bodies = [
+        n
+        for n in parsed.nodes
+        if n.kind == 8 and any(c.kind == 202 for c in n.children) and survives(n.start, n.start + 1, n.kind)
+    ]
     whole = [n for n in parsed.nodes if survives(n.start, n.end, n.kind) and not any(n.start <= o <= n.end for o in damaged)]
     if bodies or whole:
         return

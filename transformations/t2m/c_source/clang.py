@@ -170,7 +170,7 @@ def parse(path: str, arguments: Sequence[str], files: Sequence[UnsavedFile]) -> 
     code = lib.parseTranslationUnit2(
         lib.index, os.fsencode(path), flags, len(arguments), virtual, len(files), DETAILED_RECORD | KEEP_GOING, byref(unit)
     )
-    return unit.value if code == 0 else None
+    return unit.value if code == 0 and unit.value else None
 
 
 def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, Any], int]) -> None:

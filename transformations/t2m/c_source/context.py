@@ -63,7 +63,9 @@ class Context:
             self._expansions.append(expansion)
             self._expansion_starts.append(expansion.start)
         self.canonical: dict[int, tuple[str, int, bool, bool]] = {}
-        self.attribute_macros: frozenset[str] = frozenset({*api.settings["parser"].get("attribute_macros", ()), *parsed.prelude.macros})
+        self.attribute_macros: frozenset[str] = frozenset(
+            {*api.settings["parser"].get("attribute_macros", ()), *parsed.prelude.macros}
+        )
 
     def text(self, node: Node) -> str:
         """The text of a node."""
@@ -111,7 +113,9 @@ class Context:
 
     def function_like(self, expansion: Expansion) -> bool:
         """Whether the use has arguments."""
-        return self.source.data[expansion.end - 1 : expansion.end] == b")" and expansion.end - expansion.start > len(expansion.name)
+        return self.source.data[expansion.end - 1 : expansion.end] == b")" and expansion.end - expansion.start > len(
+            expansion.name
+        )
 
     def arguments(self, expansion: Expansion) -> list[tuple[int, int]]:
         """The ranges of the arguments of a macro use, trimmed."""
@@ -161,7 +165,11 @@ class Context:
                 return self.source.text(start, end)
         if number < len(self._comments):
             later = next((c for c in self._comments[number:] if c[1] >= node.end), None)
-            if later and b"\n" not in self.source.parsed[node.end : later[1]] and not self.source.parsed[node.end : later[1]].strip(b" \t;"):
+            if (
+                later
+                and b"\n" not in self.source.parsed[node.end : later[1]]
+                and not self.source.parsed[node.end : later[1]].strip(b" \t;")
+            ):
                 return self.source.text(later[1], later[2])
         return None
 
@@ -176,6 +184,8 @@ class Context:
                 return path[len(folder) + 1 :].replace(os.sep, "/")
         return os.path.basename(path)
 
-    def find(self, rule: str, severity: Severity, message: str, start: int, end: int | None = None, fix: str | None = None) -> None:
+    def find(
+        self, rule: str, severity: Severity, message: str, start: int, end: int | None = None, fix: str | None = None
+    ) -> None:
         """Note a finding at a place."""
         self.findings.append(Finding(rule, severity, message, self.source.location(start, end), fix=fix))

@@ -47,8 +47,8 @@ def calls(context: Context) -> Coverage:
         elif name not in types:
             in_text += 1
             lost.append(ccode.UnresolvedCall(name=name, **context.source.place(start, end)))
-            context.find("RS102", Severity.warning, f"the call of {name} is lost: the parser could not read its statement", start, end,
-                         "correct the statement, or migrate it by hand")  # fmt: skip
+            message = f"the call of {name} is lost: the parser could not read its statement"
+            context.find("RS102", Severity.warning, message, start, end, "correct the statement, or migrate it by hand")
     return Coverage(in_text, in_model, lost)
 
 
@@ -72,9 +72,18 @@ def notes(context: Context, includes: list[ccode.Include], conditionals: list[cc
         known = include.resolvedPath or context.api.header_kind(str(include.header))
         if not known:
             message = f"the header {include.header} was not found: names that it declares are inferred from their uses"
-            context.find("RS103", Severity.warning, message, int(include.startOffset), int(include.endOffset), "give its folder with -I")
+            context.find(
+                "RS103", Severity.warning, message, int(include.startOffset), int(include.endOffset), "give its folder with -I"
+            )
     for start, end in context.parsed.cut[:20]:
-        context.find("RS104", Severity.warning, "nested too deep: kept as text from here on", start, end, "split the expression or statement")
+        context.find(
+            "RS104",
+            Severity.warning,
+            "nested too deep: kept as text from here on",
+            start,
+            end,
+            "split the expression or statement",
+        )
     if context.source.encoding != "UTF-8":
         context.find("RS105", Severity.info, f"the file is no UTF-8; it was read as {context.source.encoding}", 0, None)
     for start, end in context.parsed.skipped:

@@ -45,7 +45,15 @@ def _function(context: Context, node: Node) -> ccode.Declaration:
     close = context.matching(open_) if open_ < len(context.tokens) and context.tokens[open_][3] == "(" else -1
     end = context.tokens[close][2] if close >= 0 else node.end
     signature = " ".join(context.source.text(spec.start, end).split())
-    result = types.type_use(context, node.cursor, spec, pointer.replace("(", "").replace(")", ""), "", depth, context.lib.getCursorResultType(node.cursor))
+    result = types.type_use(
+        context,
+        node.cursor,
+        spec,
+        pointer.replace("(", "").replace(")", ""),
+        "",
+        depth,
+        context.lib.getCursorResultType(node.cursor),
+    )
     parameters = [_parameter(context, c) for c in node.children if c.kind == PARAMETER]
     body = next((c for c in node.children if c.kind == COMPOUND), None)
     element = ccode.Function(
@@ -138,7 +146,11 @@ def _record(context: Context, node: Node) -> ccode.Declaration:
     methods = [m for c in node.children if c.kind in (21, 24, 25) and isinstance(m := _function(context, c), ccode.Function)]
     kind = {2: "structType", 3: "unionType", 4: "classType"}[node.kind]
     element = ccode.Record(
-        name=_tag(context, node), recordKind=getattr(ccode.RecordKind, kind), fields=fields, methods=methods, **context.source.place(node.start, node.end)
+        name=_tag(context, node),
+        recordKind=getattr(ccode.RecordKind, kind),
+        fields=fields,
+        methods=methods,
+        **context.source.place(node.start, node.end),
     )
     context.register(node.cursor, element)
     return element
@@ -160,7 +172,9 @@ def _field(context: Context, node: Node) -> ccode.Field:
     width = context.lib.getFieldDeclBitWidth(node.cursor)
     use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
     name = context.spelling(node.cursor)
-    element = ccode.Field(name=name or None, valueType=use, bitWidth=width if width > 0 else None, **context.source.place(node.start, node.end))
+    element = ccode.Field(
+        name=name or None, valueType=use, bitWidth=width if width > 0 else None, **context.source.place(node.start, node.end)
+    )
     context.register(node.cursor, element)
     return element
 
@@ -170,7 +184,9 @@ def _enumeration(context: Context, node: Node) -> ccode.Declaration:
     for child in node.children:
         if child.kind == LITERAL:
             value = context.lib.getEnumConstantDeclValue(child.cursor)
-            literal = ccode.EnumerationLiteral(name=context.spelling(child.cursor), value=value, **context.source.place(child.start, child.end))
+            literal = ccode.EnumerationLiteral(
+                name=context.spelling(child.cursor), value=value, **context.source.place(child.start, child.end)
+            )
             context.register(child.cursor, literal)
             literals.append(literal)
     element = ccode.Enumeration(name=_tag(context, node), literals=literals, **context.source.place(node.start, node.end))
@@ -180,7 +196,9 @@ def _enumeration(context: Context, node: Node) -> ccode.Declaration:
 
 def _namespace(context: Context, node: Node) -> ccode.Declaration:
     return ccode.Namespace(
-        name=context.spelling(node.cursor), declarations=group(context, node.children), **context.source.place(node.start, node.end)
+        name=context.spelling(node.cursor),
+        declarations=group(context, node.children),
+        **context.source.place(node.start, node.end),
     )
 
 

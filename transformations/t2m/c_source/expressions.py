@@ -14,7 +14,18 @@ from robosmi.transformations.t2m.c_source import literals, macros, types
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, Context
 from robosmi.transformations.t2m.c_source.tree import Node
 
-UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = 100, 101, 102, 103, 111, 112, 114, 115, 117, 118
+UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = (
+    100,
+    101,
+    102,
+    103,
+    111,
+    112,
+    114,
+    115,
+    117,
+    118,
+)
 FUNCTION_KINDS = (8, 21)
 TYPE_REF = 43
 
@@ -75,13 +86,17 @@ def _call(context: Context, node: Node) -> ccode.Expression:
     arguments = [expression(context, c) for c in children[1:]]
     place, written, via_macro = macros.call_place(context, node)
     if callee is None or callee.kind == UNEXPOSED or (callee.kind == DECL_REF and _is_function(context, callee)):
-        name = written or (context.spelling(callee.cursor if callee is not None else node.cursor) or context.spelling(node.cursor))
+        name = written or (
+            context.spelling(callee.cursor if callee is not None else node.cursor) or context.spelling(node.cursor)
+        )
         element = ccode.Call(calleeName=name, viaMacro=via_macro or None, arguments=arguments, **place)
         context.calls.append((element, context.lib.getCursorReferenced(callee.cursor) if callee is not None else None))
         if not via_macro:
             context.covered.add(node.start)
     else:
-        element = ccode.Call(calleeExpression=expression(context, callee), viaMacro=via_macro or None, arguments=arguments, **place)
+        element = ccode.Call(
+            calleeExpression=expression(context, callee), viaMacro=via_macro or None, arguments=arguments, **place
+        )
         before = context.tokens[context.token_before(callee.end)]
         context.covered.add(before[1])
     context.call_nodes.append((element, node, callee))
@@ -92,7 +107,9 @@ def _is_function(context: Context, callee: Node) -> bool:
     referenced = context.lib.getCursorReferenced(callee.cursor)
     if referenced.kind in FUNCTION_KINDS:
         return True
-    return context.pointer(referenced) not in context.declared and context.parsed.prelude.declares(context.spelling(callee.cursor))
+    return context.pointer(referenced) not in context.declared and context.parsed.prelude.declares(
+        context.spelling(callee.cursor)
+    )
 
 
 def _unary(context: Context, node: Node) -> ccode.Expression | None:
@@ -103,7 +120,12 @@ def _unary(context: Context, node: Node) -> ccode.Expression | None:
     operand = expression(context, children[0])
     if UNARY_OPERATORS[number] == "__extension__":
         return operand
-    return ccode.Unary(operator=UNARY_OPERATORS[number], postfix=number in (1, 2) or None, operand=operand, **context.source.place(node.start, node.end))
+    return ccode.Unary(
+        operator=UNARY_OPERATORS[number],
+        postfix=number in (1, 2) or None,
+        operand=operand,
+        **context.source.place(node.start, node.end),
+    )
 
 
 def _binary(context: Context, node: Node) -> ccode.Expression | None:
@@ -121,7 +143,9 @@ def _conditional(context: Context, node: Node) -> ccode.Expression | None:
     if len(children) != 3:
         return None
     parts = [expression(context, c) for c in children]
-    return ccode.ConditionalExpression(condition=parts[0], whenTrue=parts[1], whenFalse=parts[2], **context.source.place(node.start, node.end))
+    return ccode.ConditionalExpression(
+        condition=parts[0], whenTrue=parts[1], whenFalse=parts[2], **context.source.place(node.start, node.end)
+    )
 
 
 def _index(context: Context, node: Node) -> ccode.Expression | None:
@@ -169,7 +193,10 @@ def _size_of(context: Context, node: Node) -> ccode.Expression:
     measured = _parenthesised_type(context, node)
     if measured is not None:  # the parser's type is that of the result, not of what is measured
         measured = ccode.TypeUse(
-            spelling=measured.spelling, canonical=measured.spelling, pointerDepth=measured.pointerDepth, arrayDims=measured.arrayDims or None
+            spelling=measured.spelling,
+            canonical=measured.spelling,
+            pointerDepth=measured.pointerDepth,
+            arrayDims=measured.arrayDims or None,
         )
     return ccode.SizeOf(measured=measured, **place)
 

@@ -123,6 +123,10 @@ def _value_type(call: ccode.Call) -> str | None:
         return str(container.valueType.spelling).replace("const ", "") or "int"
     if isinstance(container, ccode.Assignment) and isinstance(container.left, ccode.NameReference):
         target: Any = container.left.target
-        if isinstance(target, (ccode.Variable, ccode.Parameter)) and target.valueType is not None and not target.valueType.arrayDims:
+        if (
+            isinstance(target, (ccode.Variable, ccode.Parameter))
+            and target.valueType is not None
+            and not target.valueType.arrayDims
+        ):
             return str(target.valueType.spelling)
     return "int"

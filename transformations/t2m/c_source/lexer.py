@@ -25,13 +25,76 @@ _TOKEN = re.compile(
 )
 
 KEYWORDS = frozenset(
-    """auto break case char const continue default do double else enum extern float for goto if inline int long register
-    restrict return short signed sizeof static struct switch typedef union unsigned void volatile while _Bool _Complex
-    _Imaginary __attribute__ __asm__ asm __asm typeof __typeof__ __inline __inline__ __extension__ __volatile__ __const""".split()
+    [
+        "auto",
+        "break",
+        "case",
+        "char",
+        "const",
+        "continue",
+        "default",
+        "do",
+        "double",
+        "else",
+        "enum",
+        "extern",
+        "float",
+        "for",
+        "goto",
+        "if",
+        "inline",
+        "int",
+        "long",
+        "register",
+        "restrict",
+        "return",
+        "short",
+        "signed",
+        "sizeof",
+        "static",
+        "struct",
+        "switch",
+        "typedef",
+        "union",
+        "unsigned",
+        "void",
+        "volatile",
+        "while",
+        "_Bool",
+        "_Complex",
+        "_Imaginary",
+        "__attribute__",
+        "__asm__",
+        "asm",
+        "__asm",
+        "typeof",
+        "__typeof__",
+        "__inline",
+        "__inline__",
+        "__extension__",
+        "__volatile__",
+        "__const",
+    ]
 )
-TYPE_WORDS = frozenset("void char short int long float double signed unsigned _Bool _Complex __signed__ __int128".split())
-QUALIFIERS = frozenset("const volatile restrict __const __volatile__ __restrict __extension__".split())
-STORAGE_WORDS = frozenset("extern static register auto typedef inline __inline __inline__ _Noreturn".split())
+TYPE_WORDS = frozenset(
+    [
+        "void",
+        "char",
+        "short",
+        "int",
+        "long",
+        "float",
+        "double",
+        "signed",
+        "unsigned",
+        "_Bool",
+        "_Complex",
+        "__signed__",
+        "__int128",
+    ]
+)
+QUALIFIERS = frozenset(["const", "volatile", "restrict", "__const", "__volatile__", "__restrict", "__extension__"])
+STORAGE_WORDS = frozenset(["extern", "static", "register", "auto", "typedef", "inline", "__inline", "__inline__", "_Noreturn"])
 
 
 def tokens(data: bytes) -> list[Token]:

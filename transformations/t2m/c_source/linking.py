@@ -97,7 +97,7 @@ class Linker:
             return ""
         kind: str = context.lib.text(context.lib.getTypeSpelling(context.lib.getCursorType(cursor)))
         result, open_, rest = kind.partition("(")
-        return f"{result}{'' if result.endswith('*') else ''}{name}({rest}" if open_ and rest != ")" else ""
+        return f"{result}{name}({rest}" if open_ and rest != ")" else ""
 
     def _external_function(self, name: str, sites: list[CallSite]) -> ccode.Function:
         header, signature = self._headers.get(name, ("", ""))

@@ -23,7 +23,9 @@ def integer(context: Context, node: Node) -> ccode.Expression:
         value = evaluated(context, node) or 0
         text = str(value)
     radix = integer_radix(text)
-    return ccode.IntegerLiteral(text=text, radix=radix, value=value if value < _LONG else value - 2 * _LONG, **context.source.place(node.start, node.end))
+    return ccode.IntegerLiteral(
+        text=text, radix=radix, value=value if value < _LONG else value - 2 * _LONG, **context.source.place(node.start, node.end)
+    )
 
 
 def integer_radix(text: str) -> int:

@@ -20,7 +20,7 @@ CALL = 103
 
 
 def expansion_of(context: Context, node: Node) -> Expansion | None:
-    """The macro use that the whole node comes out of; None when it is (part of) an argument, or when more than the use belongs to it."""
+    """The macro use that the whole node comes out of; None when it is (part of) an argument or more than the use."""
     for expansion in context.expansions_at(node.start):
         if node.end <= expansion.end:
             return expansion
@@ -58,7 +58,7 @@ def macro_call(context: Context, node: Node, expansion: Expansion, build: Build)
     return element
 
 
-def call_place(context: Context, node: Node) -> tuple[dict[str, int], str, bool]:
+def call_place(context: Context, node: Node) -> tuple[dict[str, Any], str, bool]:
     """Place of a call, the callee's name where a header's alias hides it, and whether it stands in the body of an own macro."""
     if not node.from_macro:
         return context.source.place(node.start, node.end), "", False

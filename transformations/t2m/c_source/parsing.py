@@ -38,9 +38,17 @@ class Diagnostic:
     def syntax(self) -> bool:
         """True for a complaint about the form of the text, not about what names mean."""
         m = self.message
-        return m.startswith(("expected ", "extraneous ", "unterminated ", "missing terminating", "bracket nesting", "invalid suffix", "invalid digit")) or (
-            " expected" in m and "argument" not in m and "type" not in m
-        )
+        return m.startswith(
+            (
+                "expected ",
+                "extraneous ",
+                "unterminated ",
+                "missing terminating",
+                "bracket nesting",
+                "invalid suffix",
+                "invalid digit",
+            )
+        ) or (" expected" in m and "argument" not in m and "type" not in m)
 
 
 @dataclass
@@ -91,8 +99,21 @@ def arguments(api: ApiIndex, language: str, include_dirs: Sequence[str], defines
     """The parser's arguments (research note on libclang, section 8)."""
     settings = api.settings["parser"]
     cxx = language == "C++"
-    result = ["-x", "c++" if cxx else "c", "-std=gnu++14" if cxx else f"-std={settings['standard']}", "-nostdinc", "-target", settings["target"]]
-    result += ["-ferror-limit=0", "-Wno-everything", "-Wno-implicit-function-declaration", "-Wno-int-conversion", "-Wno-implicit-int"]
+    result = [
+        "-x",
+        "c++" if cxx else "c",
+        "-std=gnu++14" if cxx else f"-std={settings['standard']}",
+        "-nostdinc",
+        "-target",
+        settings["target"],
+    ]
+    result += [
+        "-ferror-limit=0",
+        "-Wno-everything",
+        "-Wno-implicit-function-declaration",
+        "-Wno-int-conversion",
+        "-Wno-implicit-int",
+    ]
     result += ["-Wno-incompatible-function-pointer-types", "-Wno-return-type", "-fno-spell-checking"]
     result += [f"-D{d}" for d in settings.get("defines", ())] + [f"-D{d}" for d in defines]
     result += [f"-I{os.path.abspath(d)}" for d in include_dirs]
@@ -109,7 +130,9 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
         prelude.always.append("#include <stdarg.h>")
     first: list[Diagnostic] = []
-    for number in range(1, MAX_PARSES + 1):
+    number = 0
+    while True:
+        number += 1
         text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
         unit = clang.parse(path, given, [*fixed, *clang.unsaved({path: source.parsed, PRELUDE: text.encode()})])
         if unit is None:
@@ -126,7 +149,18 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         break
     nodes = reader.read()
     return Parsed(
-        source, unit, nodes, reader.expansions, reader.skipped(), clang.inclusions(unit), diagnostics, first, prelude, number, reader, reader.cut
+        source,
+        unit,
+        nodes,
+        reader.expansions,
+        reader.skipped(),
+        clang.inclusions(unit),
+        diagnostics,
+        first,
+        prelude,
+        number,
+        reader,
+        reader.cut,
     )
 
 

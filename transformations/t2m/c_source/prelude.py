@@ -15,18 +15,38 @@ from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS
 from robosmi.transformations.t2m.platform_api import ApiIndex
 
 STANDARD_NAMES = {
-    "NULL": "#define NULL ((void *)0)", "true": "#define true 1", "false": "#define false 0", "bool": "typedef _Bool bool;",
-    "size_t": "typedef __SIZE_TYPE__ size_t;", "ssize_t": "typedef int ssize_t;", "ptrdiff_t": "typedef int ptrdiff_t;",
-    "wchar_t": "typedef __WCHAR_TYPE__ wchar_t;", "FILE": "typedef struct robosmi_file FILE;", "EOF": "#define EOF (-1)",
-    "stdin": "extern struct robosmi_file *stdin;", "stdout": "extern struct robosmi_file *stdout;",
-    "stderr": "extern struct robosmi_file *stderr;", "va_list": "typedef __builtin_va_list va_list;",
-    "int8_t": "typedef signed char int8_t;", "uint8_t": "typedef unsigned char uint8_t;", "int16_t": "typedef short int16_t;",
-    "uint16_t": "typedef unsigned short uint16_t;", "int32_t": "typedef int int32_t;", "uint32_t": "typedef unsigned int uint32_t;",
-    "int64_t": "typedef long long int64_t;", "uint64_t": "typedef unsigned long long uint64_t;", "intptr_t": "typedef int intptr_t;",
-    "uintptr_t": "typedef unsigned int uintptr_t;", "time_t": "typedef long time_t;", "clock_t": "typedef unsigned long clock_t;",
-    "errno": "extern int errno;", "INT_MAX": "#define INT_MAX 2147483647", "INT_MIN": "#define INT_MIN (-2147483647 - 1)",
-    "M_PI": "#define M_PI 3.14159265358979323846", "RAND_MAX": "#define RAND_MAX 32767",
-}  # fmt: skip
+    "NULL": "#define NULL ((void *)0)",
+    "true": "#define true 1",
+    "false": "#define false 0",
+    "bool": "typedef _Bool bool;",
+    "size_t": "typedef __SIZE_TYPE__ size_t;",
+    "ssize_t": "typedef int ssize_t;",
+    "ptrdiff_t": "typedef int ptrdiff_t;",
+    "wchar_t": "typedef __WCHAR_TYPE__ wchar_t;",
+    "FILE": "typedef struct robosmi_file FILE;",
+    "EOF": "#define EOF (-1)",
+    "stdin": "extern struct robosmi_file *stdin;",
+    "stdout": "extern struct robosmi_file *stdout;",
+    "stderr": "extern struct robosmi_file *stderr;",
+    "va_list": "typedef __builtin_va_list va_list;",
+    "int8_t": "typedef signed char int8_t;",
+    "uint8_t": "typedef unsigned char uint8_t;",
+    "int16_t": "typedef short int16_t;",
+    "uint16_t": "typedef unsigned short uint16_t;",
+    "int32_t": "typedef int int32_t;",
+    "uint32_t": "typedef unsigned int uint32_t;",
+    "int64_t": "typedef long long int64_t;",
+    "uint64_t": "typedef unsigned long long uint64_t;",
+    "intptr_t": "typedef int intptr_t;",
+    "uintptr_t": "typedef unsigned int uintptr_t;",
+    "time_t": "typedef long time_t;",
+    "clock_t": "typedef unsigned long clock_t;",
+    "errno": "extern int errno;",
+    "INT_MAX": "#define INT_MAX 2147483647",
+    "INT_MIN": "#define INT_MIN (-2147483647 - 1)",
+    "M_PI": "#define M_PI 3.14159265358979323846",
+    "RAND_MAX": "#define RAND_MAX 32767",
+}
 """What the standard fixes about names that arrive through platform headers, so that types keep their width."""
 
 _UNKNOWN = [
@@ -36,7 +56,7 @@ _UNKNOWN = [
 ]
 _NOT_RECORD = re.compile(r"^member reference (?:base )?type '(?:const |volatile )*(?P<name>\w+)[ *']")
 _NOT_SCALAR = re.compile(r"'(?P<name>\w+)' \(aka 'struct (?P=name)__'\)")
-_ASSIGNMENTS = frozenset("= += -= *= /= %= &= |= ^= <<= >>= ++ --".split())
+_ASSIGNMENTS = frozenset(["=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"])
 
 
 @dataclass
@@ -121,9 +141,9 @@ class Prelude:
         elif is_type or uses.as_type(name):
             self.types[name] = uses.as_pointer(name) or uses.record_values(name)
         elif uses.written(name):
-            self.values[name] = f"extern int {name}{'[]' if uses.indexed(name) else ''};"
+            self.values[name] = f"extern int {name}{'[64]' if uses.indexed(name) else ''};"
         elif uses.indexed(name):
-            self.values[name] = f"extern int {name}[];"
+            self.values[name] = f"extern int {name}[64];"
         else:
             self.values[name] = f"enum {{ {name} = {self._number()} }};"
         return True
@@ -232,7 +252,12 @@ class _Uses:
                 j += 1
             if t[j] == ")" and before == "(":
                 return j > i + 1 or _word(t[j + 1]) or t[j + 1] in ("&", "*")
-            return _word(t[j]) and t[j] not in QUALIFIERS and t[j + 1] in ("=", ";", ",", "[", ")", "(") and (j == i + 1 or before != "(" or t[j + 1] == ",")
+            return (
+                _word(t[j])
+                and t[j] not in QUALIFIERS
+                and t[j + 1] in ("=", ";", ",", "[", ")", "(")
+                and (j == i + 1 or before != "(" or t[j + 1] == ",")
+            )
 
         return self._any(name, test)
 
@@ -259,11 +284,44 @@ class _Uses:
     def attribute(self, name: str) -> bool:
         """Directly followed by another type: a macro that stands for an attribute."""
         words = TYPE_WORDS | STORAGE_WORDS | {"struct", "union", "enum"}
-        return self._any(name, lambda t, i: t[i + 1] in words or (_word(t[i + 1]) and _word(t[i + 2]) and t[i + 1] not in QUALIFIERS))
+        return self._any(
+            name, lambda t, i: t[i + 1] in words or (_word(t[i + 1]) and _word(t[i + 2]) and t[i + 1] not in QUALIFIERS)
+        )
 
 
-_BEFORE_TYPE = frozenset({"", ";", "{", "}", "(", ",", "const", "volatile", "static", "extern", "register", "unsigned", "sizeof", ")", ":", "typedef"})
-_BEFORE_OPERAND = frozenset("( , = { ; return + - * / % & | ^ ! ~ < > <= >= == != && || ? :".split())
+_BEFORE_TYPE = frozenset(
+    {"", ";", "{", "}", "(", ",", "const", "volatile", "static", "extern", "register", "unsigned", "sizeof", ")", ":", "typedef"}
+)
+_BEFORE_OPERAND = frozenset(
+    [
+        "(",
+        ",",
+        "=",
+        "{",
+        ";",
+        "return",
+        "+",
+        "-",
+        "*",
+        "/",
+        "%",
+        "&",
+        "|",
+        "^",
+        "!",
+        "~",
+        "<",
+        ">",
+        "<=",
+        ">=",
+        "==",
+        "!=",
+        "&&",
+        "||",
+        "?",
+        ":",
+    ]
+)
 
 
 def _word(text: str) -> bool:

@@ -18,7 +18,9 @@ _INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
 CONDITIONALS = frozenset({"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef", "else", "endif"})
 
 
-def read(context: Context) -> tuple[list[ccode.Include], list[ccode.Macro], list[ccode.PreprocessorConditional], list[ccode.Comment]]:
+def read(
+    context: Context,
+) -> tuple[list[ccode.Include], list[ccode.Macro], list[ccode.PreprocessorConditional], list[ccode.Comment]]:
     """Includes, macros, conditionals and comments in text order; directives in text that was not compiled are left out."""
     includes: list[ccode.Include] = []
     macros: list[ccode.Macro] = []
@@ -35,7 +37,9 @@ def read(context: Context) -> tuple[list[ccode.Include], list[ccode.Macro], list
         word, rest = directive_parts(text)
         if word in CONDITIONALS:
             active = context.active(end) if word != "endif" else context.active(start)
-            conditionals.append(ccode.PreprocessorConditional(directive=word, condition=rest or None, active=active or None, **place(start, end)))
+            conditionals.append(
+                ccode.PreprocessorConditional(directive=word, condition=rest or None, active=active or None, **place(start, end))
+            )
         elif not context.active(start):
             continue
         elif word in ("include", "include_next", "import"):
@@ -48,7 +52,9 @@ def read(context: Context) -> tuple[list[ccode.Include], list[ccode.Macro], list
             if name:
                 context.user_macros[name] = parameters is not None
                 like = parameters is not None or None
-                macros.append(ccode.Macro(name=name, functionLike=like, parameters=parameters, body=body or None, **place(start, end)))
+                macros.append(
+                    ccode.Macro(name=name, functionLike=like, parameters=parameters, body=body or None, **place(start, end))
+                )
     return includes, macros, conditionals, comments
 
 

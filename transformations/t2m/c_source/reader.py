@@ -70,11 +70,15 @@ def read_program(
     return program, [finding for context in contexts for finding in context.findings]
 
 
-def _unit(path: PathLike, api: ApiIndex, folders: Sequence[str], defines: Sequence[str], contexts: list[Context]) -> ccode.SourceUnit:
+def _unit(
+    path: PathLike, api: ApiIndex, folders: Sequence[str], defines: Sequence[str], contexts: list[Context]
+) -> ccode.SourceUnit:
     source = read_source(path)
     parsed = parse(source, api, folders, defines)
     if parsed is None:
-        raise SourceError("the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text")
+        raise SourceError(
+            "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"
+        )
     context = Context(parsed, api, folders)
     contexts.append(context)
     checks.refuse_other_languages(parsed)

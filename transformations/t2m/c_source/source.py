@@ -12,6 +12,7 @@ import hashlib
 import os
 from bisect import bisect_right
 from dataclasses import dataclass, field
+from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -57,7 +58,7 @@ class SourceText:
         """The line of an offset, from 1."""
         return bisect_right(self._lines, offset)
 
-    def place(self, start: int, end: int) -> dict[str, int]:
+    def place(self, start: int, end: int) -> dict[str, Any]:
         """The features of `Located` for a range of offsets."""
         lines = self._lines
         line = bisect_right(lines, start)

@@ -7,6 +7,7 @@ semicolon. Forms that are not taken apart (assembler, statements out of a header
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
@@ -45,7 +46,7 @@ def block(context: Context, node: Node) -> ccode.Block:
     return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
 
 
-def _place(context: Context, node: Node) -> dict[str, int]:
+def _place(context: Context, node: Node) -> dict[str, Any]:
     """The place of a statement with its semicolon."""
     end = node.end
     i = context.token_at(end)
@@ -83,7 +84,9 @@ def _if(context: Context, node: Node) -> ccode.Statement:
 
 
 def _while(context: Context, node: Node) -> ccode.Statement:
-    condition, body = (node.children[0], node.children[-1]) if len(node.children) > 1 else (None, node.children[0] if node.children else None)
+    condition, body = (
+        (node.children[0], node.children[-1]) if len(node.children) > 1 else (None, node.children[0] if node.children else None)
+    )
     return ccode.While(
         form=ccode.LoopForm.whileLoop,
         endless=(condition is not None and constant_true(context, condition)) or None,
@@ -94,7 +97,9 @@ def _while(context: Context, node: Node) -> ccode.Statement:
 
 
 def _do(context: Context, node: Node) -> ccode.Statement:
-    body, condition = (node.children[0], node.children[-1]) if len(node.children) > 1 else (node.children[0] if node.children else None, None)
+    body, condition = (
+        (node.children[0], node.children[-1]) if len(node.children) > 1 else (node.children[0] if node.children else None, None)
+    )
     return ccode.DoWhile(
         form=ccode.LoopForm.doLoop,
         endless=(condition is not None and constant_true(context, condition)) or None,

@@ -31,7 +31,7 @@ class Node:
         children: in the parser's order.
     """
 
-    __slots__ = ("kind", "start", "end", "from_macro", "cursor", "children")
+    __slots__ = ("children", "cursor", "end", "from_macro", "kind", "start")
 
     def __init__(self, kind: int, start: int, end: int, from_macro: bool, cursor: Cursor) -> None:
         self.kind = kind
@@ -48,7 +48,7 @@ class Node:
 class Expansion:
     """A use of a macro in the file: its name and range, with the arguments if it has any."""
 
-    __slots__ = ("name", "start", "end", "cursor")
+    __slots__ = ("cursor", "end", "name", "start")
 
     def __init__(self, name: str, start: int, end: int, cursor: Cursor) -> None:
         self.name, self.start, self.end, self.cursor = name, start, end, cursor
@@ -130,7 +130,7 @@ class TreeReader:
         def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
             kind = cursor.kind
             if parent.kind == TRANSLATION_UNIT:
-                if kind == MACRO_DEFINITION or kind == INCLUSION:
+                if kind in (MACRO_DEFINITION, INCLUSION):
                     return 1
                 if kind == MACRO_EXPANSION:
                     self._expansion(cursor)

@@ -124,7 +124,9 @@ def declarator(context: Context, spec: Specifiers, name_offset: int) -> tuple[st
     return "".join(w if w in "*(" else f" {w}" for w in before) + after, dims, before.count("*"), i
 
 
-def type_use(context: Context, cursor: Any, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None) -> ccode.TypeUse:
+def type_use(
+    context: Context, cursor: Any, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None
+) -> ccode.TypeUse:
     """The type of a declaration.
 
     Args:
@@ -155,7 +157,13 @@ def _type_use(context: Context, kind: Any, spelling: str, base: str, dims: str, 
     elif depth and not pointer and not dims:
         bits, signed = context.api.settings["pointer_bits"], False
     use = ccode.TypeUse(
-        spelling=spelling, canonical=canonical, bits=bits, signed=signed, pointerDepth=depth, arrayDims=dims or None, constant=constant or None
+        spelling=spelling,
+        canonical=canonical,
+        bits=bits,
+        signed=signed,
+        pointerDepth=depth,
+        arrayDims=dims or None,
+        constant=constant or None,
     )
     if base:
         context.type_uses.append((use, base))
