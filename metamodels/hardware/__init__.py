@@ -262,25 +262,26 @@ class Wire(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
-Circuit.components.eType = Component
-Circuit.nets.eType = Net
-Circuit.wires.eType = Wire
-Component.circuit.eType = Circuit
-Component.properties.eType = Property
-Component.connectors.eType = Connector
-Component.buses.eType = Bus
-Connector.component.eType = Component
-Connector.net.eType = Net
-Bus.connectors.eType = Connector
-Net.circuit.eType = Circuit
-Net.connectors.eType = Connector
-Wire.ends.eType = Connector
-Wire.net.eType = Net
-Circuit.components.eOpposite = Component.circuit
-Circuit.nets.eOpposite = Net.circuit
-Component.connectors.eOpposite = Connector.component
-Connector.net.eOpposite = Net.connectors
-eClassifiers["Role"] = Role
-eClass.eClassifiers.append(Role)
-eClassifiers["ConnectorKind"] = ConnectorKind
-eClass.eClassifiers.append(ConnectorKind)
+if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    Circuit.components.eType = Component
+    Circuit.nets.eType = Net
+    Circuit.wires.eType = Wire
+    Component.circuit.eType = Circuit
+    Component.properties.eType = Property
+    Component.connectors.eType = Connector
+    Component.buses.eType = Bus
+    Connector.component.eType = Component
+    Connector.net.eType = Net
+    Bus.connectors.eType = Connector
+    Net.circuit.eType = Circuit
+    Net.connectors.eType = Connector
+    Wire.ends.eType = Connector
+    Wire.net.eType = Net
+    Circuit.components.eOpposite = Component.circuit
+    Circuit.nets.eOpposite = Net.circuit
+    Component.connectors.eOpposite = Connector.component
+    Connector.net.eOpposite = Net.connectors
+    eClassifiers["Role"] = Role
+    eClass.eClassifiers.append(Role)
+    eClassifiers["ConnectorKind"] = ConnectorKind
+    eClass.eClassifiers.append(ConnectorKind)

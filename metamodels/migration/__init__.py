@@ -546,62 +546,62 @@ class PlanFinding(PlanTask):
         ) -> None: ...
 
 
-from ..ccode import Call, Located, NameReference, Program, SourceUnit  # noqa: E402, F811 (after the classes: packages may refer to each other)
-from ..hardware import Circuit, Component, Connector  # noqa: E402, F811 (after the classes: packages may refer to each other)
-from ..platform import Adapter, ApiFunction, ApiSymbol, Board, Library, Pin, PinConvention, Platform  # noqa: E402, F811 (after the classes: packages may refer to each other)
-from ..trace import Trace  # noqa: E402, F811 (after the classes: packages may refer to each other)
+if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    from ..ccode import Call, Located, NameReference, Program, SourceUnit
+    from ..hardware import Circuit, Component, Connector
+    from ..platform import Adapter, ApiFunction, ApiSymbol, Board, Library, Pin, PinConvention, Platform
+    from ..trace import Trace
 
-
-MigrationPlan.program.eType = Program
-MigrationPlan.circuit.eType = Circuit
-MigrationPlan.source.eType = Platform
-MigrationPlan.target.eType = Platform
-MigrationPlan.board.eType = Board
-MigrationPlan.boardComponent.eType = Component
-MigrationPlan.inputs.eType = Input
-MigrationPlan.dispositions.eType = Disposition
-MigrationPlan.connections.eType = Connection
-MigrationPlan.portBindings.eType = PortBinding
-MigrationPlan.libraryChoices.eType = LibraryChoice
-MigrationPlan.adapterUses.eType = AdapterUse
-MigrationPlan.symbolUses.eType = SymbolUse
-MigrationPlan.edits.eType = Edit
-MigrationPlan.tasks.eType = PlanTask
-MigrationPlan.findings.eType = PlanFinding
-MigrationPlan.trace.eType = Trace
-Decision.options.eType = Option
-Disposition.element.eType = Located
-Connection.pin.eType = Pin
-Connection.boardConnectors.eType = Connector
-Connection.component.eType = Component
-Connection.connectors.eType = Connector
-Connection.via.eType = Component
-PortBinding.element.eType = Located
-PortBinding.convention.eType = PinConvention
-PortBinding.connection.eType = Connection
-PortBinding.pin.eType = Pin
-LibraryChoice.component.eType = Component
-LibraryChoice.chosen.eType = Library
-LibraryChoice.candidates.eType = Library
-AdapterUse.function.eType = ApiFunction
-AdapterUse.adapter.eType = Adapter
-AdapterUse.calls.eType = Call
-SymbolUse.symbol.eType = ApiSymbol
-SymbolUse.uses.eType = NameReference
-Edit.unit.eType = SourceUnit
-Edit.decision.eType = Decision
-PlanTask.elements.eType = EObject
-eClassifiers["ChosenBy"] = ChosenBy
-eClass.eClassifiers.append(ChosenBy)
-eClassifiers["Action"] = Action
-eClass.eClassifiers.append(Action)
-eClassifiers["Step"] = Step
-eClass.eClassifiers.append(Step)
-eClassifiers["AdapterStatus"] = AdapterStatus
-eClass.eClassifiers.append(AdapterStatus)
-eClassifiers["SeverityLevel"] = SeverityLevel
-eClass.eClassifiers.append(SeverityLevel)
-eClassifiers["ProgramStructure"] = ProgramStructure
-eClass.eClassifiers.append(ProgramStructure)
-eClassifiers["Signal"] = Signal
-eClass.eClassifiers.append(Signal)
+    MigrationPlan.program.eType = Program
+    MigrationPlan.circuit.eType = Circuit
+    MigrationPlan.source.eType = Platform
+    MigrationPlan.target.eType = Platform
+    MigrationPlan.board.eType = Board
+    MigrationPlan.boardComponent.eType = Component
+    MigrationPlan.inputs.eType = Input
+    MigrationPlan.dispositions.eType = Disposition
+    MigrationPlan.connections.eType = Connection
+    MigrationPlan.portBindings.eType = PortBinding
+    MigrationPlan.libraryChoices.eType = LibraryChoice
+    MigrationPlan.adapterUses.eType = AdapterUse
+    MigrationPlan.symbolUses.eType = SymbolUse
+    MigrationPlan.edits.eType = Edit
+    MigrationPlan.tasks.eType = PlanTask
+    MigrationPlan.findings.eType = PlanFinding
+    MigrationPlan.trace.eType = Trace
+    Decision.options.eType = Option
+    Disposition.element.eType = Located
+    Connection.pin.eType = Pin
+    Connection.boardConnectors.eType = Connector
+    Connection.component.eType = Component
+    Connection.connectors.eType = Connector
+    Connection.via.eType = Component
+    PortBinding.element.eType = Located
+    PortBinding.convention.eType = PinConvention
+    PortBinding.connection.eType = Connection
+    PortBinding.pin.eType = Pin
+    LibraryChoice.component.eType = Component
+    LibraryChoice.chosen.eType = Library
+    LibraryChoice.candidates.eType = Library
+    AdapterUse.function.eType = ApiFunction
+    AdapterUse.adapter.eType = Adapter
+    AdapterUse.calls.eType = Call
+    SymbolUse.symbol.eType = ApiSymbol
+    SymbolUse.uses.eType = NameReference
+    Edit.unit.eType = SourceUnit
+    Edit.decision.eType = Decision
+    PlanTask.elements.eType = EObject
+    eClassifiers["ChosenBy"] = ChosenBy
+    eClass.eClassifiers.append(ChosenBy)
+    eClassifiers["Action"] = Action
+    eClass.eClassifiers.append(Action)
+    eClassifiers["Step"] = Step
+    eClass.eClassifiers.append(Step)
+    eClassifiers["AdapterStatus"] = AdapterStatus
+    eClass.eClassifiers.append(AdapterStatus)
+    eClassifiers["SeverityLevel"] = SeverityLevel
+    eClass.eClassifiers.append(SeverityLevel)
+    eClassifiers["ProgramStructure"] = ProgramStructure
+    eClass.eClassifiers.append(ProgramStructure)
+    eClassifiers["Signal"] = Signal
+    eClass.eClassifiers.append(Signal)

@@ -489,33 +489,34 @@ class Adapter(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
-PlatformRepository.platforms.eType = Platform
-PlatformRepository.parts.eType = PartFact
-Platform.headers.eType = Header
-Platform.boards.eType = Board
-Platform.libraries.eType = Library
-Platform.adapters.eType = Adapter
-Header.platform.eType = Platform
-Header.functions.eType = ApiFunction
-Header.symbols.eType = ApiSymbol
-ApiFunction.header.eType = Header
-ApiFunction.parameters.eType = ApiParameter
-ApiFunction.conventions.eType = PinConvention
-ApiSymbol.header.eType = Header
-Board.pins.eType = Pin
-Pin.board.eType = Board
-Adapter.needs.eType = Adapter
-Platform.headers.eOpposite = Header.platform
-Header.functions.eOpposite = ApiFunction.header
-Header.symbols.eOpposite = ApiSymbol.header
-Board.pins.eOpposite = Pin.board
-eClassifiers["HeaderKind"] = HeaderKind
-eClass.eClassifiers.append(HeaderKind)
-eClassifiers["Meaning"] = Meaning
-eClass.eClassifiers.append(Meaning)
-eClassifiers["Direction"] = Direction
-eClass.eClassifiers.append(Direction)
-eClassifiers["SymbolKind"] = SymbolKind
-eClass.eClassifiers.append(SymbolKind)
-eClassifiers["AdapterKind"] = AdapterKind
-eClass.eClassifiers.append(AdapterKind)
+if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    PlatformRepository.platforms.eType = Platform
+    PlatformRepository.parts.eType = PartFact
+    Platform.headers.eType = Header
+    Platform.boards.eType = Board
+    Platform.libraries.eType = Library
+    Platform.adapters.eType = Adapter
+    Header.platform.eType = Platform
+    Header.functions.eType = ApiFunction
+    Header.symbols.eType = ApiSymbol
+    ApiFunction.header.eType = Header
+    ApiFunction.parameters.eType = ApiParameter
+    ApiFunction.conventions.eType = PinConvention
+    ApiSymbol.header.eType = Header
+    Board.pins.eType = Pin
+    Pin.board.eType = Board
+    Adapter.needs.eType = Adapter
+    Platform.headers.eOpposite = Header.platform
+    Header.functions.eOpposite = ApiFunction.header
+    Header.symbols.eOpposite = ApiSymbol.header
+    Board.pins.eOpposite = Pin.board
+    eClassifiers["HeaderKind"] = HeaderKind
+    eClass.eClassifiers.append(HeaderKind)
+    eClassifiers["Meaning"] = Meaning
+    eClass.eClassifiers.append(Meaning)
+    eClassifiers["Direction"] = Direction
+    eClass.eClassifiers.append(Direction)
+    eClassifiers["SymbolKind"] = SymbolKind
+    eClass.eClassifiers.append(SymbolKind)
+    eClassifiers["AdapterKind"] = AdapterKind
+    eClass.eClassifiers.append(AdapterKind)

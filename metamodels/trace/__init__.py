@@ -95,8 +95,9 @@ class TextTrace(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
-Trace.links.eType = TraceLink
-Trace.texts.eType = TextTrace
-TraceLink.sources.eType = EObject
-TraceLink.targets.eType = EObject
-TextTrace.elements.eType = EObject
+if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    Trace.links.eType = TraceLink
+    Trace.texts.eType = TextTrace
+    TraceLink.sources.eType = EObject
+    TraceLink.targets.eType = EObject
+    TextTrace.elements.eType = EObject

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
-from robosmi.model.files import digest
+from robosmi.model.files import digest, within
 
 NAME = ".robosmi.json"
 SCHEMA = "robosmi-manifest/1"
@@ -45,6 +45,8 @@ class Manifest:
             data = json.loads(path.read_text(encoding="utf-8"))
             files = {str(k): str(v) for k, v in data["files"].items()}
             choices = [str(c) for c in data.get("choices", ())]
+            if outside := [name for name in files if not within(name)]:
+                raise ValueError(f"'{outside[0]}' lies outside of the folder")
         except (OSError, ValueError, KeyError, AttributeError, TypeError) as error:
             raise SourceError(
                 f"the record of the last run cannot be read: {error}",

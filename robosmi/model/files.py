@@ -10,10 +10,10 @@ import os
 import shutil
 import tempfile
 from collections.abc import Mapping
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import InternalError, SourceError
 
 
 def digest(data: bytes) -> str:
@@ -47,25 +47,37 @@ def write_atomic(path: Path, data: bytes) -> None:
     """Write a file by way of a temporary one beside it; the old content stays until the new one is complete.
 
     Raises:
-        SourceError: the folder does not exist or may not be written.
+        SourceError: the path is no ordinary file, or may not be written.
     """
+    fix = "give another output path"
+    if path.exists() and not path.is_file():
+        raise SourceError("the output path is no ordinary file", location=Location(str(path)), fix=fix)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:
-        raise SourceError(f"cannot write here: {error.strerror}", location=Location(str(path)), fix="give another output path") from error
+        raise SourceError(f"cannot write here: {error.strerror}", location=Location(str(path)), fix=fix) from error
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
-    except BaseException:
+    except OSError as error:
+        raise SourceError(f"cannot write here: {error.strerror}", location=Location(str(path)), fix=fix) from error
+    finally:
         Path(temporary).unlink(missing_ok=True)
-        raise
+
+
+def within(name: str) -> bool:
+    """Whether a relative path stays in the folder it is relative to."""
+    path = PurePosixPath(name)
+    return bool(path.parts) and not path.is_absolute() and ".." not in path.parts
 
 
 def write_folder(folder: Path, contents: Mapping[str, bytes], obsolete: frozenset[str] = frozenset()) -> None:
-    """Put files into a folder: all are written to a temporary folder beside it first, then moved into place.
+    """Put files into a folder: all are written to a temporary folder first, then moved into place.
+
+    The temporary folder lies where moving is one step: beside a folder that is new, in one that is there.
 
     Args:
         folder: the folder; made when missing. Files in it that are not named stay where they are.
@@ -73,12 +85,16 @@ def write_folder(folder: Path, contents: Mapping[str, bytes], obsolete: frozense
         obsolete: relative paths of an earlier run that are removed.
 
     Raises:
-        SourceError: the folder may not be written, or is a file.
+        SourceError: the folder may not be written, is a file, or has something in the way of a file.
     """
     fix = "give another output folder"
+    if folder.exists() and not folder.is_dir():
+        raise SourceError("the output path is a file", location=Location(str(folder)), fix=fix)
+    for name in contents:
+        _check_place(folder, name, fix)
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
-        stage = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
+        stage = Path(tempfile.mkdtemp(prefix=".robosmi-", dir=folder if folder.is_dir() else folder.parent))
     except OSError as error:
         raise SourceError(f"cannot write here: {error.strerror}", location=Location(str(folder)), fix=fix) from error
     try:
@@ -91,8 +107,6 @@ def write_folder(folder: Path, contents: Mapping[str, bytes], obsolete: frozense
             staged.parent.mkdir(parents=True, exist_ok=True)
             staged.write_bytes(data)
             changed[name] = staged
-        if folder.exists() and not folder.is_dir():
-            raise SourceError("the output path is a file", location=Location(str(folder)), fix=fix)
         if not folder.exists():
             os.chmod(stage, 0o755)
             os.rename(stage, folder)
@@ -107,3 +121,17 @@ def write_folder(folder: Path, contents: Mapping[str, bytes], obsolete: frozense
         raise SourceError(f"cannot write here: {error.strerror}", location=Location(str(folder)), fix=fix) from error
     finally:
         shutil.rmtree(stage, ignore_errors=True)
+
+
+def _check_place(folder: Path, name: str, fix: str) -> None:
+    """Make sure that a file can be moved to its place, so that moving does not stop halfway."""
+    if not within(name):
+        raise InternalError(f"'{name}' would be written outside of the output folder '{folder}'")
+    target = folder / name
+    if target.is_dir():
+        raise SourceError("a folder stands where a file is to be written", location=Location(str(target)), fix=fix)
+    for parent in target.parents:
+        if parent == folder:
+            return
+        if parent.exists() and not parent.is_dir():
+            raise SourceError("a file stands where a folder is to be made", location=Location(str(parent)), fix=fix)

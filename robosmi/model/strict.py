@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from pyecore import ecore
+
 from robosmi.errors import ModelError, did_you_mean
 
 if TYPE_CHECKING:
@@ -37,11 +39,10 @@ if TYPE_CHECKING:
         value: int
 
 else:
-    from pyecore.ecore import EEnum, EEnumLiteral, EObject, EStructuralFeature
     from pyecore.innerutils import InternalSet
 
-    _Base = EObject
-    EnumLiteral = EEnumLiteral
+    _Base = ecore.EObject
+    EnumLiteral = ecore.EEnumLiteral
 
 
 class UnknownFeatureError(ModelError, AttributeError):
@@ -129,8 +130,8 @@ def _features(cls: type) -> dict[str, Any]:
         known = {}
         for base in reversed(cls.__mro__):
             for name, feature in base.__dict__.items():
-                if isinstance(feature, EStructuralFeature):
-                    known[name] = feature.eType if isinstance(feature.eType, EEnum) else None
+                if isinstance(feature, ecore.EStructuralFeature):
+                    known[name] = feature.eType if isinstance(feature.eType, ecore.EEnum) else None
         if getattr(cls, "eClass", None) is not None:
             _CACHE[cls] = known
     return known
@@ -149,7 +150,7 @@ if not TYPE_CHECKING:
 
     def enumeration(name: str, literals: dict[str, int]) -> Any:
         """An Ecore enumeration with these names and values (pyecoregen's own code would number them anew)."""
-        result = EEnum(name)
+        result = ecore.EEnum(name)
         for literal, value in literals.items():
-            result.eLiterals.append(EEnumLiteral(name=literal, value=value))
+            result.eLiterals.append(ecore.EEnumLiteral(name=literal, value=value))
         return result

@@ -75,7 +75,7 @@ class _Loader:
             raise SourceError(
                 f"not well-formed XML: {error.msg}", location=Location(str(path), error.lineno), fix="give a model in XMI"
             ) from error
-        if root.getroottree().docinfo.doctype:
+        if getattr(root.getroottree().docinfo, "doctype", ""):
             raise SourceError("a model with a DOCTYPE is refused", location=Location(str(path), 1), fix="remove the DOCTYPE")
         eclass = self._root_class(root, path)
         self.roots[path] = _MISSING

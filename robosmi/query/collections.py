@@ -7,7 +7,7 @@ Kolovos et al., "The Epsilon Object Language" (2006).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from typing import Any, Generic, TypeVar, overload
 
 T = TypeVar("T")
@@ -25,7 +25,7 @@ class Q(Sequence[T], Generic[T]):
     __slots__ = ("_items",)
 
     def __init__(self, items: Iterable[T] = ()) -> None:
-        self._items = items._items if isinstance(items, Q) else list(items)
+        self._items: list[T] = list(items)
 
     def __len__(self) -> int:
         return len(self._items)
@@ -92,7 +92,8 @@ class Q(Sequence[T], Generic[T]):
 
     def of_type(self, kind: type[R]) -> Q[R]:
         """The items that are instances of exactly that class."""
-        return Q(x for x in self._items if type(x) is kind)
+        same: list[Any] = [x for x in self._items if type(x) is kind]
+        return Q(same)
 
     def sort_by(self, key: Callable[[T], Any]) -> Q[T]:
         """The items sorted by a key; stable."""
@@ -111,13 +112,15 @@ class Q(Sequence[T], Generic[T]):
         The body may give one item, an iterable, or None. An item of the source is in the result only if it is reached.
         """
         found: dict[int, T] = {}
-        pending: list[T] = list(reversed(self._items))
-        while pending:
-            reached = body(pending.pop())
-            many = [] if reached is None else list(reached) if isinstance(reached, Iterable) and not isinstance(reached, str) else [reached]
-            fresh = [x for x in many if x is not None and id(x) not in found]
-            found.update((id(x), x) for x in fresh)
-            pending.extend(reversed(fresh))
+        for start in self._items:
+            pending: list[Iterator[T]] = [iter(_many(body(start)))]
+            while pending:
+                reached = next(pending[-1], None)
+                if reached is None:
+                    pending.pop()
+                elif id(reached) not in found:
+                    found[id(reached)] = reached
+                    pending.append(iter(_many(body(reached))))
         return Q(found.values())
 
     def flatten(self) -> Q[Any]:
@@ -138,3 +141,12 @@ class Q(Sequence[T], Generic[T]):
     def last(self) -> T | None:
         """The last item, or None when empty."""
         return self._items[-1] if self._items else None
+
+
+def _many(value: Any) -> list[Any]:
+    """What a closure's body gives, as a list without None."""
+    if value is None:
+        return []
+    if isinstance(value, Iterable) and not isinstance(value, str):
+        return [x for x in value if x is not None]
+    return [value]

@@ -6,19 +6,22 @@ be moved; read back, every source and model is held against its digest. No trans
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
-from robosmi.model.files import digest
+from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
 from robosmi.model.xmi_reader import read_models
 from robosmi.model.xmi_writer import to_xmi
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
 FOLDER = "models"
+SKETCH_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_]*")
+"""What the name of a sketch, and so of its folder and files, may be made of."""
 
 
 @dataclass
@@ -74,14 +77,18 @@ def load_models(path: Path) -> MigrationModels:
     if not isinstance(plan, migration.MigrationPlan):
         kind = type(plan).__name__
         raise SourceError(f"this model is a {kind}, not a migration plan", location=Location(str(path)), fix="give the plan.xmi of a migration")
+    if not SKETCH_NAME.fullmatch(plan.name):
+        raise SourceError(
+            f"'{plan.name}' cannot be a sketch's name", location=Location(str(path)), fix="use letters, digits and underscores in the plan's name"
+        )
     files: dict[str, bytes] = {}
     for entry in plan.inputs:
         data = _checked(path, entry)
         if entry.path not in roots:
             files[entry.path] = data
     program, repository = plan.program, _repository(plan)
-    if program is None or repository is None:
-        missing = "program" if program is None else "target platform"
+    if program is None or repository is None or plan.board is None:
+        missing = "program" if program is None else "target platform" if repository is None else "target board"
         raise SourceError(f"the plan has no {missing}", location=Location(str(path)), fix="make the plan again with migrate")
     for unit in program.units:
         if unit.path not in files:
@@ -94,6 +101,8 @@ def load_models(path: Path) -> MigrationModels:
 
 def _checked(path: Path, entry: migration.Input) -> bytes:
     file = path.parent / entry.path
+    if not within(entry.path):
+        raise SourceError(f"the plan's {entry.kind} lies outside of its folder", location=Location(str(file)), fix="make the plan again with migrate")
     try:
         data = file.read_bytes()
     except OSError as error:

@@ -100,7 +100,7 @@ def produce(models: MigrationModels, output: Path, *, inputs: Iterable[str] = ()
     Args:
         models: complete models.
         output: the output folder.
-        inputs: files in it that this run has read, which therefore need no guard.
+        inputs: files in it that this run has read, whose edits are therefore in what it makes.
         dry_run: write nothing.
         strict: stop when a choice is open.
 
@@ -120,11 +120,14 @@ def produce(models: MigrationModels, output: Path, *, inputs: Iterable[str] = ()
     contents = {file.path: file.text().encode() for file in generator(plan, models.files)}
     contents |= {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
     manifest = Manifest.load(output)
-    obsolete = manifest.guard(output, contents, inputs=inputs)
+    exempt = tuple(inputs)
+    obsolete = manifest.guard(output, contents, inputs=exempt)
     by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
     if not dry_run:
-        record = Manifest.of(contents, by_person).to_bytes()
-        write_folder(output, {**contents, MANIFEST: record}, obsolete)
+        record = Manifest.of(contents, by_person)
+        # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
+        record.files |= {name: manifest.files[name] for name in exempt if name in manifest.files}
+        write_folder(output, {**contents, MANIFEST: record.to_bytes()}, obsolete)
     return Generated(models, output, contents, not dry_run, [c for key, c in by_person.items() if key not in manifest.choices])
 
 

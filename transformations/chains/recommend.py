@@ -16,6 +16,7 @@ from robosmi.recommend.history import History
 from robosmi.recommend.ranking import Recommendation
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.m2m.library_choice import component_query
+from robosmi.transformations.queries.circuit import boards, the_board
 from robosmi.transformations.t2m.target_platform import target_facts
 
 
@@ -60,7 +61,7 @@ def recommend(
         roles: COMPONENT -> role, as the project file says.
 
     Raises:
-        SourceError: the input cannot be read.
+        SourceError: the input cannot be read, or is a drawing without a board.
         UsageError: there is no such ranker or target.
     """
     findings: list[Finding] = []
@@ -69,6 +70,8 @@ def recommend(
     else:
         assert sketch is not None
         drawing = read_drawing(sketch, roles or {})
+        if not boards(drawing.circuit):
+            the_board(drawing.circuit)  # says what is missing
         findings = drawing.findings
         reached = Q(drawing.connections).collect(lambda c: c.component).select(lambda c: c is not None).distinct()
         queries = [component_query(c) for c in reached if c is not None]

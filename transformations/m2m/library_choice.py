@@ -32,9 +32,9 @@ def component_query(component: hardware.Component) -> ComponentQuery:
 
 @dataclass
 class LibraryModels:
-    """Library elements of the platform model by name, made when first named."""
+    """Library elements of the target's platform model by name, made when first named."""
 
-    platform: str
+    target: str
     elements: dict[str, platform.Library] = field(default_factory=dict)
     _index: LibraryIndex | None = None
 
@@ -46,7 +46,7 @@ class LibraryModels:
         """
         if name not in self.elements:
             if self._index is None:
-                self._index = library_index(self.platform)
+                self._index = library_index(self.target)
             facts = library_in(self._index, name)
             name = facts.name  # as the index writes it
             if name not in self.elements:

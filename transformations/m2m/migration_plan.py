@@ -100,7 +100,7 @@ def make_plan(
     libraries = LibraryModels(target.platform)
     library_choices = []
     if drawn is not None:
-        reached = list(Q(connections).select(lambda c: c.component is not None).collect(lambda c: c.component).distinct())
+        reached = [c for c in Q(connections).collect(lambda c: c.component).distinct() if c is not None]
         library_choices = choose_libraries(drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates)
         for choice in library_choices:
             trace.link("library ranking", "libraries", [choice.component], [choice])

@@ -165,7 +165,7 @@ class ApiIndex:
         return self.header_kind(entry.header) or "platform" if entry.header else "platform"
 
     def signature(self, name: str, entry: Entry) -> str:
-        """Return type, name and parameters of a function, name and parentheses of a function-like macro, type and name of others."""
+        """Return type, name and parameters of a function; `name(...)` for a function-like macro; type and name of others."""
         if entry.kind == "function":
             return f"{entry.detail}{'' if entry.detail.endswith('*') else ' '}{name}{entry.parameters}"
         if entry.kind == "function_macro":

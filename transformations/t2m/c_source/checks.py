@@ -27,7 +27,8 @@ def refuse_other_languages(parsed: Parsed) -> None:
     Raises:
         SourceError: the text is not C.
     """
-    errors = [d for d in parsed.first_diagnostics if d.offset >= 0 and not d.message.endswith("file not found")]
+    both = [*parsed.first_diagnostics, *parsed.diagnostics]
+    errors = [d for d in both if d.offset >= 0 and not d.message.endswith("file not found")]
     syntax = [d for d in errors if d.syntax]
     if not syntax:
         return

@@ -24,12 +24,20 @@ def group(context: Context, nodes: Sequence[Node]) -> list[ccode.Declaration]:
     made: list[ccode.Declaration] = []
     for node in nodes:
         builder = BUILDERS.get(node.kind)
-        if builder is not None:
+        if builder is not None and not (node.kind in (2, 3, 4, 5) and _only_named(context, node)):
             element = builder(context, node)
             if starts[node.start] > 1 and isinstance(element, ccode.Variable):
                 element.shared = True
             made.append(element)
     return made
+
+
+def _only_named(context: Context, node: Node) -> bool:
+    """Whether a record or enumeration is first named in another declaration, as in `struct unknown x;`."""
+    if context.lib.isCursorDefinition(node.cursor):
+        return False
+    i = context.token_at(node.end)
+    return not (i < len(context.tokens) and context.tokens[i][3] == ";")
 
 
 def _function(context: Context, node: Node) -> ccode.Declaration:

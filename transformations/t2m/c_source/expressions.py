@@ -38,16 +38,16 @@ BINARY_OPERATORS = (
 
 def expression(context: Context, node: Node) -> ccode.Expression:
     """The element for an expression's cursor."""
-    while node.kind in (UNEXPOSED, PAREN) and len(node.children) == 1:
-        node = node.children[0]
     if context.depth > MAX_DEPTH:
         return too_deep(context, node)
     context.depth += 1
     try:
-        if node.from_macro:
-            found = macros.from_macro(context, node, expression)
-            if found is not None:
+        while True:
+            if node.from_macro and (found := macros.from_macro(context, node, expression)) is not None:
                 return found
+            if node.kind not in (UNEXPOSED, PAREN) or len(node.children) != 1:
+                break
+            node = node.children[0]
         builder = BUILDERS.get(node.kind)
         return (builder and builder(context, node)) or unknown(context, node)
     finally:

@@ -1,7 +1,8 @@
 """Parsing one text with libclang: arguments, virtual headers, the prelude loop, diagnostics, and the file's top level.
 
 The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). At most three parses: the second with
-declarations for undeclared names (`prelude`), the third for names that only then came to light.
+declarations for undeclared names (`prelude`), the third for names that only then came to light; one more where a semicolon is
+missing, which takes the place of a blank in the parser's copy (the complaint about it stays).
 """
 
 from __future__ import annotations
@@ -130,6 +131,7 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
         prelude.always.append("#include <stdarg.h>")
     first: list[Diagnostic] = []
+    mended: list[Diagnostic] = []
     number = 0
     while True:
         number += 1
@@ -146,7 +148,13 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
             if prelude.collect((d.message for d in diagnostics if d.severity >= 3), source.tokens, own):
                 clang.library().disposeTranslationUnit(unit)
                 continue
-        break
+        gaps = [] if mended else _missing_semicolons(source, diagnostics)
+        if not gaps:
+            break
+        mended = gaps
+        source.parsed = _mend(source.parsed, [d.offset for d in gaps])
+        number = min(number, MAX_PARSES - 1)
+        clang.library().disposeTranslationUnit(unit)
     nodes = reader.read()
     return Parsed(
         source,
@@ -155,13 +163,26 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         reader.expansions,
         reader.skipped(),
         clang.inclusions(unit),
-        diagnostics,
+        [*mended, *diagnostics],
         first,
         prelude,
         number,
         reader,
         reader.cut,
     )
+
+
+def _missing_semicolons(source: SourceText, diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+    """Complaints about a semicolon that can be put in place of a blank, so that the next statement is not lost with it."""
+    found = [d for d in diagnostics if d.offset >= 0 and d.message.startswith("expected ';'")]
+    return [d for d in found if source.parsed[d.offset : d.offset + 1].isspace()]
+
+
+def _mend(data: bytes, offsets: list[int]) -> bytes:
+    result = bytearray(data)
+    for offset in offsets:
+        result[offset] = ord(";")
+    return bytes(result)
 
 
 def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:

@@ -1,0 +1,140 @@
+"""Migrate and compile every program of a corpus, without a drawing, and print what became of them.
+
+Usage: python -m tests.corpus.migrate_corpus FOLDER [--keep OUT] [--only TEXT]. A program is a .c file with a main; the .c
+files beside it without one belong to it only if its folder has no other program. Run by hand, and by `test_corpus.py`
+where ROBOSMI_CORPUS names such a folder. A traceback, ModelError or InternalError here is a fault of ours.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import tempfile
+import traceback
+from collections import Counter
+from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from robosmi.diagnostics import Severity
+from robosmi.errors import InternalError, ModelError, RobosmiError
+
+_MAIN = re.compile(rb"^[^\S\n]*(?:int|void)\s+main\s*\(", re.MULTILINE)
+_QUOTED = re.compile(r"['‘][^'’]*['’]")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one program.
+
+    Attributes:
+        path: its source file, relative to the corpus.
+        state: compiled, not-compiled, refused (a message of ours that names the user's fault) or crashed.
+        errors, warnings: messages of the compiler about the sketch, each once.
+        message: why it was refused or crashed.
+        lost: elements without a disposition, or with more than one.
+    """
+
+    path: str
+    state: str
+    errors: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+    message: str = ""
+    lost: int = 0
+
+
+@dataclass
+class Table:
+    """The outcomes of a run."""
+
+    outcomes: list[Outcome] = field(default_factory=list)
+
+    def count(self, state: str) -> int:
+        """How many programs ended in a state."""
+        return sum(o.state == state for o in self.outcomes)
+
+    def crashed(self) -> list[Outcome]:
+        """The programs that showed a fault of ours."""
+        return [o for o in self.outcomes if o.state == "crashed"]
+
+    def lines(self) -> list[str]:
+        """The table as text."""
+        migrated = self.count("compiled") + self.count("not-compiled")
+        total = len(self.outcomes)
+        lines = [
+            f"programs {total}: migrated {migrated}, compiled {self.count('compiled')}, refused {self.count('refused')}, crashed {self.count('crashed')}",
+            f"warnings in the sketch: {sum(len(o.warnings) for o in self.outcomes)} in {sum(bool(o.warnings) for o in self.outcomes)} programs; "
+            f"elements without exactly one verdict: {sum(o.lost for o in self.outcomes)}",
+        ]
+        for title, kinds in (("errors", [o.errors for o in self.outcomes]), ("warnings", [o.warnings for o in self.outcomes])):
+            counts = Counter(_QUOTED.sub("'...'", m.partition(": ")[2]) for messages in kinds for m in messages)
+            lines += [f"{title} by kind:", *(f"  {count:4} {kind}" for kind, count in counts.most_common(40))] if counts else []
+        for outcome in sorted(self.outcomes, key=lambda o: o.path):
+            if outcome.state != "compiled":
+                lines.append(f"{outcome.state}: {outcome.path} {outcome.message}".rstrip())
+                lines += [f"    {error}" for error in outcome.errors[:6]]
+        return lines
+
+
+def programs(folder: Path) -> list[tuple[Path, ...]]:
+    """The programs of a folder: the file with main first, then the units that belong to it."""
+    mains, others = {}, {}
+    for path in sorted(folder.rglob("*.c")):
+        (mains if _MAIN.search(path.read_bytes()) else others).setdefault(path.parent, []).append(path)
+    return [(path, *(others.get(parent, []) if len(paths) == 1 else [])) for parent, paths in mains.items() for path in paths]
+
+
+def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
+    """Migrate and compile one program."""
+    import robosmi
+    from tests.transformations.m2t.truth import verdict_faults
+
+    path = str(files[0].relative_to(corpus))
+    try:
+        made = robosmi.migrate(list(files), output)
+    except (InternalError, ModelError) as error:
+        return Outcome(path, "crashed", message=str(error))
+    except RobosmiError as error:
+        return Outcome(path, "refused", message=str(error))
+    except Exception:
+        return Outcome(path, "crashed", message=traceback.format_exc())
+    report = robosmi.compile_sketch(output)
+    said = {s: [] for s in Severity}
+    for finding in report.diagnostics:
+        place = f"{Path(finding.location.path).name}:{finding.location.line}: " if finding.location else "?: "
+        if finding.rule in ("RS801", "RS802", "RS803", "RS804"):
+            said[finding.severity].append(place + finding.message)
+    errors, warnings = tuple(dict.fromkeys(said[Severity.error])), tuple(dict.fromkeys(said[Severity.warning]))
+    return Outcome(path, "compiled" if report.ok else "not-compiled", errors, warnings, lost=len(verdict_faults(made.models.plan)))
+
+
+def run(corpus: Path, keep: Path | None = None, only: str = "", workers: int = 2) -> Table:
+    """Migrate and compile all programs of a corpus.
+
+    Args:
+        corpus: the folder.
+        keep: where sketches are kept; a temporary folder if None.
+        only: programs whose path contains this.
+        workers: processes.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        chosen: Iterable[tuple[Path, ...]] = [p for p in programs(corpus) if only in str(p[0])]
+        base = keep or Path(scratch)
+        with ProcessPoolExecutor(workers) as pool:
+            jobs = [pool.submit(outcome, files, corpus, base / f"{number:03}") for number, files in enumerate(chosen)]
+            return Table([job.result() for job in jobs])
+
+
+def main() -> None:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("corpus", type=Path)
+    parser.add_argument("--keep", type=Path)
+    parser.add_argument("--only", default="")
+    arguments = parser.parse_args()
+    print("\n".join(run(arguments.corpus, arguments.keep, arguments.only).lines()))
+
+
+if __name__ == "__main__":
+    main()

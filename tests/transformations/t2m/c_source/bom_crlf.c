@@ -1,0 +1,7 @@
+﻿#include "simpletools.h"
+// Grüße
+int main()
+{
+  print("ü\n");
+  pause(5);
+}

@@ -1,0 +1,6 @@
+// 20 °C
+int main()
+{
+  print("°C");
+  high(3);
+}
