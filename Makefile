@@ -7,7 +7,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-.PHONY: demo test lint bench wheel metamodels system-packages clean
+.PHONY: demo test lint bench wheel readme metamodels system-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -33,6 +33,9 @@ bench: $(VENV)/.ready
 
 wheel:
 	@sh .ci/wheel
+
+readme: $(VENV)/.ready
+	$(BIN)/python tests/readme_tour.py
 
 metamodels: $(VENV)/.ready
 	$(BIN)/python -m robosmi.model.codegen

@@ -9,8 +9,8 @@ from __future__ import annotations
 from robosmi.plugins import Registry
 
 _CONTENT = {
-    ("reader", "c_source"): "t2m.c_source:read_program",
-    ("reader", "fritzing"): "t2m.fritzing:read_circuit",
+    ("program reader", "c_source"): "t2m.c_source:read_program",
+    ("drawing reader", "fritzing"): "t2m.fritzing:read_circuit",
     ("ranker", "tfidf"): "m2m.library_ranking:tfidf_ranker",
     ("generator", "arduino_sketch"): "m2t.arduino_sketch:generate",
     ("chain", "analyse"): "chains.analyse:analyse",

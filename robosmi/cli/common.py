@@ -1,4 +1,4 @@
-"""What several commands share: options, pairs `NAME=VALUE`, the project file's place, inputs read by their ending."""
+"""What several commands share: options, pairs `NAME=VALUE`, the project file's place, models stored where the user wants them."""
 
 from __future__ import annotations
 
@@ -6,10 +6,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Location
-from robosmi.errors import SourceError, UsageError
-from robosmi.plugins import content
-from robosmi.project import Project, defaults, load_project
+from robosmi.errors import UsageError
+from robosmi.project import Project, load_project
 
 
 def add_source_options(parser: argparse.ArgumentParser) -> None:
@@ -39,20 +37,6 @@ def pairs(texts: list[str], option: str) -> dict[str, str]:
 def project_of(first: Path) -> Project:
     """The project file beside an input."""
     return load_project(first.parent if first.parent.parts else Path())
-
-
-def reader_for(path: Path) -> Any:
-    """The registered reader for a file's ending.
-
-    Raises:
-        SourceError: no reader takes such a file.
-    """
-    readers = defaults()["readers"]
-    name = readers.get(path.suffix.lower())
-    if name is None:
-        known = ", ".join(sorted(readers))
-        raise SourceError(f"no reader takes a '{path.suffix or path.name}' file", location=Location(str(path)), fix=f"give one of: {known}")
-    return content("reader", name)
 
 
 def write_model(root: Any, path: Path) -> dict[str, str]:

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import io
 import json
 import os
 import sys
+import time
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
@@ -90,8 +92,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns:
         The exit code of the contract.
     """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # a file name may hold what the terminal cannot show
     words = list(sys.argv[1:] if arguments is None else arguments)
-    as_json = "--json" in words
+    as_json, started = "--json" in words, time.perf_counter()
     name = next((w for w in words if not w.startswith("-")), "")
     try:
         if name and name not in COMMANDS:
@@ -101,7 +106,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parsed = build_parser(name).parse_args(words)
         return _run(parsed)
     except RobosmiError as error:
-        return _failed(error, name, as_json)
+        return _failed(error, name, as_json, started)
     except KeyboardInterrupt:
         print("robosmi: interrupted", file=sys.stderr)
         return 130
@@ -114,7 +119,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         bug = InternalError(
             f"{type(error).__name__}: {error}", fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened"
         )
-        return _failed(bug, name, as_json)
+        return _failed(bug, name, as_json, started)
 
 
 def _run(parsed: argparse.Namespace) -> int:
@@ -129,13 +134,13 @@ def _run(parsed: argparse.Namespace) -> int:
     return int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
 
 
-def _failed(error: RobosmiError, command: str, as_json: bool) -> int:
+def _failed(error: RobosmiError, command: str, as_json: bool, started: float) -> int:
     if as_json:
         rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
         finding = Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
         document = {
             "schema": "robosmi/1", "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
-            "artifacts": [], "timings": {},
+            "artifacts": [], "timings": {"total_s": round(time.perf_counter() - started, 6)},
         }  # fmt: skip
         _print_json(document)
     print(f"robosmi: error: {error}", file=sys.stderr)
@@ -143,7 +148,8 @@ def _failed(error: RobosmiError, command: str, as_json: bool) -> int:
 
 
 def _print_json(document: dict[str, Any]) -> None:
-    print(json.dumps(document, indent=1, ensure_ascii=False))
+    plain = (sys.stdout.encoding or "").lower().replace("-", "") != "utf8"
+    print(json.dumps(document, indent=1, ensure_ascii=plain))
 
 
 if __name__ == "__main__":

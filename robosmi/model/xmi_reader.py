@@ -7,6 +7,7 @@ reported together. Which metamodels there are is `metamodels`' business.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from robosmi.model.metamodels import Metamodels
 XSI = "{http://www.w3.org/2001/XMLSchema-instance}"
 XMI = "{http://www.omg.org/XMI}"
 _MISSING: Any = object()
+_WHOLE = re.compile(r"[+-]?[0-9]+")
 
 
 def read_models(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
@@ -133,6 +135,9 @@ class _Loader:
             else:
                 links = [str(n.get("href") or n.text or "") for n in nodes]
                 self.pending.append((path, nodes[0].sourceline, element, feature, links))
+        for name in _required(cls):
+            if name not in node.attrib and name not in children:
+                self._problem(path, line, f"{cls.__name__} has no '{name}', which it needs")
         return element
 
     def _child(self, node: Any, feature: Any, path: Path) -> Any:
@@ -167,12 +172,8 @@ class _Loader:
             for link in links:
                 file, _, fragment = link.partition("#") if "#" in link else ("", "", link)
                 target_path = (path.parent / unquote(file)).resolve() if file else path
-                try:
-                    self.load(target_path, Location(str(path), line))
-                    target = resolve(self.roots[target_path], fragment)
-                except SourceError as error:
-                    self._problem(path, line, error.message)
-                    continue
+                self.load(target_path, Location(str(path), line))
+                target = resolve(self.roots[target_path], fragment)
                 if target is None:
                     self._problem(path, line, f"{type(element).__name__}.{feature.name}: '{link}' leads to nothing")
                 else:
@@ -224,6 +225,22 @@ def _feature_names(cls: type) -> list[str]:
     return sorted(_features(cls))
 
 
+_REQUIRED: dict[type, list[str]] = {}
+
+
+def _required(cls: type) -> list[str]:
+    """The features that an element must have, as EMF has it: a lower bound, and no default value to fall back on."""
+    found = _REQUIRED.get(cls)
+    if found is None:
+        features = _features(cls).values()
+        found = _REQUIRED[cls] = [
+            f.name
+            for f in features
+            if f.lowerBound > 0 and not f.derived and not f.transient and not (f.is_attribute and f.get_default_value() is not None)
+        ]
+    return found
+
+
 def _value(kind: Any, text: str) -> Any:
     """The value of an attribute's text.
 
@@ -239,11 +256,16 @@ def _value(kind: Any, text: str) -> Any:
         return literal
     name = kind.name
     if name in ("EInt", "ELong", "EShort"):
+        if not _WHOLE.fullmatch(text):
+            raise ValueError(f"'{text}' is no whole number")
         return int(text)
     if name == "EBoolean":
         if text not in ("true", "false"):
             raise ValueError(f"'{text}' is neither true nor false")
         return text == "true"
     if name in ("EDouble", "EFloat"):
-        return float(text.replace("Infinity", "inf"))
+        try:
+            return float(text.replace("Infinity", "inf"))
+        except ValueError:
+            raise ValueError(f"'{text}' is no number") from None
     return text

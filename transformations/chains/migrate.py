@@ -21,7 +21,9 @@ from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.reading import read_drawing, read_program
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
+from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.circuit import the_board
+from robosmi.transformations.queries.code import views
 from robosmi.transformations.t2m.boards import load_board
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.target_platform import target_facts
@@ -63,6 +65,9 @@ def plan_migration(
     drawing_path = Path(hardware) if hardware is not None else project.hardware
     program, findings = read_program(paths, platform_name, include_dirs, defines)
     main = _the_main(program)
+    api = ApiIndex.load(platform_name)
+    for view in views(program, api):
+        findings = [*findings, *library_cogs(view), *unknown_functions(view)]
     drawn, board, stored = None, None, {}
     places = _store_units(program)
     for path in paths:
@@ -95,7 +100,7 @@ def plan_migration(
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     ranker = content("ranker", defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
     plan, repository = make_plan(
-        _sketch_name(main), __version__, program, drawn, board or load_board(facts.board), ApiIndex.load(platform_name), facts, choices, ranker,
+        _sketch_name(main), __version__, program, drawn, board or load_board(facts.board), api, facts, choices, ranker,
         History(), stored, findings, places,
     )  # fmt: skip
     return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})

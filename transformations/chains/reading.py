@@ -5,33 +5,39 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+from robosmi import resources
 from robosmi.diagnostics import Finding, Location
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import ccode, hardware, migration, platform
-from robosmi.plugins import content
+from robosmi.plugins import content, registry
 from robosmi.project import defaults
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 from robosmi.transformations.t2m.boards import drawn_board, load_board
 
 
-def reader_for(path: Path, fallback: str | None = None) -> object:
+def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:
     """The registered reader for a file's ending.
 
     Args:
         path: the file.
+        kind: `program reader` or `drawing reader`.
         fallback: the reader's name for endings nobody knows; None to refuse them.
 
     Raises:
-        SourceError: no reader takes such a file.
+        SourceError: no reader of that kind takes such a file.
     """
     readers = defaults()["readers"]
     name = readers.get(path.suffix.lower(), fallback)
-    if name is None:
-        known = ", ".join(sorted(readers))
-        raise SourceError(f"no reader takes a '{path.suffix or path.name}' file", location=Location(str(path)), fix=f"give one of: {known}")
-    return content("reader", name)
+    known = registry().names(kind)
+    if name not in known:
+        endings = ", ".join(sorted(ending for ending, reader in readers.items() if reader in known))
+        raise SourceError(
+            f"no {kind} takes a '{path.suffix or path.name}' file", location=Location(str(path)), fix=f"give one of: {endings}"
+        )
+    return content(kind, name)
 
 
 def read_program(
@@ -40,19 +46,31 @@ def read_program(
     """Read the source files of one program.
 
     Raises:
-        SourceError: a file cannot be read as a program.
-        UsageError: a file is given twice.
+        SourceError: a file cannot be read as a program, or is of another kind than the first.
+        UsageError: a file is given twice, or there is no such platform.
     """
+    platforms = source_platforms()
+    if platform_name not in platforms:
+        raise UsageError(
+            f"no source platform is called '{platform_name}'{did_you_mean(platform_name, platforms)}", fix=f"use one of: {', '.join(platforms)}"
+        )
     seen: set[Path] = set()
-    for path in paths:
+    readers = [reader_for(path, "program reader", "c_source") for path in paths]
+    for path, reader in zip(paths, readers, strict=True):
         if path.resolve() in seen:
             raise UsageError(f"'{path}' is given twice", fix="give each source file once")
         seen.add(path.resolve())
-    read = content("reader", defaults()["readers"].get(paths[0].suffix.lower(), "c_source"))
+        if reader is not readers[0]:
+            raise SourceError("this file is in another language than the first", location=Location(str(path)), fix="give files of one language")
     program: ccode.Program
     findings: list[Finding]
-    program, findings = read(paths, platform=platform_name, include_dirs=include_dirs, defines=defines)
+    program, findings = readers[0](paths, platform=platform_name, include_dirs=include_dirs, defines=defines)
     return program, findings
+
+
+def source_platforms() -> list[str]:
+    """The platforms whose API the repository knows, sorted."""
+    return sorted({api.parent.name for folder in resources.folders("platform_repo") for api in folder.glob("*/api.json")})
 
 
 @dataclass(frozen=True)
@@ -83,9 +101,8 @@ def read_drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
         SourceError: it cannot be read.
         UsageError: a role or component does not exist.
     """
-    read = reader_for(path)
     circuit: hardware.Circuit
-    circuit, findings = read(path, roles=roles)  # type: ignore[operator]
+    circuit, findings = reader_for(path, "drawing reader")(path, roles=roles)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
         drawn = drawn_board(board.partId, circuit.tool.lower())

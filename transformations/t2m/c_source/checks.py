@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.parsing import Parsed
 
 _HINTS = {
@@ -45,7 +46,9 @@ def refuse_other_languages(parsed: Parsed) -> None:
         for n in parsed.nodes
         if n.kind == 8 and any(c.kind == 202 for c in n.children) and survives(n.start, n.start + 1, n.kind)
     ]
-    whole = [n for n in parsed.nodes if survives(n.start, n.end, n.kind) and not any(n.start <= o <= n.end for o in damaged)]
+    reader, location = parsed.reader, clang.library().getCursorLocation
+    typed = [n for n in parsed.nodes if n.kind != 9 or reader.offset(location(n.cursor)) > n.start]  # `x = 3` alone is no C
+    whole = [n for n in typed if survives(n.start, n.end, n.kind) and not any(n.start <= o <= n.end for o in damaged)]
     if bodies or whole:
         return
     source = parsed.source

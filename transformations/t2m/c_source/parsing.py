@@ -143,11 +143,10 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         diagnostics = _diagnostics(unit, reader)
         if number == 1:
             first = diagnostics
-        if number < MAX_PARSES and any(d.severity >= 3 for d in diagnostics):
-            own = reader.own_names()
-            if prelude.collect((d.message for d in diagnostics if d.severity >= 3), source.tokens, own):
-                clang.library().disposeTranslationUnit(unit)
-                continue
+        messages = [d.message for d in diagnostics if d.severity >= 3]
+        if number < MAX_PARSES and messages and prelude.collect(messages, source.tokens, reader.own_names):
+            clang.library().disposeTranslationUnit(unit)
+            continue
         gaps = [] if mended else _missing_semicolons(source, diagnostics)
         if not gaps:
             break

@@ -83,13 +83,13 @@ class Prelude:
     always: list[str] = field(default_factory=list)
     _fixed: set[str] = field(default_factory=set)
 
-    def collect(self, messages: Iterable[str], tokens: list[Token], own: dict[str, str]) -> bool:
+    def collect(self, messages: Iterable[str], tokens: list[Token], own_names: Callable[[], dict[str, str]]) -> bool:
         """Take over what the diagnostics complain about.
 
         Args:
             messages: diagnostics of the last parse.
             tokens: of the text.
-            own: names that the text itself declares at file scope, with `function`, `variable` or `type`.
+            own_names: gives the names that the text itself declares at file scope, with `function`, `variable` or `type`.
 
         Returns:
             Whether anything is new, so that another parse is worth while.
@@ -108,7 +108,7 @@ class Prelude:
                 scalar.add(name)
         if not names and not new and not scalar:
             return False
-        uses = _Uses(tokens)
+        uses, own = _Uses(tokens), own_names()
         for name in scalar - self._fixed:
             if self.types.get(name) and not uses.record_values(name):  # calculated with: no record after all
                 self.types[name] = False

@@ -26,7 +26,7 @@ def read(
     macros: list[ccode.Macro] = []
     conditionals: list[ccode.PreprocessorConditional] = []
     comments: list[ccode.Comment] = []
-    found = _found_headers(context)
+    headers = _Headers(context)
     place = context.source.place
     for kind, start, end, text in context.source.tokens:
         if kind == "comment":
@@ -46,7 +46,9 @@ def read(
             match = _INCLUDE.match(rest)
             name = match["name"].strip() if match else rest
             system = bool(match and match["form"] == "<")
-            includes.append(ccode.Include(header=name, system=system or None, resolvedPath=found.get(name), **place(start, end)))
+            includes.append(
+                ccode.Include(header=name, system=system or None, resolvedPath=headers.path(name), **place(start, end))
+            )
         elif word == "define":
             name, parameters, body = definition_parts(rest)
             if name:
@@ -58,14 +60,17 @@ def read(
     return includes, macros, conditionals, comments
 
 
-def _found_headers(context: Context) -> dict[str, str]:
-    """Name as included -> path of the file that was read; our own standard headers have no path."""
-    result: dict[str, str] = {}
-    for path in context.parsed.inclusions:
-        if path.startswith(HEADERS) or os.path.abspath(path) == os.path.abspath(context.source.path):
-            continue
-        absolute = os.path.abspath(path)
+class _Headers:
+    """Which file an include means; our own standard headers have no path."""
+
+    def __init__(self, context: Context) -> None:
         own = os.path.dirname(os.path.abspath(context.source.path))
-        for folder in (own, *context.include_dirs):
-            result.setdefault(os.path.relpath(absolute, folder).replace(os.sep, "/"), path)
-    return result
+        self._folders = (own, *context.include_dirs)
+        self._read = {os.path.abspath(p): p for p in context.parsed.inclusions[1:] if not p.startswith(HEADERS)}
+
+    def path(self, name: str) -> str | None:
+        """The path of the file that was read for a name, None when none was."""
+        if not self._read:
+            return None
+        candidates = (os.path.abspath(os.path.join(folder, name)) for folder in self._folders)
+        return next((self._read[c] for c in candidates if c in self._read), None)

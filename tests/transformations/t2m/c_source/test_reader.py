@@ -19,8 +19,8 @@ def calls(program: Any) -> list[str]:
     return [str(c.calleeName) for c in all_of_kind(program, ccode.Call)]
 
 
-def named(program: Any, kind: type, name: str) -> Any:
-    return next(e for e in all_of_kind(program, kind) if e.name == name)
+def named(program: Any, kind: Any, name: str) -> Any:
+    return next(e for e in all_contents(program) if isinstance(e, kind) and e.name == name)
 
 
 @pytest.mark.parametrize("path", sorted((HERE / "vanishing").glob("*.c")), ids=lambda p: p.stem)
@@ -156,4 +156,5 @@ def test_units_are_linked_with_each_other(tmp_path: Path) -> None:
     program, _ = read_program([tmp_path / "main.c", tmp_path / "blink.c"])
     blink, hidden = all_of_kind(program.units[0], ccode.Call)
     assert blink.callee is named(program.units[1], ccode.Function, "blink")
+    assert hidden.callee is not None
     assert hidden.callee.linkage is ccode.Linkage.inferred

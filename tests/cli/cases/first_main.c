@@ -1,0 +1,6 @@
+#include "simpletools.h"
+
+int main() {
+  while (1)
+    high(3);
+}

@@ -1,0 +1,5 @@
+#include "simpletools.h"
+
+int brightness(int pin) {
+  return input(pin);
+}

@@ -1,0 +1,2 @@
+This is no program but a letter.
+It has two lines, and that is all.
