@@ -41,7 +41,7 @@ __all__ = [
     "save_model",
 ]
 
-_PLACES = {name: "robosmi.api" for name in __all__} | {"load_model": "robosmi.model", "save_model": "robosmi.model"}
+_PLACES = dict.fromkeys(__all__, "robosmi.api") | {"load_model": "robosmi.model", "save_model": "robosmi.model"}
 
 
 def __getattr__(name: str) -> Any:

@@ -14,7 +14,9 @@ from robosmi.plugins import content
 from robosmi.project import defaults
 
 
-def load_code(*files: str | Path, source_platform: str | None = None, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()) -> Any:
+def load_code(
+    *files: str | Path, source_platform: str | None = None, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()
+) -> Any:
     """Read the source files of one program.
 
     Args:
@@ -51,7 +53,11 @@ def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None)
 
 
 def recommend_libraries(
-    sketch: str | Path | None = None, *, components: str | Path | None = None, ranker: str | None = None, target: str | None = None
+    sketch: str | Path | None = None,
+    *,
+    components: str | Path | None = None,
+    ranker: str | None = None,
+    target: str | None = None,
 ) -> Any:
     """Rank libraries for the components of a drawing, or for components listed in a JSON file.
 

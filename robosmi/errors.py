@@ -57,7 +57,7 @@ class PlatformDataError(RobosmiError):
 
 
 class ModelError(RobosmiError):
-    """A model or metamodel is used against its definition: unknown feature, wrong kind of value, dangling reference (exit code 3)."""
+    """A model or metamodel is used against its definition: unknown feature, wrong value, dangling reference (exit code 3)."""
 
     exit_code = 3
 

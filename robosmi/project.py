@@ -72,14 +72,20 @@ def load_project(folder: Path) -> Project:
     try:
         data = tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
-        raise SourceError(f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)") from error
+        raise SourceError(
+            f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)"
+        ) from error
     _known(path, data, _TABLES, "table")
     migrate = _table(path, data, "migrate")
     _known(path, migrate, _MIGRATE, "key in [migrate]")
     severity = _table(path, data, "severity")
     for rule, level in severity.items():
         if level not in LEVELS:
-            raise _wrong(path, f"[severity] {rule} = '{level}' is no level{did_you_mean(level, LEVELS)}", f"use one of: {', '.join(LEVELS)}")
+            raise _wrong(
+                path,
+                f"[severity] {rule} = '{level}' is no level{did_you_mean(level, LEVELS)}",
+                f"use one of: {', '.join(LEVELS)}",
+            )
     return Project(
         path=path,
         hardware=(folder / migrate["hardware"]) if "hardware" in migrate else None,
@@ -136,4 +142,6 @@ def read_data(path: Path) -> dict[str, Any]:
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
-        raise PlatformDataError(f"the entry cannot be read: {error}", location=Location(str(path)), fix="correct the entry") from error
+        raise PlatformDataError(
+            f"the entry cannot be read: {error}", location=Location(str(path)), fix="correct the entry"
+        ) from error

@@ -22,8 +22,14 @@ from robosmi.errors import ModelError
 
 GENMODEL = "http://www.eclipse.org/emf/2002/GenModel"
 PYTHON_TYPES = {
-    "EString": "str", "EInt": "int", "ELong": "int", "EShort": "int", "EBoolean": "bool", "EDouble": "float", "EFloat": "float",
-}  # fmt: skip
+    "EString": "str",
+    "EInt": "int",
+    "ELong": "int",
+    "EShort": "int",
+    "EBoolean": "bool",
+    "EDouble": "float",
+    "EFloat": "float",
+}
 
 
 def documentation(element: ecore.EModelElement) -> str:
@@ -48,7 +54,9 @@ class PackageTask(pyecoregen.EcoreTask):
         classes = [c for c in element.eClassifiers if isinstance(c, ecore.EClass)]
         ordered: list[ecore.EClass] = []
         while len(ordered) < len(classes):
-            ready = [c for c in classes if c not in ordered and all(s.ePackage is not element or s in ordered for s in c.eSuperTypes)]
+            ready = [
+                c for c in classes if c not in ordered and all(s.ePackage is not element or s in ordered for s in c.eSuperTypes)
+            ]
             ordered.append(ready[0])
         references = [r for c in classes for r in c.eReferences]
         return dict(
@@ -58,7 +66,9 @@ class PackageTask(pyecoregen.EcoreTask):
             enums=[c for c in element.eClassifiers if isinstance(c, ecore.EEnum)],
             supertype_imports=_imports(element, [s for c in classes for s in c.eSuperTypes]),
             reference_imports=_imports(element, [r.eType for r in references]),
-            attribute_imports=_imports(element, [a.eType for c in classes for a in c.eAttributes if isinstance(a.eType, ecore.EEnum)]),
+            attribute_imports=_imports(
+                element, [a.eType for c in classes for a in c.eAttributes if isinstance(a.eType, ecore.EEnum)]
+            ),
             datatypes=sorted({a.eType.name for c in classes for a in c.eAttributes if not isinstance(a.eType, ecore.EEnum)}),
             has_many=any(f.many for c in classes for f in c.eStructuralFeatures),
         )
@@ -98,9 +108,13 @@ class PackageGenerator(pyecoregen.EcoreGenerator):
         """pyecoregen's environment with our filters."""
         environment = super().create_environment(**kwargs)
         environment.filters.update(
-            documentation=documentation, annotation=_annotation, parameter=_parameter, arguments=_arguments, supertypes=_supertypes,
+            documentation=documentation,
+            annotation=_annotation,
+            parameter=_parameter,
+            arguments=_arguments,
+            supertypes=_supertypes,
             all_features=_all_features,
-        )  # fmt: skip
+        )
         return environment
 
 
@@ -132,7 +146,7 @@ def _annotation(feature: Any) -> str:
     name = _type_name(feature)
     if feature.many:
         return f"MutableSequence[{name}]"
-    return f"{name} | None" if isinstance(feature, ecore.EReference) or _optional(feature) and feature.lowerBound == 0 else name
+    return f"{name} | None" if isinstance(feature, ecore.EReference) or (_optional(feature) and feature.lowerBound == 0) else name
 
 
 def _parameter(feature: Any) -> str:
@@ -168,10 +182,14 @@ def check_profile(package: ecore.EPackage) -> None:
     """
     seen: set[str] = set()
     for classifier in package.eClassifiers:
-        inner = [f.name for f in getattr(classifier, "eStructuralFeatures", ())] + [x.name for x in getattr(classifier, "eLiterals", ())]
+        inner = [f.name for f in getattr(classifier, "eStructuralFeatures", ())] + [
+            x.name for x in getattr(classifier, "eLiterals", ())
+        ]
         for name in [classifier.name, *inner]:
             if keyword.iskeyword(name) or not name.isidentifier():
-                raise ModelError(f"'{package.name}.{classifier.name}': '{name}' cannot be a Python name", fix="rename it in the .ecore file")
+                raise ModelError(
+                    f"'{package.name}.{classifier.name}': '{name}' cannot be a Python name", fix="rename it in the .ecore file"
+                )
         if classifier.name in seen:
             raise ModelError(f"the package '{package.name}' has two classifiers '{classifier.name}'", fix="rename one of them")
         seen.add(classifier.name)
@@ -193,7 +211,9 @@ def generate(metamodel: Path, folder: Path) -> list[Path]:
     try:
         root = ResourceSet().get_resource(URI(str(metamodel))).contents[0]
     except Exception as error:  # pyecore raises what it likes: KeyError, ValueError, lxml's own
-        raise ModelError(f"'{metamodel}' cannot be read as a metamodel: {error}", fix="open it in Eclipse, or validate it") from error
+        raise ModelError(
+            f"'{metamodel}' cannot be read as a metamodel: {error}", fix="open it in Eclipse, or validate it"
+        ) from error
     if not isinstance(root, ecore.EPackage):
         raise ModelError(f"'{metamodel}' holds a {type(root).__name__}, not an EPackage", fix="give an .ecore file")
     packages = [root, *(p for p in root.eAllContents() if isinstance(p, ecore.EPackage))]

@@ -148,7 +148,9 @@ def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kin
     for value in values:
         if value in positions:
             continue
-        fresh = value.__class__ is not EProxy and isinstance(value, kind) and value._container is None and value._eresource is None
+        fresh = (
+            value.__class__ is not EProxy and isinstance(value, kind) and value._container is None and value._eresource is None
+        )
         if not fresh or back._name in value.__dict__:
             collection.append(value)
             continue

@@ -62,8 +62,9 @@ def readme() -> str:
         package = ResourceSet().get_resource(URI(str(folder / f"{name}.ecore"))).contents[0]
         classes = [c for c in package.eClassifiers if hasattr(c, "eReferences")]
         features = sum(len(c.eStructuralFeatures) for c in classes)
+        counted = f"{len(classes)} classes, {features} features"
         parts.append(
-            f"## {name}\n\n{documentation(package)}\n\nNamespace `{package.nsURI}`, {len(classes)} classes, {features} features.\n\n"
+            f"## {name}\n\n{documentation(package)}\n\nNamespace `{package.nsURI}`, {counted}.\n\n"
             f"```mermaid\n{to_mermaid(package)}\n```\n"
         )
     return "\n".join(parts)

@@ -67,12 +67,20 @@ class Element(_Base):
     if not TYPE_CHECKING:
 
         def __new__(cls, *args: Any, **features: Any) -> Any:
-            # As pyecore's, without its process-wide set of all instances and without a guarded assignment each.
+            """As pyecore's, without its process-wide set of all instances and without a guarded assignment for each slot."""
             instance = object.__new__(cls)
             instance.__dict__.update(
-                _internal_id=None, _isset=InternalSet(), _container=None, _containment_feature=None, _eresource=None, listeners=[],
-                _eternal_listener=[], _inverse_rels=set(), _staticEClass=False, dyn_inst=instance,
-            )  # fmt: skip
+                _internal_id=None,
+                _isset=InternalSet(),
+                _container=None,
+                _containment_feature=None,
+                _eresource=None,
+                listeners=[],
+                _eternal_listener=[],
+                _inverse_rels=set(),
+                _staticEClass=False,
+                dyn_inst=instance,
+            )
             return instance
 
         @property
@@ -114,7 +122,11 @@ class Element(_Base):
 
     def __repr__(self) -> str:
         known = _features(type(self))
-        shown = [f"{n}={self.eGet(n)!r}" for n in ("name", "title", "label", "path", "elementId", "line") if n in known and self.eIsSet(n)]
+        shown = [
+            f"{n}={self.eGet(n)!r}"
+            for n in ("name", "title", "label", "path", "elementId", "line")
+            if n in known and self.eIsSet(n)
+        ]
         return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
 
 

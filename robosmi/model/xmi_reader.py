@@ -87,7 +87,9 @@ class _Loader:
         uri, _, name = str(node.tag).rpartition("}")
         if name == "XMI":
             raise SourceError(
-                "a model with several roots cannot be used here", location=Location(str(path), node.sourceline), fix="keep one root in a file"
+                "a model with several roots cannot be used here",
+                location=Location(str(path), node.sourceline),
+                fix="keep one root in a file",
             )
         package = self.metamodels.get(uri[1:])
         found = package and package.getEClassifier(name)
@@ -125,7 +127,9 @@ class _Loader:
         for name, nodes in children.items():
             feature = _feature(cls, name)
             if feature is None:
-                self._problem(path, nodes[0].sourceline, f"{cls.__name__} has no feature '{name}'{did_you_mean(name, _feature_names(cls))}")
+                self._problem(
+                    path, nodes[0].sourceline, f"{cls.__name__} has no feature '{name}'{did_you_mean(name, _feature_names(cls))}"
+                )
             elif feature.is_attribute:
                 self._set_attribute(element, feature, [n.text or "" for n in nodes], path, nodes[0].sourceline)
             elif feature.containment:
@@ -236,7 +240,10 @@ def _required(cls: type) -> list[str]:
         found = _REQUIRED[cls] = [
             f.name
             for f in features
-            if f.lowerBound > 0 and not f.derived and not f.transient and not (f.is_attribute and f.get_default_value() is not None)
+            if f.lowerBound > 0
+            and not f.derived
+            and not f.transient
+            and not (f.is_attribute and f.get_default_value() is not None)
         ]
     return found
 

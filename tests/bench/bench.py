@@ -89,7 +89,13 @@ def main() -> int:
         in_process = measure(warm(folder), 20)
     rows = [
         ("cold migrate, whole process", cold, 1.0, start, "interpreter start"),
-        ("import robosmi, over the interpreter", tuple(max(a - b, 0.0) for a, b in zip(imported, start, strict=True)), 0.150, start, "interpreter start"),
+        (
+            "import robosmi, over the interpreter",
+            tuple(max(a - b, 0.0) for a, b in zip(imported, start, strict=True)),
+            0.150,
+            start,
+            "interpreter start",
+        ),
         ("warm migrate() in process", in_process, 0.060, parse, "bare parse"),
     ]
     print(f"{'':38}{'best':>10}{'median':>10}{'bound':>10}   ratio")

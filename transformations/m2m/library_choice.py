@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
-from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.history import History, chosen_from_history
+from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.ranking import Ranker, Recommendation
 from robosmi.transformations.m2m.library_ranking import library_in, library_index
 from robosmi.transformations.queries.circuit import component_named
@@ -24,10 +24,15 @@ NO_LIBRARY = "none"
 def component_query(component: hardware.Component) -> ComponentQuery:
     """What a ranker is told of a drawn component."""
     return ComponentQuery(
-        id=component.elementId, title=component.partTitle or component.title, label=component.title, family=component.family,
-        tags=tuple(component.tags), properties={p.name: p.value for p in component.properties},
-        connectors=tuple(c.name for c in component.connectors), part_id=component.partId,
-    )  # fmt: skip
+        id=component.elementId,
+        title=component.partTitle or component.title,
+        label=component.title,
+        family=component.family,
+        tags=tuple(component.tags),
+        properties={p.name: p.value for p in component.properties},
+        connectors=tuple(c.name for c in component.connectors),
+        part_id=component.partId,
+    )
 
 
 @dataclass
@@ -51,9 +56,13 @@ class LibraryModels:
             name = facts.name  # as the index writes it
             if name not in self.elements:
                 self.elements[name] = platform.Library(
-                    name=name, version=facts.version, headers=[facts.header], architectures=list(facts.architectures),
-                    depends=list(facts.depends), url=facts.library.url,
-                )  # fmt: skip
+                    name=name,
+                    version=facts.version,
+                    headers=[facts.header],
+                    architectures=list(facts.architectures),
+                    depends=list(facts.depends),
+                    url=facts.library.url,
+                )
                 for needed in facts.dependencies:
                     self.get(needed.name)
         return self.elements[name]
@@ -118,12 +127,20 @@ def _decide(
     if library is not None and all(o.label != library.name for o in options):
         options.append(migration.Option(label=library.name, reasons=[why]))
     return migration.LibraryChoice(
-        component=component, chosen=library, candidates=[models.get(o.label) for o in options],
-        recommendation=recommendation.decision, confidence=1.0 if name else recommendation.confidence, chosenBy=by,
-        evidence=[why] if why else [], open=not name and recommendation.decision != "none",
-        choice=library.name if library is not None else NO_LIBRARY if refused else "", options=options,
-    )  # fmt: skip
+        component=component,
+        chosen=library,
+        candidates=[models.get(o.label) for o in options],
+        recommendation=recommendation.decision,
+        confidence=1.0 if name else recommendation.confidence,
+        chosenBy=by,
+        evidence=[why] if why else [],
+        open=not name and recommendation.decision != "none",
+        choice=library.name if library is not None else NO_LIBRARY if refused else "",
+        options=options,
+    )
 
 
 def _options(recommendation: Recommendation) -> list[migration.Option]:
-    return [migration.Option(label=c.library, score=round(c.score, 6), reasons=list(c.reasons)) for c in recommendation.candidates]
+    return [
+        migration.Option(label=c.library, score=round(c.score, 6), reasons=list(c.reasons)) for c in recommendation.candidates
+    ]

@@ -8,10 +8,13 @@ they must fit what they point to. The table of types is data of the target platf
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inline)\b")
+
+
+_WORDS = re.compile(r"[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True)
@@ -30,15 +33,19 @@ class Signature:
     parameters: Sequence[tuple[str, str]] = ()
     variadic: bool = False
 
-    def named(self) -> Signature:
-        """The same with a name for every parameter and no name twice; `void` as the only parameter is none."""
-        taken: set[str] = set()
+    def named(self, reserved: Collection[str] = ()) -> Signature:
+        """The same with a name for every parameter and no name twice; `void` as the only parameter is none.
+
+        Args:
+            reserved: names that no parameter may have.
+        """
+        taken: set[str] = {word for spelling, _ in self.parameters for word in _WORDS.findall(spelling)}
         named: list[tuple[str, str]] = []
         for number, (spelling, name) in enumerate(self.parameters, 1):
             if spelling.strip() == "void" and not name:
                 continue
             own = name or f"argument{number}"
-            while own in taken:
+            while own in taken or own in reserved:
                 own += "_"
             taken.add(own)
             named.append((spelling, own))
@@ -56,6 +63,9 @@ def declare(spelling: str, name: str) -> str:
     if "(*" in spelling:
         place = spelling.index("(*") + 2
         return f"{spelling[:place]}{name}{spelling[place:]}"
+    if spelling.endswith(")") and "(" in spelling:  # a function as a parameter is a pointer to it
+        returned, _, taken = spelling.partition("(")
+        return f"{returned.rstrip()} (*{name})({taken}"
     base, bracket, dimensions = spelling.partition("[")
     base = base.rstrip()
     gap = "" if base.endswith("*") or not name else " "
@@ -78,8 +88,8 @@ def widened(spelling: str, widths: Mapping[str, str]) -> str:
     return f"const {mapped}" if re.search(r"\bconst\b", spelling) else mapped
 
 
-def for_target(signature: Signature, widths: Mapping[str, str]) -> Signature:
-    """The signature with named parameters and the source's widths."""
-    named = signature.named()
+def for_target(signature: Signature, widths: Mapping[str, str], reserved: Collection[str] = ()) -> Signature:
+    """The signature with named parameters and the source's widths; no parameter is called by a reserved name."""
+    named = signature.named(reserved)
     parameters = tuple((widened(spelling, widths), name) for spelling, name in named.parameters)
     return Signature(named.name, widened(named.returns, widths), parameters, named.variadic)

@@ -65,9 +65,16 @@ def target_facts(target: str) -> TargetFacts:
     data = read_data(path)
     try:
         return TargetFacts(
-            target, entry["platform"], entry["board"], entry["generator"], data["architecture"], data["core"], data["include"],
-            frozenset(data["standard_headers"]), data["widths"],
-        )  # fmt: skip
+            target,
+            entry["platform"],
+            entry["board"],
+            entry["generator"],
+            data["architecture"],
+            data["core"],
+            data["include"],
+            frozenset(data["standard_headers"]),
+            data["widths"],
+        )
     except KeyError as error:
         raise PlatformDataError(f"the key {error} is missing", location=Location(str(path)), fix="add it") from None
 
@@ -82,6 +89,14 @@ def target_model(facts: TargetFacts, board: platform.Board, libraries: list[plat
     """
     data = read_data(resources.find("platform_repo", f"{facts.platform}/platform.toml"))
     return platform.Platform(
-        name=data["name"], language=data["language"], charSigned=data["charSigned"], hasCogs=data["hasCogs"],
-        architecture=data["architecture"], coreVersion=facts.core, mainHeader=facts.include, boards=[board], libraries=libraries, **{key: data[key] for key in _NUMBERS},
-    )  # fmt: skip
+        name=data["name"],
+        language=data["language"],
+        charSigned=data["charSigned"],
+        hasCogs=data["hasCogs"],
+        architecture=data["architecture"],
+        coreVersion=facts.core,
+        mainHeader=facts.include,
+        boards=[board],
+        libraries=libraries,
+        **{key: data[key] for key in _NUMBERS},
+    )

@@ -1,0 +1,53 @@
+"""The errors of queries: a name that does not exist, a value that is not there, an operand of the wrong kind.
+
+All are `ModelError`s (exit code 3), with the nearest known name where there is one. What a lambda raises by itself is
+not caught here. Errors of elements' own features come from `robosmi.model.strict`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robosmi.errors import ModelError, did_you_mean
+
+
+class UnknownPropertyError(ModelError, AttributeError):
+    """A property that the target does not have."""
+
+
+class UnknownOperationError(ModelError, AttributeError):
+    """An operation that the target does not have."""
+
+
+class UnknownTypeError(ModelError):
+    """A type name that neither EOL nor any model of the run knows."""
+
+
+class UndefinedError(ModelError):
+    """A property of nothing: the target is None (EOL: "Called feature ... on undefined object")."""
+
+
+class OperandError(ModelError, TypeError):
+    """A value of a kind that the operation or operator does not take."""
+
+
+def unknown_property(target: str, name: str, known: Iterable[str]) -> UnknownPropertyError:
+    """The error for a property that is not there, with the nearest that is."""
+    names = sorted(set(known))
+    fix = f"use one of: {', '.join(names)}" if names else None
+    return UnknownPropertyError(f"{target} has no property '{name}'{did_you_mean(name, names)}", fix=fix)
+
+
+def unknown_operation(target: str, name: str, known: Iterable[str]) -> UnknownOperationError:
+    """The error for an operation that is not there, with the nearest that is."""
+    return UnknownOperationError(
+        f"{target} has no operation '{name}'{did_you_mean(name, sorted(set(known)))}",
+        fix="see docs/reference/eol.md for the operations, or register one with @operation",
+    )
+
+
+def unknown_type(name: str, known: Iterable[str]) -> UnknownTypeError:
+    """The error for a type that is not there, with the nearest that is."""
+    names = sorted(set(known))
+    fix = f"use one of: {', '.join(names[:40])}" if names else "query inside `with Run(model):`"
+    return UnknownTypeError(f"there is no type '{name}'{did_you_mean(name, names)}", fix=fix)

@@ -1,0 +1,84 @@
+"""A run: which models a query sees, what its extended properties are, what its cached operations remember.
+
+`with Run(model):` opens one; everything it remembers is forgotten with it and nothing of it reaches a file. Outside any there
+is one default run per thread of control, which holds model elements weakly. Nothing here knows what an operation is.
+"""
+
+from __future__ import annotations
+
+import weakref
+from contextvars import ContextVar, Token
+from typing import Any
+
+from robosmi.query.values import key
+
+
+class Run:
+    """What one execution of queries shares.
+
+    Args:
+        models: handles of the models it may name types of (`ModelView`), in the order in which unqualified names are looked up.
+    """
+
+    def __init__(self, *models: Any) -> None:
+        self.models = models
+        self._kept: dict[Any, tuple[Any, dict[Any, Any]]] = {}
+        self._tokens: list[Token[Run]] = []
+
+    def notes_of(self, target: Any) -> dict[Any, Any]:
+        """The run's own dictionary about one object, empty at first; for values (numbers, texts) one per value."""
+        try:
+            place = id(target)
+            entry = self._kept.get(place)
+            if entry is None or entry[0]() is not target:
+                kept = self._kept
+                entry = kept[place] = (weakref.ref(target, lambda _, p=place: kept.pop(p, None)), {})  # type: ignore[misc]
+        except TypeError:  # no weak reference to numbers and texts
+            entry = self._kept.setdefault(("value", key(target)), (target, {}))
+        return entry[1]
+
+    def __enter__(self) -> Run:
+        self._tokens.append(_current.set(self))
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _current.reset(self._tokens.pop())
+
+
+_current: ContextVar[Run] = ContextVar("robosmi_query_run", default=Run())  # noqa: B039 - the default run is meant to be shared
+
+
+def current_run() -> Run:
+    """The innermost open run, or the default one."""
+    return _current.get()
+
+
+class Extended:
+    """The extended properties of one object in the current run; made by `ext`."""
+
+    __slots__ = ("_notes",)
+
+    def __init__(self, target: Any) -> None:
+        object.__setattr__(self, "_notes", current_run().notes_of(target).setdefault("~", {}))
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self._notes.get(name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self._notes[name] = value
+
+
+def ext(target: Any) -> Extended:
+    """Extended properties (EOL `x.~mark`): attributes of any object for this run only, None until set, never in the XMI.
+
+    >>> class Node: pass
+    >>> node = Node()
+    >>> ext(node).mark is None
+    True
+    >>> ext(node).mark = 3
+    >>> ext(node).mark
+    3
+    """
+    return Extended(target)

@@ -1,0 +1,153 @@
+"""Types in queries: EOL's own (Integer, Collection, Any ...), Python classes and Ecore classes, all asked the same way.
+
+A type may be given as a Python class (generated ones too), an EClass, an `EolType`, or a name ("Integer", "Book",
+"library::Book", "M!Book"); names of model types are looked up in the models of the current run. Not here: extents.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from pyecore.ecore import EClass, EEnumLiteral
+
+from robosmi.query.problems import unknown_type
+from robosmi.query.run import current_run
+from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind, is_element
+
+
+class EolType:
+    """A type of EOL's own.
+
+    Args:
+        name: as EOL writes it.
+        exact: whether a value is of exactly this type (`isTypeOf`).
+        kind: whether it is of this type or a subtype (`isKindOf`); the same as exact if None.
+    """
+
+    def __init__(self, name: str, exact: Callable[[Any], bool], kind: Callable[[Any], bool] | None = None) -> None:
+        self.name = name
+        self.is_type = exact
+        self.is_kind = kind or exact
+
+    def __repr__(self) -> str:
+        return self.name
+
+    def __str__(self) -> str:
+        return self.name
+
+
+def _collection(*kinds: str) -> Callable[[Any], bool]:
+    return lambda x: collection_kind(x) in kinds
+
+
+def _map(name: str) -> Callable[[Any], bool]:
+    return lambda x: getattr(x.__class__, "_eol_map", "Map" if isinstance(x, dict) else "") == name
+
+
+_BUILT_IN = {
+    t.name: t
+    for t in (
+        EolType("Integer", lambda x: isinstance(x, int) and x.__class__ is not bool),
+        EolType("Real", lambda x: isinstance(x, float), lambda x: isinstance(x, (int, float)) and x.__class__ is not bool),
+        EolType("String", lambda x: isinstance(x, str)),
+        EolType("Boolean", lambda x: isinstance(x, bool)),
+        EolType("Any", lambda x: False, lambda x: True),
+        EolType("Collection", lambda x: False, lambda x: collection_kind(x) is not None),
+        EolType("Sequence", _collection("Sequence")),
+        EolType("Bag", _collection("Bag"), _collection("Bag", "Sequence")),
+        EolType("Set", _collection("Set"), _collection("Set", "OrderedSet")),
+        EolType("OrderedSet", _collection("OrderedSet")),
+        EolType("Map", _map("Map"), lambda x: _map("Map")(x) or _map("Tuple")(x)),
+        EolType("Tuple", _map("Tuple")),
+    )
+}
+_OF_PYTHON = {int: "Integer", float: "Real", str: "String", bool: "Boolean", object: "Any", list: "Sequence", set: "Set", dict: "Map", Long: "Integer"}  # fmt: skip
+
+
+def type_named(name: str) -> Any:
+    """A type by name: one of EOL's own, else a class of the current run's models (`Book`, `library::Book`, `M!Book`).
+
+    Raises:
+        UnknownTypeError: there is none.
+
+    >>> type_named("Integer")
+    Integer
+    """
+    if (found := _BUILT_IN.get(name)) is not None:
+        return found
+    models = current_run().models
+    wanted, _, type_name = name.rpartition("!")
+    for model in models:
+        if (not wanted or model.name == wanted) and (eclass := model.find_type(type_name)) is not None:
+            return eclass
+    raise unknown_type(name, [*_BUILT_IN, *(n for model in models for n in model.type_names())])
+
+
+def resolve(kind: Any) -> Any:
+    """A type in any of its forms as an `EolType` or a Python class.
+
+    Raises:
+        UnknownTypeError: a name that does not exist.
+        TypeError: no type at all.
+    """
+    if isinstance(kind, str):
+        kind = type_named(kind)
+    if isinstance(kind, EolType):
+        return kind
+    if isinstance(kind, EClass):
+        return kind.python_class
+    if isinstance(kind, type):
+        name = _OF_PYTHON.get(kind) or (kind.__dict__.get("_eol_kind") or kind.__dict__.get("_eol_map"))
+        return _BUILT_IN[name] if name else kind
+    raise TypeError(f"{kind!r} is no type")
+
+
+def is_kind_of(value: Any, kind: Any) -> bool:
+    """Whether the value is of the type or a subtype (EOL `isKindOf`, `instanceOf`); Integer conforms to Real.
+
+    >>> is_kind_of(1, float), is_kind_of([1], "Bag"), is_kind_of("s", "Any")
+    (True, True, True)
+    """
+    wanted = resolve(kind)
+    return bool(wanted.is_kind(value)) if isinstance(wanted, EolType) else isinstance(value, wanted)
+
+
+def is_type_of(value: Any, kind: Any) -> bool:
+    """Whether the value is of exactly the type (EOL `isTypeOf`).
+
+    >>> is_type_of(1, float), is_type_of([1], "Sequence")
+    (False, True)
+    """
+    wanted = resolve(kind)
+    return bool(wanted.is_type(value)) if isinstance(wanted, EolType) else type(value) is wanted
+
+
+def matching(items: Iterable[Any], kind: Any, exact: bool = False) -> list[Any]:
+    """The items of the kind, or of exactly the type."""
+    wanted = resolve(kind)
+    if isinstance(wanted, EolType):
+        test = wanted.is_type if exact else wanted.is_kind
+        return [x for x in items if test(x)]
+    if exact:
+        return [x for x in items if x.__class__ is wanted]
+    return [x for x in items if isinstance(x, wanted)]
+
+
+def type_of(value: Any) -> Any:
+    """The type of a value (EOL `type`): an `EolType`, an EClass for model elements, None for anything else.
+
+    >>> type_of(1), type_of({1}), type_of(None)
+    (Integer, Set, None)
+    """
+    if is_element(value) or isinstance(value, EEnumLiteral):
+        return value.eClass
+    for name in ("String", "Boolean", "Real", "Integer", "Bag", "Sequence", "Set", "OrderedSet", "Tuple", "Map"):
+        if _BUILT_IN[name].is_type(value):
+            return _BUILT_IN[name]
+    return None
+
+
+def fits_integer(value: Any) -> bool:
+    """Whether the value is an Integer of 32 bits (a Long is none)."""
+    return value.__class__ is int and INT_MIN <= value <= INT_MAX

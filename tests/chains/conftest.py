@@ -1,0 +1,35 @@
+"""Fixtures of the chains' tests: each case study migrated, in a folder that a test may change."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import robosmi
+
+
+@pytest.fixture(params=["line_follower", "environmental_monitoring"])
+def case_study(request: pytest.FixtureRequest, tmp_path: Path, examples: Path) -> Path:
+    """The source of each case study, beside its drawing and project file."""
+    return copied(examples, str(request.param), tmp_path)
+
+
+@pytest.fixture
+def line_follower(tmp_path: Path, examples: Path) -> Path:
+    """The source of the line follower."""
+    return copied(examples, "line_follower", tmp_path)
+
+
+@pytest.fixture
+def migrated(line_follower: Path, tmp_path: Path) -> Path:
+    """The output folder of a migration of the line follower."""
+    robosmi.migrate([line_follower], tmp_path / "out")
+    return tmp_path / "out"
+
+
+def copied(examples: Path, name: str, folder: Path) -> Path:
+    """A copy of a case study; its source file."""
+    shutil.copytree(examples / name, folder / "input")
+    return folder / "input" / f"{name}.c"

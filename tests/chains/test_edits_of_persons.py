@@ -1,0 +1,137 @@
+"""What a person changed is never overwritten, and what no run made stays where it is (issue 10, item 9)."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import StoppedError
+from tests.running import run, tree
+
+GENERATED = [
+    "line_follower/line_follower.ino",
+    "line_follower/adapters.h",
+    "line_follower/sketch.yaml",
+    "line_follower/MIGRATION.md",
+    "models/code.xmi",
+    "models/hardware.xmi",
+    "models/platform.xmi",
+    "models/plan.xmi",
+    "models/source/line_follower.c",
+]
+
+
+@pytest.mark.parametrize("name", GENERATED)
+def test_migrate_stops_before_an_edit_and_names_the_file(name: str, migrated: Path, line_follower: Path) -> None:
+    (migrated / name).write_bytes((migrated / name).read_bytes() + b"\n")
+    before = tree(migrated)
+    outcome = run("migrate", line_follower, "-o", migrated)
+    assert outcome.code == 5
+    assert f"'{name}' was changed since the last run" in outcome.err
+    assert "do: move the file away" in outcome.err
+    assert tree(migrated) == before
+
+
+@pytest.mark.parametrize("name", ["line_follower/line_follower.ino", "line_follower/adapters.h"])
+def test_generate_stops_before_an_edit_too(name: str, migrated: Path) -> None:
+    (migrated / name).write_bytes((migrated / name).read_bytes() + b"// mine\n")
+    before = tree(migrated)
+    outcome = run("generate", migrated / "models" / "plan.xmi", "-o", migrated)
+    assert outcome.code == 5
+    assert name in outcome.err
+    assert tree(migrated) == before
+
+
+def test_all_edited_files_are_named(migrated: Path, line_follower: Path) -> None:
+    for name in GENERATED[:2]:
+        (migrated / name).write_text("mine\n")
+    with pytest.raises(StoppedError) as stopped:
+        robosmi.migrate([line_follower], migrated)
+    assert all(name in stopped.value.message for name in GENERATED[:2])
+
+
+def test_a_foreign_file_of_the_same_name_stops_the_run(line_follower: Path, tmp_path: Path) -> None:
+    sketch = tmp_path / "out" / "line_follower" / "line_follower.ino"
+    sketch.parent.mkdir(parents=True)
+    sketch.write_text("void setup() {}\nvoid loop() {}\n")
+    before = tree(tmp_path)
+    outcome = run("migrate", line_follower, "-o", tmp_path / "out")
+    assert outcome.code == 5
+    assert "'line_follower/line_follower.ino' was not made by robosmi" in outcome.err
+    assert tree(tmp_path) == before
+
+
+def test_files_that_no_run_made_stay(migrated: Path, line_follower: Path) -> None:
+    mine = [migrated / "notes.txt", migrated / "line_follower" / "motor.h", migrated / "models" / "old" / "plan.xmi"]
+    for path in mine:
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("mine")
+    source = line_follower.read_text()
+    line_follower.write_text(source.replace("drive_speed(0, 0)", "drive_speed(1, 1)"))
+    assert run("migrate", line_follower, "-o", migrated).code == 0
+    assert run("generate", migrated / "models" / "plan.xmi", "-o", migrated).code == 0
+    assert all(path.read_text() == "mine" for path in mine)
+
+
+def test_a_changed_source_is_migrated_anew(migrated: Path, line_follower: Path) -> None:
+    line_follower.write_text(line_follower.read_text().replace("drive_speed(0, 0)", "drive_speed(1, 1)"))
+    assert run("migrate", line_follower, "-o", migrated).code == 0
+    assert "drive_speed(1, 1);" in (migrated / "line_follower" / "line_follower.ino").read_text()
+
+
+def test_a_file_that_a_run_no_longer_makes_is_removed_unless_it_was_edited(line_follower: Path, tmp_path: Path) -> None:
+    helper = line_follower.parent / "helper.c"
+    helper.write_text("int twice(int x) {\n  return 2 * x;\n}\n")
+    other = line_follower.parent / "other.c"
+    other.write_text("int thrice(int x) {\n  return 3 * x;\n}\n")
+    robosmi.migrate([line_follower, helper, other], tmp_path / "out")
+    made = tmp_path / "out" / "line_follower"
+    assert (made / "helper.cpp").is_file()
+    (made / "other.cpp").write_text((made / "other.cpp").read_text() + "// mine\n")
+    robosmi.migrate([line_follower], tmp_path / "out")
+    assert not (made / "helper.cpp").exists()
+    assert (made / "other.cpp").read_text().endswith("// mine\n")
+
+
+def test_a_removed_file_is_made_again(migrated: Path, line_follower: Path) -> None:
+    before = tree(migrated)
+    (migrated / "line_follower" / "adapters.h").unlink()
+    robosmi.migrate([line_follower], migrated)
+    assert tree(migrated) == before
+
+
+def test_an_edit_that_was_taken_back_no_longer_stops_the_run(migrated: Path, line_follower: Path) -> None:
+    sketch = migrated / "line_follower" / "line_follower.ino"
+    text = sketch.read_bytes()
+    sketch.write_bytes(text + b"// mine\n")
+    assert run("migrate", line_follower, "-o", migrated).code == 5
+    sketch.write_bytes(text)
+    assert run("migrate", line_follower, "-o", migrated).code == 0
+
+
+def test_migrate_stops_at_an_edited_plan_even_after_generate_has_followed_it(migrated: Path, line_follower: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+    plan.write_text(plan.read_text().replace('toolVersion="', 'toolVersion="edited '))
+    assert run("migrate", line_follower, "-o", migrated).code == 5
+    assert run("generate", plan, "-o", migrated).code == 0
+    outcome = run("migrate", line_follower, "-o", migrated)
+    assert outcome.code == 5
+    assert "'models/plan.xmi' was changed since the last run" in outcome.err
+    assert 'toolVersion="edited ' in plan.read_text()
+
+
+def test_the_record_lists_every_file_with_its_digest(migrated: Path) -> None:
+    record = json.loads((migrated / ".robosmi.json").read_text())
+    files = {name: digest for name, digest in tree(migrated).items() if digest != "folder" and name != ".robosmi.json"}
+    assert record["files"] == files
+
+
+def test_nothing_is_left_behind_by_a_run(migrated: Path, line_follower: Path, tmp_path: Path) -> None:
+    run("migrate", line_follower, "-o", migrated)
+    (migrated / "line_follower" / "adapters.h").write_text("mine")
+    run("migrate", line_follower, "-o", migrated)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["input", "out"]
+    assert sorted(p.name for p in migrated.iterdir()) == [".robosmi.json", "line_follower", "models"]

@@ -1,0 +1,191 @@
+"""`generate`: the sketch follows a stored plan, edited or not, and needs nothing but the plan and the models beside it."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from tests.running import run, tree
+
+
+def rewritten(plan: Path, change: Any) -> None:
+    """Load a plan, change it as a tool that edits models would, and store it over the old one."""
+    root = robosmi.load_model(plan)
+    change(root)
+    others = {"code.xmi": root.program, "hardware.xmi": root.circuit, "platform.xmi": root.target.eContainer()}
+    robosmi.save_model(root, plan, others)
+
+
+def binding(plan: Any, name: str) -> Any:
+    """The binding of a port."""
+    return next(port for port in plan.portBindings if port.name == name)
+
+
+def sketch_of(output: Path) -> str:
+    """The text of the .ino."""
+    return (output / "line_follower" / "line_follower.ino").read_text()
+
+
+def report_of(output: Path) -> str:
+    """The text of the report."""
+    return (output / "line_follower" / "MIGRATION.md").read_text()
+
+
+def test_a_moved_folder_without_the_originals_gives_the_same_bytes(case_study: Path, tmp_path: Path) -> None:
+    robosmi.migrate([case_study], tmp_path / "out")
+    before = tree(tmp_path / "out")
+    shutil.rmtree(case_study.parent)
+    moved = tmp_path / "elsewhere" / "sent by mail"
+    moved.parent.mkdir()
+    (tmp_path / "out").rename(moved)
+    assert run("generate", moved / "models" / "plan.xmi", "-o", tmp_path / "again").code == 0
+    again = tree(tmp_path / "again")
+    assert {n: d for n, d in again.items() if n != ".robosmi.json"} == {n: d for n, d in before.items() if n != ".robosmi.json"}
+    assert run("generate", moved / "models" / "plan.xmi", "-o", moved).code == 0
+    assert {n: d for n, d in tree(moved).items() if n != ".robosmi.json"} == {
+        n: d for n, d in before.items() if n != ".robosmi.json"
+    }
+
+
+@pytest.mark.parametrize("again", ["migrate", "generate"])
+def test_a_second_run_changes_no_byte_and_touches_no_file(again: str, case_study: Path, tmp_path: Path) -> None:
+    output = tmp_path / "out"
+    robosmi.migrate([case_study], output)
+    before = tree(output)
+    times = {path: path.stat().st_mtime_ns for path in output.rglob("*") if path.is_file()}
+    if again == "migrate":
+        robosmi.migrate([case_study], output)
+    else:
+        robosmi.generate_sketch(output / "models" / "plan.xmi", output)
+    assert tree(output) == before
+    assert {path: path.stat().st_mtime_ns for path in output.rglob("*") if path.is_file()} == times
+
+
+def test_two_migrations_into_two_folders_are_equal(case_study: Path, tmp_path: Path) -> None:
+    robosmi.migrate([case_study], tmp_path / "a")
+    robosmi.migrate([case_study], tmp_path / "b")
+    assert tree(tmp_path / "a") == tree(tmp_path / "b")
+
+
+def test_the_sketch_follows_an_edited_binding(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def swap(root: Any) -> None:
+        left, right = binding(root, "leftQTI"), binding(root, "rightQTI")
+        left.connection, right.connection = right.connection, left.connection
+
+    rewritten(plan, swap)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "const int leftQTI  = HIH40301ReadP1;" in sketch_of(migrated)
+    assert "const int rightQTI = HIH40302ReadP1;" in sketch_of(migrated)
+    assert "| D11 | HIH4030 1 | OUT |  | `HIH40301ReadP1` | leftQTI |" in report_of(migrated)
+    after = binding(robosmi.load_model(plan), "leftQTI")
+    assert (after.choice, after.pin.label, after.chosenBy.name) == ("HIH40301ReadP1", "D11", "person")
+
+
+def test_the_sketch_follows_a_binding_edited_as_text(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+    text = plan.read_text()
+    edited, count = re.subn(r'(name="leftQTI"[^>]*connection="//@connections\.)2"', r'\g<1>4"', text)
+    assert count == 1
+    plan.write_text(edited)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "const int leftQTI  = Red633nmLED1WriteP1;" in sketch_of(migrated)
+
+
+def test_a_port_that_was_open_is_closed_by_an_edit(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def bind(root: Any) -> None:
+        pins = {pin.label: pin for pin in root.board.pins}
+        binding(root, "P14").pin = pins["D2"]
+
+    rewritten(plan, bind)
+    outcome = run("generate", plan, "-o", migrated, "--json")
+    port = next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "P14")
+    assert (port["pin"], port["open"], port["chosen_by"]) == ("D2", False, "person")
+    assert not any("'P14'" in task["message"] for task in outcome.document["tasks"])
+    assert "P14 (left encoder) is D2" in (migrated / "line_follower" / "adapters.h").read_text()
+
+
+def test_the_sketch_follows_an_edited_library_choice(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def choose(root: Any) -> None:
+        for choice in root.libraryChoices:
+            if choice.component.title.startswith("Basic Servo"):
+                choice.chosen = next(c for c in choice.candidates if c.name == "ServoEasing")
+
+    rewritten(plan, choose)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "#include <ServoEasing.hpp>" in sketch_of(migrated)
+    assert "#include <Servo.h>" not in sketch_of(migrated)
+    project = (migrated / "line_follower" / "sketch.yaml").read_text()
+    assert "- ServoEasing (" in project
+    assert "- Servo (" not in project
+
+
+def test_a_library_choice_that_is_taken_back_is_open_again(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def forget(root: Any) -> None:
+        for choice in root.libraryChoices:
+            choice.chosen = None
+
+    rewritten(plan, forget)
+    outcome = run("generate", plan, "-o", migrated, "--json")
+    assert all(choice["open"] for choice in outcome.result["plan"]["libraries"])
+    assert "#include <Servo.h>" not in sketch_of(migrated)
+    assert len([t for t in outcome.document["tasks"] if t["rule"] == "RS401"]) == 5
+
+
+def test_generating_from_an_edited_plan_twice_changes_nothing(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def unbind(root: Any) -> None:
+        binding(root, "LED").connection = None
+        binding(root, "LED").pin = None
+
+    rewritten(plan, unbind)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "const int LED      = 8;" in sketch_of(migrated)
+    before = tree(migrated)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert tree(migrated) == before
+
+
+def test_an_edit_of_the_text_in_the_plan_is_kept(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+    source = (migrated / "models" / "source" / "line_follower.c").read_bytes()
+
+    def add(root: Any) -> None:
+        from robosmi.metamodels import migration
+
+        start = source.index(b"pause(1000)")
+        root.edits.append(
+            migration.Edit(
+                unit=root.program.units[0],
+                startOffset=start + 6,
+                endOffset=start + 10,
+                replacement="500",
+                reason="faster",
+                step=migration.Step.code,
+            )
+        )
+
+    rewritten(plan, add)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "pause(500);" in sketch_of(migrated)
+
+
+def test_the_plan_of_the_api_is_the_plan_that_is_stored(case_study: Path, tmp_path: Path) -> None:
+    planned = robosmi.plan_migration([case_study])
+    robosmi.migrate([case_study], tmp_path / "out")
+    stored = robosmi.load_model(tmp_path / "out" / "models" / "plan.xmi")
+    assert [(b.name, b.choice) for b in planned.plan.portBindings] == [(b.name, b.choice) for b in stored.portBindings]
+    assert [c.choice for c in planned.plan.libraryChoices] == [c.choice for c in stored.libraryChoices]

@@ -1,0 +1,162 @@
+"""The stored models: closed among themselves, movable, judged by EMF, and with a trace for every line that was generated."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.metamodels import ccode
+from tests.tools import require_tools
+
+HREF = re.compile(r'href="([^"]*)"')
+JARS = [Path(f"/usr/share/java/{name}.jar") for name in ("eclipse-emf-common", "eclipse-emf-ecore", "eclipse-emf-ecore-xmi")]
+
+
+@pytest.fixture
+def output(case_study: Path, tmp_path: Path) -> Path:
+    """The output folder of each case study."""
+    robosmi.migrate([case_study], tmp_path / "out")
+    return tmp_path / "out"
+
+
+@pytest.fixture
+def plan(output: Path) -> Any:
+    """The stored plan."""
+    return robosmi.load_model(output / "models" / "plan.xmi")
+
+
+def test_all_references_are_relative_and_lead_to_a_file_of_the_folder(output: Path) -> None:
+    stored = sorted((output / "models").glob("*.xmi"))
+    assert [path.name for path in stored] == ["code.xmi", "hardware.xmi", "plan.xmi", "platform.xmi"]
+    hrefs = {path.name: HREF.findall(path.read_text()) for path in stored}
+    assert hrefs["plan.xmi"]
+    for name, links in hrefs.items():
+        for link in links:
+            file, _, fragment = link.partition("#")
+            assert file in hrefs, f"{name}: {link}"
+            assert fragment.startswith("/")
+
+
+def test_no_model_knows_where_it_was_made(output: Path, tmp_path: Path) -> None:
+    for path in output.rglob("*"):
+        if path.is_file() and path.suffix != ".fzz":
+            assert str(tmp_path) not in path.read_text(), path
+
+
+def test_sources_are_byte_copies(output: Path, case_study: Path) -> None:
+    copies = {path.name: path.read_bytes() for path in (output / "models" / "source").iterdir()}
+    drawing = next(case_study.parent.glob("*.fzz"))
+    assert copies == {case_study.name: case_study.read_bytes(), drawing.name: drawing.read_bytes()}
+
+
+def test_the_plan_has_the_digest_of_everything_it_was_made_from(output: Path, plan: Any) -> None:
+    from robosmi.model.files import digest
+
+    recorded = {entry.path: entry.digest for entry in plan.inputs}
+    folder = output / "models"
+    stored = {str(p.relative_to(folder)) for p in folder.rglob("*") if p.is_file()} - {"plan.xmi"}
+    assert recorded == {name: digest((folder / name).read_bytes()) for name in stored}
+
+
+def generated_files(output: Path) -> Iterator[tuple[str, int]]:
+    """Every generated text below the sketch's folder, with its number of lines."""
+    for path in sorted(output.rglob("*")):
+        name = str(path.relative_to(output))
+        if path.is_file() and not name.startswith(("models/", ".robosmi")):
+            yield name, path.read_text().count("\n")
+
+
+def test_every_generated_line_has_exactly_one_trace(output: Path, plan: Any) -> None:
+    covered: dict[str, list[int]] = {}
+    for text in plan.trace.texts:
+        covered.setdefault(text.path, []).extend(range(text.line, text.endLine + 1))
+    expected = {name: list(range(1, count + 1)) for name, count in generated_files(output)}
+    assert {name: sorted(lines) for name, lines in covered.items()} == expected
+
+
+def test_every_trace_names_a_step_of_the_method_and_an_element(output: Path, plan: Any) -> None:
+    steps = {"code", "hardware", "libraries", "generation"}
+    assert {text.step for text in plan.trace.texts} == steps
+    for text in plan.trace.texts:
+        assert len(text.elements) > 0, f"{text.path}:{text.line} ({text.rule})"
+    assert {link.step for link in plan.trace.links} <= steps
+    assert all(link.sources and link.targets for link in plan.trace.links)
+
+
+def test_a_retained_line_is_traced_to_the_code_it_was_copied_from(output: Path, plan: Any) -> None:
+    unit = plan.program.units[0]
+    source = (output / "models" / unit.path).read_text().splitlines()
+    sketch = (output / plan.name / f"{plan.name}.ino").read_text().splitlines()
+    checked = 0
+    for text in plan.trace.texts:
+        if not text.path.endswith(".ino") or text.rule not in ("retained code", "retained statement"):
+            continue
+        first = min(e.line for e in text.elements if isinstance(e, ccode.Located))
+        last = max(e.endLine for e in text.elements if isinstance(e, ccode.Located))
+        copied = {line.strip() for line in source[first - 1 : last]}
+        checked += sum(line.strip() in copied for line in sketch[text.line - 1 : text.endLine] if line.strip())
+    assert checked >= 10
+
+
+def test_the_numbers_of_the_report_add_up(output: Path, plan: Any) -> None:
+    report = (output / plan.name / "MIGRATION.md").read_text()
+    judged, calls, functions, with_body, todo, open_choices = (
+        int(number)
+        for number in re.findall(
+            r"^(\d+) elements were judged\. (\d+) calls go to (\d+) platform functions; "
+            r"(\d+) of them reach an adapter with a body, (\d+) one that is still to be written\. (\d+) choices are open\.$",
+            report, re.MULTILINE,
+        )[0]
+    )  # fmt: skip
+    assert judged == len(plan.dispositions) > 0
+    units = re.findall(r"^(\d+) elements: (.*)\.$", report, re.MULTILINE)
+    assert len(units) == len(plan.program.units)
+    for total, parts in units:
+        assert int(total) == sum(int(part.split()[0]) for part in parts.split(", "))
+    assert judged == sum(int(total) for total, _ in units)
+    assert judged == len(
+        re.findall(r"^\| \d+ \| .* \| (?:retain|adapt|drop|hoist|rewrite|unsupported) \| ", report, re.MULTILINE)
+    )
+    assert calls == with_body + todo
+    rows = re.findall(r"^\| `.*` \| \S+ \| (\d+) \| (?:todo|filled|care|unsupported) \|$", report, re.MULTILINE)
+    assert (functions, calls) == (len(rows), sum(map(int, rows)))
+    assert open_choices == sum(d.open for d in [*plan.portBindings, *plan.libraryChoices])
+    assert report.count("- [ ] ") == len(plan.tasks)
+
+
+def test_the_calls_of_the_plan_are_the_calls_of_the_program(case_study: Path, plan: Any) -> None:
+    from tests.running import run
+
+    (unit,) = run("analyse", case_study, "--json").result["units"]
+    assert {a.name: len(a.calls) for a in plan.adapterUses} == {
+        c["name"]: c["count"] for c in unit["platform_calls"] if c["count"]
+    }
+
+
+def test_every_function_of_the_program_is_judged(plan: Any) -> None:
+    judged = {id(d.element) for d in plan.dispositions}
+    functions = [d for unit in plan.program.units for d in unit.declarations if isinstance(d, ccode.Function)]
+    assert functions
+    assert all(id(function) in judged for function in functions)
+
+
+@pytest.mark.parametrize("name", ["plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"])
+def test_emf_finds_nothing_and_would_write_the_same_bytes(name: str, output: Path, shared: Path, examples: Path) -> None:
+    require_tools("java", "javac")
+    if missing := [jar.name for jar in JARS if not jar.exists()]:
+        pytest.skip(f"not installed: {', '.join(missing)} (Debian: libeclipse-emf-*-java)")
+    metamodels = sorted((examples.parents[1] / "metamodels").glob("*.ecore"))
+    resaved = output / "models" / "resaved.xmi"
+    done = subprocess.run(
+        ["sh", shared / "emf" / "check.sh", *metamodels, output / "models" / name, "--resave", resaved],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.startswith("OK ")
+    assert resaved.read_bytes() == (output / "models" / name).read_bytes()

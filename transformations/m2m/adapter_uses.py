@@ -1,0 +1,154 @@
+"""Adapters: which functions need one, and with which signature (paper 3.4).
+
+Everything that is called, defined nowhere in the program and not there on the target is adapted. The signature is the
+header's, the repository's or the program's own prototype's; where none is known, or the calls contradict it, the calls
+say it. No function is known by its name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import all_of_kind
+from robosmi.transformations.m2m.signatures import Signature, for_target
+from robosmi.transformations.m2m.target_names import TargetNames
+from robosmi.transformations.queries.code import CalledFunction, CodeView
+from robosmi.transformations.t2m.target_platform import TargetFacts
+
+OWN_PROTOTYPE = "program"
+"""`signatureSource` of an adapter that the program itself declares: its body is written where the prototype stands."""
+
+
+def called_functions(program: ccode.Program, views: Iterable[CodeView], target: TargetFacts, names: TargetNames) -> dict[str, CalledFunction]:
+    """The functions that need an adapter, by name.
+
+    Args:
+        program: the code model.
+        views: a view of each unit.
+        target: the target.
+        names: its names.
+    """
+    own = _own_names(program)
+    found: dict[str, CalledFunction] = {}
+    for view in views:
+        for function in [*view.called().values(), *_referenced(view)]:
+            there = function.header in target.standard_headers and function.name not in names.absent
+            if there or function.name in own or (function.entry is None and not function.calls):
+                continue
+            known = found.setdefault(function.name, function)
+            if known is not function:
+                known.calls += [c for c in function.calls if c not in known.calls]
+                known.callee = known.callee or function.callee
+    return dict(sorted(found.items()))
+
+
+def _own_names(program: ccode.Program) -> set[str]:
+    """Functions and macros that the program defines in any of its files."""
+    defined = {d.name for u in program.units for d in u.declarations if isinstance(d, ccode.Function) and d.definition}
+    return defined | {m.name for u in program.units for m in u.macros}
+
+
+def _referenced(view: CodeView) -> Iterable[CalledFunction]:
+    """Functions of the platform that are handed on without being called."""
+    for reference in all_of_kind(view.unit, ccode.NameReference):
+        if isinstance(reference.target, ccode.ExternalSymbol) or (isinstance(reference.target, ccode.Function) and not reference.target.definition):
+            entry = view.resolve(reference.name)
+            if entry is not None and entry.callable and reference.name not in view.called():
+                yield CalledFunction(reference.name, entry=entry, header=entry.header)
+
+
+def own_prototypes(program: ccode.Program) -> dict[str, ccode.Function]:
+    """The first prototype of each function that the program declares and defines nowhere."""
+    own = _own_names(program)
+    found: dict[str, ccode.Function] = {}
+    for unit in program.units:
+        for declaration in unit.declarations:
+            if isinstance(declaration, ccode.Function) and declaration.name not in own:
+                found.setdefault(declaration.name, declaration)
+    return found
+
+
+def adapter(
+    called: CalledFunction,
+    function: platform.ApiFunction | None,
+    prototype: ccode.Function | None,
+    source: str,
+    target: TargetFacts,
+    names: TargetNames,
+) -> migration.AdapterUse:
+    """The adapter of one function.
+
+    Args:
+        called: the function with its calls.
+        function: how the repository knows it, None where it does not.
+        prototype: the program's own declaration of it, if there is one.
+        source: name of the source platform, for a name that the target has already.
+        target: the target.
+        names: the target's names.
+    """
+    name = called.name
+    signature, raw, origin = _signature(called, function, prototype)
+    if raw.endswith("(...)"):  # a macro: nothing is declared, so the call sites say what it takes
+        raw = signature.named().text()
+    kept = origin == OWN_PROTOTYPE or name in names.absent
+    reserved = names.macros | names.keywords
+    wide = for_target(signature, {} if kept else target.widths, reserved)
+    if not kept and name in names.declared | names.macros:
+        wide = Signature(f"{source}_{name}", wide.returns, wide.parameters, wide.variadic)
+    return migration.AdapterUse(
+        name=name, signature=raw, targetSignature=wide.text(), signatureSource=origin, status=migration.AdapterStatus.todo,
+        notes=_notes(called, function, origin, wide.name), function=function, calls=called.calls,
+    )  # fmt: skip
+
+
+def _signature(
+    called: CalledFunction, function: platform.ApiFunction | None, prototype: ccode.Function | None
+) -> tuple[Signature, str, str]:
+    """Signature in parts, as it is shown, and where it comes from."""
+    name, inferred = called.name, called.callee
+    if prototype is not None:
+        types = tuple((_spelling(p.valueType), p.name) for p in prototype.parameters)
+        variadic = prototype.variadic or (not types and any(c.arguments for c in called.calls))
+        return Signature(name, _spelling(prototype.returnType) or "int", types, variadic), prototype.signature, OWN_PROTOTYPE
+    if function is not None and (function.returnType or not function.functionLikeMacro):
+        declared = Signature(name, function.returnType, tuple((p.spelling, p.name) for p in function.parameters), function.variadic)
+        if _fits(declared, called.calls):
+            return declared, function.signature, "repository"
+    if inferred is not None and called.calls:
+        meanings = [p.meaning.name for p in function.parameters] if function is not None else []
+        types = tuple(
+            (_spelling(p.valueType), p.name or (meanings[i] if i < len(meanings) and meanings[i] != "plain" else ""))
+            for i, p in enumerate(inferred.parameters)
+        )
+        signature = Signature(name, _spelling(inferred.returnType) or "int", types, inferred.variadic)
+        return signature, function.signature if function is not None else inferred.signature or signature.text(), "inferred"
+    count = max((len(c.arguments) for c in called.calls), default=0)
+    signature = Signature(name, "int", tuple(("int", "") for _ in range(count)))
+    return signature, function.signature if function is not None else signature.text(), "inferred"
+
+
+def _fits(signature: Signature, calls: Iterable[ccode.Call]) -> bool:
+    """Whether every call gives as many arguments as the signature takes; old programs call old versions of an API."""
+    count = len([p for p in signature.parameters if p[0] != "void" or p[1]])
+    return all(len(c.arguments) >= count if signature.variadic else len(c.arguments) == count for c in calls)
+
+
+def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin: str, generated: str) -> list[str]:
+    lines = ", ".join(str(line) for line in sorted(set(called.lines)))
+    notes = [f"called in line{'s' if ',' in lines else ''} {lines}"] if lines else ["used without a call, or in the body of a macro"]
+    if origin == OWN_PROTOTYPE:
+        notes.append("the program declares it and defines it nowhere")
+    elif function is None:
+        notes.append("no header declares it: its signature is inferred from the calls")
+    elif function.blocking:
+        notes.append("it blocks")
+    if function is not None and function.startsCog:
+        notes.append("it starts code on another core there")
+    if generated != called.name:
+        notes.append(f"the target has a {called.name} of its own, so this one has another name there")
+    return notes
+
+
+def _spelling(use: ccode.TypeUse | None) -> str:
+    return f"{use.spelling} {use.arrayDims}".strip() if use is not None else ""

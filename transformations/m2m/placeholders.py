@@ -1,0 +1,211 @@
+"""Placeholders for names of the source platform that are no functions: constants, registers, variables, types, attributes.
+
+Each becomes a declaration that lets the retained code compile and a task that says what it has to mean. Types are
+guessed from their uses: members, pointers and arithmetic tell a record from a number. A name that the target has
+already is put aside for the program only (see `target_names`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import all_of_kind
+from robosmi.transformations.m2m.signatures import Signature, declare, for_target
+from robosmi.transformations.m2m.target_names import TargetNames
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
+from robosmi.transformations.queries.record_members import members
+from robosmi.transformations.t2m.c_source.prelude import STANDARD_NAMES
+from robosmi.transformations.t2m.target_platform import TargetFacts
+
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_NO_TYPES = ARITHMETIC | {"void", "const", "volatile", "struct", "union", "enum", "restrict", "register", "static", "extern", "inline", "va_list"}
+
+
+def used_symbols(
+    program: ccode.Program, views: Iterable[CodeView], adapted: Iterable[str], target: TargetFacts, names: TargetNames
+) -> dict[str, list[ccode.NameReference]]:
+    """The values that need a placeholder, with their uses: the platform's, and those that nobody knows.
+
+    Args:
+        program: the code model.
+        views: a view of each unit.
+        adapted: functions that have an adapter.
+        target: the target.
+        names: its names.
+    """
+    views = list(views)
+    there = _own(program) | set(adapted) | names.same | names.keywords | names.absent
+    found: dict[str, list[ccode.NameReference]] = {s.name: [] for view in views for s in view.symbols() if s.name not in there}
+    for view in views:
+        for use in view.unit.macroUses:
+            entry = view.resolve(use.name)
+            known = use.name in there or use.name in names.macros or use.name in STANDARD_NAMES or use.functionLike
+            if use.macro is None and not known and (entry is None or entry.header not in target.standard_headers):
+                found.setdefault(use.name, [])
+        for reference in all_of_kind(view.unit, ccode.NameReference):
+            symbol = reference.target
+            if not isinstance(symbol, ccode.ExternalSymbol) or symbol.header in target.standard_headers or reference.name in there:
+                continue
+            entry = view.resolve(reference.name)
+            if (entry is None or entry.header not in target.standard_headers) and reference.name not in STANDARD_NAMES:
+                found.setdefault(reference.name, []).append(reference)
+    return dict(sorted(found.items()))
+
+
+def _own(program: ccode.Program) -> set[str]:
+    """Names that some file of the program declares or defines at file scope."""
+    own = {m.name for u in program.units for m in u.macros}
+    for unit in program.units:
+        for declaration in unit.declarations:
+            own.add(declaration.name)
+            if isinstance(declaration, ccode.Enumeration):
+                own.update(literal.name for literal in declaration.literals)
+    return own - {""}
+
+
+def implied_headers(views: Iterable[CodeView], target: TargetFacts, names: TargetNames) -> list[migration.SymbolUse]:
+    """Standard headers that reach the program only through the platform's, and that the target's main header does not bring."""
+    there = names.declared | names.macros | names.keywords
+    missing: set[str] = set()
+    for view in views:
+        used = {str(e.name) for e in view.elements if isinstance(e, (ccode.NameReference, ccode.MacroUse))}
+        used |= set(view.called()) | {t.declaration.name for t in all_of_kind(view.unit, ccode.TypeUse) if t.declaration is not None}
+        for name in used - there:
+            entry = view.resolve(name)
+            if entry is not None and entry.header in target.standard_headers and not view.defined(name):
+                missing.add(entry.header)
+        missing -= {i.header for i in view.unit.includes}
+    return [
+        migration.SymbolUse(name=header, placeholder=f"#include <{header}>", status=migration.AdapterStatus.filled) for header in sorted(missing)
+    ]
+
+
+def symbol_use(
+    name: str,
+    uses: list[ccode.NameReference],
+    symbol: platform.ApiSymbol | None,
+    number: int,
+    attribute: bool,
+    wanted: str,
+    source: str,
+    target: TargetFacts,
+    names: TargetNames,
+    *,
+    several: bool,
+) -> migration.SymbolUse:
+    """The placeholder of a value.
+
+    Args:
+        name: the name.
+        uses: its uses.
+        symbol: how the repository knows it, None where it does not.
+        number: a number that no other placeholder has.
+        attribute: it is a macro that stands for an attribute.
+        wanted: the type that a use expects, empty where none says one.
+        source: name of the source platform.
+        target: the target.
+        names: its names.
+        several: the sketch has several files, which must share a variable.
+    """
+    if attribute:
+        text = f"#define {name}"
+    else:
+        declared = uses[0].target if uses else None
+        use = declared.use if isinstance(declared, ccode.ExternalSymbol) else ccode.SymbolUse.constantUse
+        written = use in (ccode.SymbolUse.writtenUse, ccode.SymbolUse.indexedUse)
+        kind = symbol.symbolKind if symbol is not None else platform.SymbolKind.variable if written else platform.SymbolKind.constant
+        spelled = (symbol.typeName if symbol is not None else "") or wanted or "int"
+        mutable = written or kind in (platform.SymbolKind.register, platform.SymbolKind.variable) or "*" in spelled
+        shown = f"{source}_{name}" if name in names.declared else name
+        text = _value(shown, spelled, use is ccode.SymbolUse.indexedUse, mutable, number, target, several=several)
+        if shown != name:
+            text += f"\n#define {name} {shown}"
+        elif name in names.macros:
+            text = f"#undef {name}\n{text}"
+    return migration.SymbolUse(name=name, placeholder=text, status=migration.AdapterStatus.todo, symbol=symbol, uses=uses)
+
+
+def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, target: TargetFacts, *, several: bool) -> str:
+    base, bracket, _ = spelled.partition("[")
+    kind = for_target(Signature(name, base.strip()), target.widths).returns
+    if not mutable:
+        # Constants of unknown value must differ, or a switch over them would not compile; none may be 0, for arrays have such sizes.
+        return f"const {kind.removeprefix('const ')} {name} = {number};"
+    storage = "__attribute__((weak)) " if several else "static "  # weak: the one variable of all files
+    kind = kind.removeprefix("const ") if "*" not in kind else kind
+    if indexed or bracket:
+        return f"{storage}{declare(kind, name)}[16];"
+    plain = "*" in kind or set(kind.replace("volatile", "").split()) <= ARITHMETIC
+    return f"{storage}{declare(kind, name)}{' = 0' if plain else ''};"
+
+
+def wanted_types(program: ccode.Program, functions: Mapping[str, FunctionType]) -> dict[str, str]:
+    """Name nobody declares -> the pointer type that a place expects of it."""
+    found: dict[str, str] = {}
+    for unit in program.units:
+        for expression, kind in expectations(unit, functions):
+            if isinstance(expression, ccode.NameReference) and isinstance(expression.target, ccode.ExternalSymbol) and kind.depth:
+                found.setdefault(expression.name, kind.spelling)
+    return found
+
+
+def type_uses(
+    program: ccode.Program, sources: Mapping[str, bytes], signatures: Iterable[str], views: list[CodeView], target: TargetFacts, names: TargetNames
+) -> list[migration.SymbolUse]:
+    """The placeholders of types that nobody declares, in the program and in the signatures that are generated.
+
+    Args:
+        program: the code model.
+        sources: path of a unit -> its bytes.
+        signatures: types as written in what is generated.
+        views: a view of each unit.
+        target: the target.
+        names: its names.
+    """
+    there = _NO_TYPES | names.declared | names.keywords | _own(program)
+    # A tag or typedef inside a function hides nothing here: the model links its uses to it.
+    in_program = {t.declaration.name for u in program.units for t in all_of_kind(u, ccode.TypeUse) if isinstance(t.declaration, ccode.ExternalSymbol)}
+    pointed = {word for text in signatures if "*" in text for word in _WORD.findall(text.partition("*")[0])}
+    found = (in_program | {word for text in signatures for word in _WORD.findall(text)}) - there
+    made = []
+    for name in sorted(found):
+        entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
+        if entry is not None and entry.header in target.standard_headers:
+            text, status = f"#include <{entry.header}>", migration.AdapterStatus.filled
+        else:
+            text, status = _type(name, program, sources, pointed=name in pointed), migration.AdapterStatus.todo
+        made.append(migration.SymbolUse(name=name, placeholder=text, status=status))
+    return made
+
+
+def _type(name: str, program: ccode.Program, sources: Mapping[str, bytes], *, pointed: bool) -> str:
+    uses = [t for u in program.units for t in all_of_kind(u, ccode.TypeUse) if t.declaration is not None and t.declaration.name == name]
+    fields = members(name, program, sources)
+    tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)
+    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not _computed(name, program)):
+        return f"struct {name} {{{''.join(f' {f};' for f in fields)}{' ' * bool(fields)}}};"
+    return f"typedef int32_t {name};"
+
+
+def _computed(name: str, program: ccode.Program) -> bool:
+    """Whether a value of the type is calculated with or is given a number."""
+    for unit in program.units:
+        for variable in (*all_of_kind(unit, ccode.Variable), *all_of_kind(unit, ccode.Parameter)):
+            use = variable.valueType
+            if use is None or use.declaration is None or use.declaration.name != name or use.pointerDepth or use.arrayDims:
+                continue
+            if isinstance(getattr(variable, "initializer", None), (ccode.IntegerLiteral, ccode.Binary)):
+                return True
+            if any(_calculates(r) for r in variable.references):
+                return True
+    return False
+
+
+def _calculates(reference: ccode.NameReference) -> bool:
+    container = reference.eContainer()
+    if isinstance(container, ccode.Assignment):
+        return isinstance(container.right, (ccode.IntegerLiteral, ccode.Binary)) or container.operator != "="
+    return isinstance(container, ccode.Binary) or (isinstance(container, ccode.Unary) and container.operator not in ("&", "*"))

@@ -1,0 +1,174 @@
+"""The types of expressions, as far as the model says them: what a place expects, what an expression gives.
+
+No arithmetic is computed; an expression whose type cannot be read off its elements has none. What a function of a
+platform takes and gives is passed in, since its adapter decides that and not the model.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind, ancestor_of_kind
+
+_QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|struct|union|enum)\b")
+ARITHMETIC = frozenset(
+    "bool char double float int long short signed unsigned size_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t".split()
+)
+
+
+@dataclass(frozen=True)
+class ValueType:
+    """A type in parts.
+
+    Attributes:
+        spelling: as it may be written in a cast.
+        base: without qualifiers, stars and dimensions; typedefs of the program resolved.
+        depth: levels of pointers and arrays.
+        constant: what is pointed to must not be changed.
+        array: it is an array, not a pointer.
+        declaration: of the base, where the program has it.
+    """
+
+    spelling: str
+    base: str
+    depth: int
+    constant: bool = False
+    array: bool = False
+    declaration: ccode.Declaration | None = None
+
+    @property
+    def function(self) -> bool:
+        """True for a pointer to a function."""
+        return "(*" in self.spelling
+
+    @property
+    def arithmetic(self) -> bool:
+        """True for numbers of C."""
+        words = self.base.split()
+        return self.depth == 0 and bool(words) and set(words) <= ARITHMETIC
+
+
+@dataclass(frozen=True)
+class FunctionType:
+    """What a function takes and gives, as text."""
+
+    returns: str
+    parameters: tuple[str, ...]
+
+
+def parse(spelling: str, dimensions: str = "") -> ValueType:
+    """A type as written."""
+    if "(*" in spelling:
+        return ValueType(spelling, spelling, 1)
+    head, _, inner = spelling.partition("[")
+    levels = head.count("*") + ("[" + inner).count("[") * bool(inner) + dimensions.count("[")
+    base = " ".join(_QUALIFIERS.sub(" ", head.replace("*", " ")).split())
+    shown = head.strip() + "*" * (levels - head.count("*"))
+    return ValueType(shown, base, levels, bool(re.search(r"\bconst\b", head.partition("*")[0])), bool(inner or dimensions))
+
+
+def of_use(use: ccode.TypeUse | None) -> ValueType | None:
+    """The type that a declaration says; typedefs of the program are followed."""
+    if use is None or not use.spelling:
+        return None
+    made = parse(use.spelling, use.arrayDims or "")
+    declaration = use.declaration
+    if isinstance(declaration, ccode.Typedef):
+        inner = of_use(declaration.aliased)
+        if inner is not None:
+            return replace(made, base=inner.base, depth=made.depth + inner.depth, declaration=inner.declaration)
+    return replace(made, declaration=declaration)
+
+
+def element_type(kind: ValueType | None) -> ValueType | None:
+    """What an element of an array, or what a pointer points to, is."""
+    if kind is None or kind.depth == 0 or kind.function:
+        return None
+    return replace(kind, spelling=kind.spelling.removesuffix("*").strip(), depth=kind.depth - 1, array=False)
+
+
+def type_of(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> ValueType | None:
+    """The type of an expression's value, None where the model does not say it."""
+    if isinstance(expression, ccode.NameReference):
+        target = expression.target
+        return of_use(target.valueType) if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+    if isinstance(expression, ccode.Call):
+        if expression.calleeName in functions:
+            return parse(functions[expression.calleeName].returns)
+        return of_use(expression.callee.returnType) if expression.callee is not None else None
+    if isinstance(expression, ccode.Cast):
+        return of_use(expression.target)
+    if isinstance(expression, ccode.Index):
+        return element_type(type_of(expression.array, functions))
+    if isinstance(expression, ccode.Member):
+        return _member(expression, functions)
+    if isinstance(expression, ccode.IntegerLiteral):
+        return parse("int")
+    if isinstance(expression, ccode.Unary):
+        inner = type_of(expression.operand, functions)
+        if expression.operator == "*":
+            return element_type(inner)
+        if expression.operator == "&" and inner is not None and not inner.array:
+            return replace(inner, spelling=inner.spelling + (" *" if inner.depth == 0 else "*"), depth=inner.depth + 1)
+    if isinstance(expression, ccode.Binary) and expression.operator in ("+", "-"):
+        sides = [t for t in (type_of(expression.left, functions), type_of(expression.right, functions)) if t is not None and t.depth]
+        return sides[0] if len(sides) == 1 else None
+    return None
+
+
+def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> ValueType | None:
+    owner = type_of(expression.object, functions)
+    record = owner.declaration if owner is not None else None
+    if not isinstance(record, ccode.Record):
+        return None
+    return next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
+
+
+def expectations(unit: ccode.SourceUnit, functions: Mapping[str, FunctionType]) -> Iterator[tuple[ccode.Expression, ValueType]]:
+    """Each expression whose place says what type it must give, with that type."""
+    for variable in all_of_kind(unit, ccode.Variable):
+        if variable.initializer is not None:
+            yield from _initial(variable.initializer, of_use(variable.valueType))
+    for assignment in all_of_kind(unit, ccode.Assignment):
+        if assignment.operator == "=" and assignment.right is not None:
+            yield from _value(assignment.right, type_of(assignment.left, functions))
+    for leave in all_of_kind(unit, ccode.Return):
+        function = ancestor_of_kind(leave, ccode.Function)
+        if leave.value is not None and function is not None and function.name != "main":
+            yield from _value(leave.value, of_use(function.returnType))
+    for call in all_of_kind(unit, ccode.Call):
+        if call.calleeName in functions:
+            wanted = [parse(p) for p in functions[call.calleeName].parameters]
+        elif call.callee is not None and call.callee.definition:
+            wanted = [t for t in (of_use(p.valueType) for p in call.callee.parameters) if t is not None]
+        else:
+            continue
+        for argument, kind in zip(call.arguments, wanted, strict=False):
+            yield from _value(argument, kind)
+
+
+def _value(expression: ccode.Expression, kind: ValueType | None) -> Iterator[tuple[ccode.Expression, ValueType]]:
+    if kind is None:
+        return
+    if isinstance(expression, ccode.ConditionalExpression):
+        for branch in (expression.whenTrue, expression.whenFalse):
+            if branch is not None:
+                yield from _value(branch, kind)
+    else:
+        yield expression, kind
+
+
+def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[tuple[ccode.Expression, ValueType]]:
+    if not isinstance(expression, ccode.InitializerList):
+        if kind is not None and not kind.array:
+            yield from _value(expression, kind)
+        return
+    if kind is not None and kind.array:
+        for element in expression.elements:
+            yield from _initial(element, element_type(kind))
+    elif kind is not None and isinstance(kind.declaration, ccode.Record):
+        for element, field in zip(expression.elements, kind.declaration.fields, strict=False):
+            yield from _initial(element, of_use(field.valueType))

@@ -1,0 +1,75 @@
+"""Which members a program uses of a record type that it does not declare, read from its text.
+
+The parser drops members of incomplete types, so the tokens are asked: what follows `.` and `->` behind a variable,
+parameter or field of the type. Members of members become records within.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind
+from robosmi.transformations.t2m.c_source.lexer import tokens
+
+
+def members(type_name: str, program: ccode.Program, sources: Mapping[str, bytes]) -> list[str]:
+    """Declarators of the members that are used, `int32_t x`, sorted by name."""
+    tree: dict[str, Any] = {}
+    for unit in program.units:
+        named = (*all_of_kind(unit, ccode.Variable), *all_of_kind(unit, ccode.Parameter), *all_of_kind(unit, ccode.Field))
+        holders = {v.name for v in named if v.valueType is not None and v.valueType.declaration is not None and v.valueType.declaration.name == type_name}
+        if holders:
+            words = [t[3] for t in tokens(sources[unit.path]) if t[0] not in ("comment", "directive")]
+            for i, word in enumerate(words):
+                if word in holders and words[i - 1] not in (".", "->", "struct"):
+                    _chain(words, i + 1, tree)
+                elif word in holders and words[i + 1 : i + 3] == ["=", "{"] and words[i + 3 : i + 4] == ["."]:
+                    tree.setdefault(words[i + 4], {})
+    return _declarators(tree)
+
+
+def _chain(words: list[str], i: int, tree: dict[str, Any]) -> None:
+    """Follow `[..].a[..].b` from a place behind a name."""
+    i = _behind_brackets(words, i)
+    if words[i : i + 2] == ["=", "{"]:
+        depth = 0
+        for j in range(i + 1, len(words)):
+            depth += (words[j] in "{[(") - (words[j] in "}])")
+            if words[j] == "." and depth == 1 and words[j - 1] in ("{", ","):
+                tree.setdefault(words[j + 1], {})
+            if depth == 0:
+                return
+    if i + 1 < len(words) and words[i] in (".", "->") and words[i + 1].isidentifier():
+        inner = tree.setdefault(words[i + 1], {})
+        after = i + 2
+        if words[after : after + 1] == ["["]:
+            inner["[]"] = {}
+        elif words[after : after + 1] == ["("]:
+            inner["()"] = {}
+            return
+        _chain(words, after, inner)
+
+
+def _behind_brackets(words: list[str], i: int) -> int:
+    while i < len(words) and words[i] == "[":
+        depth = 0
+        while i < len(words):
+            depth += (words[i] == "[") - (words[i] == "]")
+            i += 1
+            if depth == 0:
+                break
+    return i
+
+
+def _declarators(tree: dict[str, Any]) -> list[str]:
+    made = []
+    for name, inner in sorted(tree.items()):
+        within = {k: v for k, v in inner.items() if k not in ("[]", "()")}
+        kind = f"struct {{ {'; '.join(_declarators(within))}; }}" if within else "int32_t"
+        if "()" in inner:
+            made.append(f"int32_t (*{name})(...)")
+        else:
+            made.append(f"{kind} {name}{'[16]' if '[]' in inner else ''}")
+    return made
