@@ -1,152 +1,391 @@
-"""`Q`, a sequence with EOL's first-order operations.
+"""The four kinds of collection: `Q` (EOL's Sequence), `Bag`, `Set`, `OrderedSet`, with the operations that take no function.
 
-Every operation that gives a collection gives a new `Q`; nothing changes the source. Operations are eager, as EOL's are;
-`exists`, `for_all`, `one`, `none` and `select_one` stop as soon as the answer is known. Semantics and names follow
-Kolovos et al., "The Epsilon Object Language" (2006).
+`Q(items)` takes any iterable and reads it once. `q.name` collects a property of every item (a Sequence, of a Set or Bag a Bag;
+not flattened). Operations that give a collection give a new one; those that change it itself are in `changes`. All is eager,
+`lazy()` gives the view that is not. The operations that take a function are in `first_order`.
+Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
-from typing import Any, Generic, TypeVar, overload
+import builtins
+import random as _random
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations
+from typing import TYPE_CHECKING, Any, Self, TypeVar, cast, overload
+
+from robosmi.query.changes import Changeable
+from robosmi.query.first_order import FirstOrder
+from robosmi.query.problems import OperandError
+from robosmi.query.types import matching
+from robosmi.query.values import (
+    Long,
+    as_string,
+    collection_kind,
+    equal,
+    flattened,
+    is_number,
+    key,
+    position,
+    unique,
+)
+
+if TYPE_CHECKING:
+    from robosmi.query.lazy import Lazy
 
 T = TypeVar("T")
 R = TypeVar("R")
-K = TypeVar("K", bound=Hashable)
+_MISSING: Any = object()
+_NUMBERS = frozenset({int, float, Long})
 
 
-class Q(Sequence[T], Generic[T]):
-    """A collection to be queried.
+class Q(FirstOrder[T], Changeable[T], Sequence[T]):
+    """A Sequence to be queried; the other kinds of collection inherit from it.
 
     Args:
         items: any iterable; it is read once, at once.
+
+    >>> Q([3, 1, 2]).select(lambda x: x > 1).sort_by(lambda x: x)
+    Q([2, 3])
     """
 
     __slots__ = ("_items",)
+    _eol_kind = "Sequence"
+    _indexed = True
 
     def __init__(self, items: Iterable[T] = ()) -> None:
-        self._items: list[T] = list(items)
+        self._items: builtins.list[T] = list(items)
+
+    @classmethod
+    def _of(cls, items: builtins.list[Any]) -> Self:
+        """A collection around a list that nobody else holds, of unique items where the kind wants that."""
+        made = cls.__new__(cls)
+        made._items = items
+        return made
+
+    def _same(self, items: builtins.list[T]) -> Self:
+        """A collection of the same kind, of items that are among this one's."""
+        return self._of(items)
+
+    def _mapped(self, items: builtins.list[R]) -> Q[R]:
+        return Q._of(items)
+
+    def _made(self, items: builtins.list[Any]) -> Self:
+        """A collection of the same kind, of any items."""
+        return self._of(items)
 
     def __len__(self) -> int:
         return len(self._items)
 
+    def __iter__(self) -> Iterator[T]:
+        return iter(self._items)
+
     @overload
     def __getitem__(self, index: int) -> T: ...
     @overload
-    def __getitem__(self, index: slice) -> Q[T]: ...
-    def __getitem__(self, index: int | slice) -> T | Q[T]:
-        return Q(self._items[index]) if isinstance(index, slice) else self._items[index]
+    def __getitem__(self, index: slice) -> Self: ...
+    def __getitem__(self, index: int | slice) -> T | Self:
+        return self._same(self._items[index]) if isinstance(index, slice) else self._items[index]
+
+    def __getattr__(self, name: str) -> Q[Any]:
+        if name[0] == "_":  # protocols of Python, not properties
+            raise AttributeError(name)
+        return self.get(name)
+
+    def get(self, name: str, default: Any = _MISSING) -> Q[Any]:
+        """A property of every item, also one whose name is an operation here.
+
+        Args:
+            name: of the property.
+            default: taken for an item that is None (EOL `?.` with `?:`); without it None is an error.
+
+        Raises:
+            UndefinedError: an item is None.
+            ModelError: an item has no such property.
+        """
+        from robosmi.query.properties import get_all
+
+        return self._mapped(get_all(self._items, name) if default is _MISSING else get_all(self._items, name, default))
 
     def __eq__(self, other: object) -> bool:
-        return self._items == list(other) if isinstance(other, (Q, list, tuple)) else NotImplemented
+        if isinstance(other, Q):
+            return equal(self, other)
+        if isinstance(other, (list, tuple)) and self._eol_kind in ("Sequence", "OrderedSet"):
+            return self._items == list(other)  # Python's own equality, in order
+        if isinstance(other, (set, frozenset)) and self._eol_kind == "Set":
+            return equal(self, other)
+        return NotImplemented
 
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return f"Q({self._items!r})"
+        return f"{type(self).__name__}({self._items!r})"
 
-    def select(self, condition: Callable[[T], Any]) -> Q[T]:
-        """The items for which the condition holds, in order."""
-        return Q(x for x in self._items if condition(x))
+    def __add__(self, other: Iterable[Any]) -> Self:
+        return self.including_all(other)
 
-    def reject(self, condition: Callable[[T], Any]) -> Q[T]:
-        """The items for which the condition does not hold, in order."""
-        return Q(x for x in self._items if not condition(x))
+    def __sub__(self, other: Iterable[Any]) -> Self:
+        return self.excluding_all(other)
 
-    def select_one(self, condition: Callable[[T], Any]) -> T | None:
-        """The first item for which the condition holds, or None."""
-        return next((x for x in self._items if condition(x)), None)
+    def of_kind(self, kind: Any) -> Self:
+        """The items that are instances of the type or of a subtype (EOL `selectByKind`)."""
+        return self._same(matching(self._items, kind))
 
-    def collect(self, body: Callable[[T], R]) -> Q[R]:
-        """The body's value for every item. Not flattened, and None is kept, as in EOL."""
-        return Q(body(x) for x in self._items)
+    def of_type(self, kind: Any) -> Self:
+        """The items that are instances of exactly that type (EOL `selectByType`)."""
+        return self._same(matching(self._items, kind, exact=True))
 
-    def exists(self, condition: Callable[[T], Any]) -> bool:
-        """Whether the condition holds for at least one item; False when empty."""
-        return any(condition(x) for x in self._items)
+    select_by_kind = of_kind
+    select_by_type = of_type
 
-    def for_all(self, condition: Callable[[T], Any]) -> bool:
-        """Whether the condition holds for every item; True when empty."""
-        return all(condition(x) for x in self._items)
+    def size(self) -> int:
+        """How many items there are."""
+        return len(self._items)
 
-    def one(self, condition: Callable[[T], Any]) -> bool:
-        """Whether the condition holds for exactly one item."""
-        found = 0
-        for x in self._items:
-            found += bool(condition(x))
-            if found > 1:
-                return False
-        return found == 1
+    def is_empty(self) -> bool:
+        """Whether there is no item."""
+        return not self._items
 
-    def none(self, condition: Callable[[T], Any]) -> bool:
-        """Whether the condition holds for no item; True when empty."""
-        return not self.exists(condition)
+    def not_empty(self) -> bool:
+        """Whether there is an item."""
+        return bool(self._items)
 
-    def count(self, condition: Any) -> int:
-        """How many items fulfil a condition, or equal a value that is not callable."""
-        return sum(1 for x in self._items if (condition(x) if callable(condition) else x == condition))
+    def includes(self, value: Any) -> bool:
+        """Whether the value is an item; unlike `=` and Python's `in`, 2 is not 2.0 here."""
+        return position(self._items, value) >= 0
 
-    def of_kind(self, kind: type[R]) -> Q[R]:
-        """The items that are instances of the class or of a subclass."""
-        return Q(x for x in self._items if isinstance(x, kind))
+    def excludes(self, value: Any) -> bool:
+        """Whether the value is no item."""
+        return position(self._items, value) < 0
 
-    def of_type(self, kind: type[R]) -> Q[R]:
-        """The items that are instances of exactly that class."""
-        same: list[Any] = [x for x in self._items if type(x) is kind]
-        return Q(same)
+    def includes_all(self, values: Iterable[Any]) -> bool:
+        """Whether all the values are items."""
+        return {key(v) for v in values} <= set(map(key, self._items))
 
-    def sort_by(self, key: Callable[[T], Any]) -> Q[T]:
-        """The items sorted by a key; stable."""
-        return Q(sorted(self._items, key=key))
+    def excludes_all(self, values: Iterable[Any]) -> bool:
+        """Whether none of the values is an item."""
+        return set(map(key, self._items)).isdisjoint(key(v) for v in values)
 
-    def map_by(self, key: Callable[[T], K]) -> dict[K, Q[T]]:
-        """The items by key, keys in the order they are first seen."""
-        groups: dict[K, list[T]] = {}
-        for x in self._items:
-            groups.setdefault(key(x), []).append(x)
-        return {k: Q(v) for k, v in groups.items()}
+    def index_of(self, value: Any) -> int:
+        """The index of the first item that is the value, or -1."""
+        return position(self._items, value)
 
-    def closure(self, body: Callable[[T], Any]) -> Q[T]:
-        """Everything reached by applying the body again and again, depth first, each item once.
-
-        The body may give one item, an iterable, or None. An item of the source is in the result only if it is reached.
-        """
-        found: dict[int, T] = {}
-        for start in self._items:
-            pending: list[Iterator[T]] = [iter(_many(body(start)))]
-            while pending:
-                reached = next(pending[-1], None)
-                if reached is None:
-                    pending.pop()
-                elif id(reached) not in found:
-                    found[id(reached)] = reached
-                    pending.append(iter(_many(body(reached))))
-        return Q(found.values())
-
-    def flatten(self) -> Q[Any]:
-        """The items of all nested collections, on all levels."""
-        flat: list[Any] = []
-        for x in self._items:
-            flat.extend(Q(x).flatten() if isinstance(x, Iterable) and not isinstance(x, (str, bytes)) else [x])
-        return Q(flat)
-
-    def distinct(self) -> Q[T]:
-        """Each item once, in the order first seen (EOL: asOrderedSet)."""
-        return Q(dict.fromkeys(self._items))
-
-    def first(self) -> T | None:
-        """The first item, or None when empty."""
+    @overload
+    def first(self) -> T | None: ...
+    @overload
+    def first(self, n: int) -> Q[T]: ...
+    def first(self, n: int | None = None) -> T | Q[T] | None:
+        """The first item, or None when empty; with a number, a Sequence of so many first items, or fewer."""
+        if n is not None:
+            return Q._of(self._items[: max(n, 0)])
         return self._items[0] if self._items else None
+
+    def second(self) -> T | None:
+        """The second item; None when empty. A Sequence of one is too short: an error."""
+        return self.at(1) if self._items else None
+
+    def third(self) -> T | None:
+        """The third item; None when empty."""
+        return self.at(2) if self._items else None
+
+    def fourth(self) -> T | None:
+        """The fourth item; None when empty."""
+        return self.at(3) if self._items else None
 
     def last(self) -> T | None:
         """The last item, or None when empty."""
         return self._items[-1] if self._items else None
 
+    def at(self, index: int) -> T | None:
+        """The item at an index from 0. Beyond the end a Sequence raises; the other kinds, which have no index in EOL, give None.
 
-def _many(value: Any) -> list[Any]:
-    """What a closure's body gives, as a list without None."""
-    if value is None:
-        return []
-    if isinstance(value, Iterable) and not isinstance(value, str):
-        return [x for x in value if x is not None]
-    return [value]
+        Raises:
+            OperandError: there is no such index.
+        """
+        if 0 <= index < len(self._items):
+            return self._items[index]
+        if not self._indexed:
+            return None
+        raise OperandError(f"at({index}) is outside a {self._eol_kind} of {len(self._items)}")
+
+    def random(self) -> T | None:
+        """Any item, or None when empty."""
+        return _random.choice(self._items) if self._items else None
+
+    def flatten(self) -> Q[Any]:
+        """The items of all nested collections, on all levels: a Sequence; without a nested collection the kind stays."""
+        flat = flattened(self._items)
+        return self._made(list(self._items)) if flat is None else Q._of(flat)
+
+    def distinct(self) -> Q[T]:
+        """A Sequence of each item once, in the order first seen (see `as_ordered_set`)."""
+        return Q._of(unique(self._items))
+
+    def including(self, value: Any) -> Self:
+        """This and one more item."""
+        return self._made([*self._items, value])
+
+    def including_all(self, values: Iterable[Any]) -> Self:
+        """This and more items (EOL also `+`)."""
+        return self._made([*self._items, *values])
+
+    def excluding(self, value: Any) -> Self:
+        """This without the value, wherever it occurs."""
+        wanted = key(value)
+        return self._same([x for x in self._items if key(x) != wanted])
+
+    def excluding_all(self, values: Iterable[Any]) -> Self:
+        """This without the values, wherever they occur (EOL also `-`)."""
+        wanted = {key(v) for v in values}
+        return self._same([x for x in self._items if key(x) not in wanted])
+
+    def invert(self) -> Q[T]:
+        """A Sequence from the last item to the first."""
+        return Q._of(self._items[::-1])
+
+    def clone(self) -> Self:
+        """A copy; the items are the same."""
+        return self._of(list(self._items))
+
+    def _numbers(self) -> Iterator[Any]:
+        return (x for x in self._items if is_number(x))
+
+    def sum(self) -> Any:
+        """The sum of the numbers, 0 when there is none; other items are skipped. Exact: it does not overflow at 32 bits."""
+        if set(map(type, self._items)) <= _NUMBERS:
+            return builtins.sum(cast(Any, self._items))
+        return builtins.sum(self._numbers())
+
+    def product(self) -> Any:
+        """The product of the numbers; other items are skipped. 0.0 when empty, as EOL has it."""
+        result: Any = 1 if self._items else 0.0
+        for x in self._numbers():
+            result *= x
+        return result
+
+    def min(self, default: Any = 0) -> Any:
+        """The smallest number; the default when there is none."""
+        return builtins.min(self._numbers(), default=default)
+
+    def max(self, default: Any = 0) -> Any:
+        """The greatest number; the default when there is none."""
+        return builtins.max(self._numbers(), default=default)
+
+    def concat(self, separator: str = "") -> str:
+        """The items as texts in one text."""
+        return separator.join(map(as_string, self._items))
+
+    def powerset(self) -> Set[Set[T]]:
+        """A Set of all Sets of these items."""
+        items = unique(self._items)
+        return Set._of([Set._of(list(part)) for n in range(len(items) + 1) for part in combinations(items, n)])
+
+    def as_sequence(self) -> Q[T]:
+        """A Sequence of the items."""
+        return Q._of(list(self._items))
+
+    def as_bag(self) -> Bag[T]:
+        """A Bag of the items."""
+        return Bag._of(list(self._items))
+
+    def as_set(self) -> Set[T]:
+        """A Set of the items."""
+        return Set._of(unique(self._items))
+
+    def as_ordered_set(self) -> OrderedSet[T]:
+        """An OrderedSet of the items."""
+        return OrderedSet._of(unique(self._items))
+
+    def list(self) -> builtins.list[T]:
+        """The items as a Python list of their own."""
+        return list(self._items)
+
+    def lazy(self) -> Lazy[T]:
+        """A view whose operations look at an item only when it is asked for; `Lazy` says what that changes."""
+        from robosmi.query.lazy import Lazy
+
+        return Lazy(self)
+
+    def create_collection(self) -> Self:
+        """An empty collection of the same kind."""
+        return self._of([])
+
+
+class Bag(Q[T]):
+    """Items in no order, with repetition; equal to a Bag of the same items in any order."""
+
+    __slots__ = ()
+    _eol_kind = "Bag"
+    _indexed = False
+
+    def _mapped(self, items: builtins.list[R]) -> Q[R]:
+        return Bag._of(items)
+
+
+class _Unique(Q[T]):
+    """What Set and OrderedSet share: an item occurs once; they keep the order of insertion, and compare without it."""
+
+    __slots__ = ()
+    _indexed = False
+
+    def __init__(self, items: Iterable[T] = ()) -> None:
+        self._items = unique(items)
+
+    def _made(self, items: builtins.list[Any]) -> Self:
+        return self._of(unique(items))
+
+    def add(self, value: T) -> bool:
+        """Add an item to this collection itself, if it is not there; whether that changed it."""
+        if position(self._items, value) >= 0:
+            return False
+        self._items.append(value)
+        return True
+
+
+class Set(_Unique[T]):
+    """Each item once; `collect` and `q.name` give a Bag."""
+
+    __slots__ = ()
+    _eol_kind = "Set"
+
+    def _mapped(self, items: builtins.list[R]) -> Q[R]:
+        return Bag._of(items)
+
+
+class OrderedSet(_Unique[T]):
+    """Each item once, in order; `collect` and `q.name` give a Sequence. Compares without order, as in EOL."""
+
+    __slots__ = ()
+    _eol_kind = "OrderedSet"
+
+
+class _Feature(OrderedSet[T]):
+    """What a many-valued feature holds: an OrderedSet with an index that is equal to a Sequence, as EMF's lists are in EOL."""
+
+    __slots__ = ()
+    _indexed = True
+    _eol_equals = "Sequence"
+
+    def _same(self, items: builtins.list[T]) -> Any:
+        return OrderedSet._of(items)
+
+    def _made(self, items: builtins.list[Any]) -> Any:
+        return OrderedSet._of(unique(items))
+
+
+_CLASSES: dict[str, type[Q[Any]]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "OrderedSet": OrderedSet}
+
+
+def collection(value: Any) -> Q[Any]:
+    """A value as a collection of its kind; a value that is none as a Sequence of one, as EOL's operations take it.
+
+    >>> collection({1}), collection("ab")
+    (Set([1]), Q(['ab']))
+    """
+    if isinstance(value, Q):
+        return value
+    kind = collection_kind(value)
+    if kind is None:
+        return Q([value])
+    cls = _Feature if kind == "OrderedSet" else _CLASSES[kind]  # no class of Python's is an ordered set
+    return cls._of(list(value))

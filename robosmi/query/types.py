@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from pyecore.ecore import EClass, EEnumLiteral
+from pyecore.ecore import EClass
 
 from robosmi.query.problems import unknown_type
 from robosmi.query.run import current_run
@@ -62,7 +62,17 @@ _BUILT_IN = {
         EolType("Tuple", _map("Tuple")),
     )
 }
-_OF_PYTHON = {int: "Integer", float: "Real", str: "String", bool: "Boolean", object: "Any", list: "Sequence", set: "Set", dict: "Map", Long: "Integer"}  # fmt: skip
+_OF_PYTHON = {
+    int: "Integer",
+    float: "Real",
+    str: "String",
+    bool: "Boolean",
+    object: "Any",
+    list: "Sequence",
+    set: "Set",
+    dict: "Map",
+    Long: "Integer",
+}
 
 
 def type_named(name: str) -> Any:
@@ -140,7 +150,7 @@ def type_of(value: Any) -> Any:
     >>> type_of(1), type_of({1}), type_of(None)
     (Integer, Set, None)
     """
-    if is_element(value) or isinstance(value, EEnumLiteral):
+    if is_element(value):
         return value.eClass
     for name in ("String", "Boolean", "Real", "Integer", "Bag", "Sequence", "Set", "OrderedSet", "Tuple", "Map"):
         if _BUILT_IN[name].is_type(value):

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from collections.abc import Set as AbstractSet
 from decimal import Decimal
-from typing import Any
+from typing import Any, cast
 
 from pyecore.ecore import EEnumLiteral, EObject
 from pyecore.valuecontainer import ECollection
@@ -63,7 +63,9 @@ def collection_kind(value: Any) -> str | None:
         if kind is None:
             if isinstance(value, ECollection):
                 feature = value.feature
-                return ("OrderedSet" if feature.unique else "Sequence") if feature.ordered else ("Set" if feature.unique else "Bag")
+                return (
+                    ("OrderedSet" if feature.unique else "Sequence") if feature.ordered else ("Set" if feature.unique else "Bag")
+                )
             if isinstance(value, (list, tuple)):
                 return "Sequence"
             if isinstance(value, AbstractSet):
@@ -90,6 +92,9 @@ def key(value: Any) -> Any:
         return ("Long", int(value))
     kind = collection_kind(value)
     if kind is not None:
+        if isinstance(value, ECollection):
+            kind = "Sequence"  # EMF's lists are equal to Sequences, whatever their kind
+        kind = getattr(cls, "_eol_equals", kind)
         keys = map(key, value)
         return (kind, frozenset(keys) if kind.endswith("Set") else tuple(keys))
     if isinstance(value, dict) or hasattr(cls, "_eol_map"):
@@ -199,3 +204,20 @@ def _real(value: float) -> str:
     sign, digits, exponent = Decimal(repr(value)).normalize().as_tuple()
     rest = "".join(map(str, digits[1:])) or "0"
     return f"{'-' if sign else ''}{digits[0]}.{rest}E{len(digits) - 1 + int(exponent)}"
+
+
+def flattened(items: list[Any]) -> list[Any] | None:
+    """The items with all nested ones in their place, or None if nothing is nested; nothing recurses."""
+    if not any(collection_kind(x) is not None for x in items):
+        return None
+    flat: list[Any] = []
+    pending: list[Iterator[Any]] = [iter(items)]
+    while pending:
+        for x in pending[-1]:
+            if collection_kind(x) is not None:
+                pending.append(iter(cast(Iterable[Any], x)))
+                break
+            flat.append(x)
+        else:
+            pending.pop()
+    return flat

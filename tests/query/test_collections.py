@@ -33,10 +33,15 @@ def test_empty_collections_answer_as_eol_does() -> None:
 
 def test_exists_and_one_stop_as_soon_as_the_answer_is_known() -> None:
     seen: list[int] = []
-    assert Q([1, 2, 3]).exists(lambda x: seen.append(x) or x == 2)
+
+    def noted(x: int) -> int:
+        seen.append(x)
+        return x
+
+    assert Q([1, 2, 3]).exists(lambda x: noted(x) == 2)
     assert seen == [1, 2]
     seen.clear()
-    assert not Q([1, 1, 1]).one(lambda x: seen.append(x) or x == 1)
+    assert not Q([1, 1, 1]).one(lambda x: noted(x) == 1)
     assert seen == [1, 1]
 
 

@@ -1,0 +1,62 @@
+"""The operations that change a collection itself: EOL's `add` ... `clear`. All others give a new collection."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from robosmi.query.values import key, position
+
+T = TypeVar("T")
+
+
+class Changeable(Generic[T]):
+    """The operations that change; `Q` and its kinds inherit them."""
+
+    __slots__ = ()
+    _items: list[T]
+
+    if TYPE_CHECKING:
+
+        def at(self, index: int) -> T | None:
+            """See `Q.at`."""
+
+    def add(self, value: T) -> bool:
+        """Add an item to this collection itself; whether that changed it."""
+        self._items.append(value)
+        return True
+
+    def add_all(self, values: Iterable[T]) -> bool:
+        """Add items to this collection itself; whether that changed it."""
+        added = [self.add(v) for v in list(values)]  # all of them, not as many as the first success takes
+        return any(added)
+
+    def remove(self, value: Any) -> bool:
+        """Remove the first item that is the value from this collection itself; whether there was one."""
+        place = position(self._items, value)
+        if place >= 0:
+            del self._items[place]
+        return place >= 0
+
+    def remove_at(self, index: int) -> T | None:
+        """Remove the item at an index from this collection itself, and give it.
+
+        Raises:
+            OperandError: a Sequence has no such index.
+        """
+        item = self.at(index)
+        if 0 <= index < len(self._items):
+            del self._items[index]
+        return item
+
+    def remove_all(self, values: Iterable[Any]) -> bool:
+        """Remove the values, wherever they occur, from this collection itself; whether that changed it."""
+        unwanted = {key(v) for v in values}
+        kept = [x for x in self._items if key(x) not in unwanted]
+        changed = len(kept) < len(self._items)
+        self._items[:] = kept
+        return changed
+
+    def clear(self) -> None:
+        """Remove all items from this collection itself."""
+        self._items.clear()

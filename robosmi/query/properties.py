@@ -1,0 +1,138 @@
+"""Properties: `get(x, "name")` as EOL's `x.name`, on anything.
+
+Of an element its feature; of a collection the property of every item; of a Tuple a field; of an enumeration literal `name`,
+`value`, `literal`; of anything an operation without arguments (`"robot".length`), as in the engine. None has no property:
+`get` raises, `get_safe` gives None (EOL `?.`). Elements of other technologies need only answer `getattr`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from operator import attrgetter
+from typing import Any
+
+from pyecore.ecore import EClass, EEnumLiteral, EObject
+
+from robosmi.errors import ModelError
+from robosmi.query.collections import Q, collection
+from robosmi.query.maps import Map, Tuple
+from robosmi.query.problems import UndefinedError, unknown_property
+from robosmi.query.run import ext
+from robosmi.query.types import EolType
+from robosmi.query.values import collection_kind, compares_itself
+
+_MISSING: Any = object()
+
+
+def get(target: Any, name: str) -> Any:
+    """A property (EOL `target.name`); `~name` is an extended one.
+
+    Raises:
+        UndefinedError: the target is None.
+        ModelError: it has no such property.
+
+    >>> get([[1, 2], [3]], "size"), get("robot", "length")
+    (2, 5)
+    """
+    from robosmi.query.operations import has_plain_operation, plain_operation
+
+    if target is None:
+        raise UndefinedError(f"the property '{name}' of nothing was asked for", fix="use get_safe, or a default")
+    if name[:1] == "~":
+        return getattr(ext(target), name[1:])
+    if isinstance(target, Tuple):
+        return target.field(name)
+    if isinstance(target, EObject) and not isinstance(target, EEnumLiteral):
+        feature = target.eClass.findEStructuralFeature(name)
+        if feature is not None:
+            value = getattr(target, name)
+            return collection(value) if compares_itself(value.__class__) else value
+        if isinstance(target, EClass) and name == "name":
+            return target.name
+    elif (collection_kind(target) is None or isinstance(target, (EEnumLiteral, EolType))) and not isinstance(target, Map | dict):
+        value = _own(target, name)
+        if value is not _MISSING:
+            return value
+    if has_plain_operation(target, name):
+        return plain_operation(target, name)
+    if collection_kind(target) is not None:
+        return collection(target).get(name)
+    raise unknown_property(describe(target), name, property_names(target))
+
+
+def get_safe(target: Any, name: str) -> Any:
+    """A property, or None if the target is None (EOL `target?.name`).
+
+    >>> get_safe(None, "name") is None
+    True
+    """
+    return None if target is None else get(target, name)
+
+
+def has_property(target: Any, name: str) -> bool:
+    """Whether the target has the property (EOL `hasProperty`): a feature, a field, or an operation without arguments."""
+    from robosmi.query.operations import has_plain_operation
+
+    if isinstance(target, Tuple):
+        return name in target
+    if target is None:
+        return False
+    known = isinstance(target, EObject) and target.eClass.findEStructuralFeature(name) is not None
+    return known or name in property_names(target) or has_plain_operation(target, name)
+
+
+def get_all(items: Iterable[Any], name: str, default: Any = _MISSING) -> list[Any]:
+    """A property of every item, for `q.name`; items that are None give the default, without one they raise.
+
+    Raises:
+        UndefinedError: an item is None.
+        ModelError: an item has no such property.
+    """
+    found = items if isinstance(items, list) else list(items)
+    classes = set(map(type, found))
+    if default is not _MISSING and type(None) in classes:
+        return [default if x is None else _of(x, name) for x in found]
+    if type(None) not in classes and not any(compares_itself(cls) or not issubclass(cls, EObject) for cls in classes):
+        try:
+            values = list(map(attrgetter(name), found))
+        except ModelError:
+            raise
+        except AttributeError:
+            values = [_of(x, name) for x in found]  # finds the one that has none, and says so
+        if not any(compares_itself(cls) or issubclass(cls, _METHODS) for cls in set(map(type, values))):
+            return values
+    return [_of(x, name) for x in found]
+
+
+_METHODS = (type(Q.get), type(Q().get))
+
+
+def _of(target: Any, name: str) -> Any:
+    return get(target, name)
+
+
+def _own(target: Any, name: str) -> Any:
+    """An attribute of a plain Python object; texts and numbers have methods only, and no method is a property."""
+    if name[0] == "_" or isinstance(target, (str, int, float)):
+        return _MISSING
+    value = getattr(target, name, _MISSING)
+    return _MISSING if isinstance(value, _METHODS) or (callable(value) and not isinstance(value, EObject)) else value
+
+
+def describe(target: Any) -> str:
+    """What a target is, for messages: `a Book`, `a Sequence`."""
+    kind = collection_kind(target)
+    if kind is None:
+        kind = target.eClass.name if isinstance(target, EObject) else type(target).__name__
+    return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"
+
+
+def property_names(target: Any) -> list[str]:
+    """The names of the properties a target has of its own."""
+    if isinstance(target, Tuple):
+        return list(target)
+    if isinstance(target, EEnumLiteral):
+        return ["name", "value", "literal"]
+    if isinstance(target, EObject):
+        return [feature.name for feature in target.eClass.eAllStructuralFeatures()]
+    return ["name"] if isinstance(target, EolType) else [n for n in getattr(target, "__dict__", {}) if n[0] != "_"]

@@ -1,0 +1,54 @@
+"""The order that `sort_by` goes by.
+
+Numbers are compared by value, texts with texts, Booleans with Booleans; as soon as a None, an element or a collection takes part
+in a comparison, both sides are compared as texts. Source: SortByOperation of Epsilon. Nothing here is called by users.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cmp_to_key
+from typing import Any, TypeVar
+
+from robosmi.query.problems import OperandError
+from robosmi.query.values import Long, as_string, collection_kind, is_number
+
+T = TypeVar("T")
+
+_NUMBERS = frozenset({int, float, Long})
+_UNORDERED: Any = vars(object)["__lt__"]
+
+
+def sorted_by(items: list[T], body: Callable[[T], Any]) -> list[T]:
+    """The items in the order of the body's values; the body is called once for each, in order.
+
+    Raises:
+        OperandError: two values have no order between them.
+    """
+    values = [body(x) for x in items]
+    classes = set(map(type, values))
+    if classes <= _NUMBERS or classes == {str} or classes == {bool}:
+        order = sorted(range(len(items)), key=values.__getitem__)
+    else:
+        by_value = cmp_to_key(_compare)
+        order = sorted(range(len(items)), key=[by_value(v) for v in values].__getitem__)
+    return [items[i] for i in order]
+
+
+def _compare(left: Any, right: Any) -> int:
+    if is_number(left) and is_number(right):
+        return int(left > right) - int(left < right)
+    if _comparable(left) and _comparable(right):
+        try:
+            return int(left > right) - int(left < right)
+        except TypeError as error:
+            raise OperandError(f"sort_by: {left!r} and {right!r} have no order between them") from error
+    first, second = as_string(left), as_string(right)
+    return (first > second) - (first < second)
+
+
+def _comparable(value: Any) -> bool:
+    if isinstance(value, (str, bool)) or is_number(value):
+        return True
+    own: Any = getattr(type(value), "__lt__", None)  # dates and the like, and Python's tuples of keys
+    return isinstance(value, tuple) or (collection_kind(value) is None and own is not _UNORDERED)
