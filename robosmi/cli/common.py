@@ -14,7 +14,9 @@ def add_source_options(parser: argparse.ArgumentParser) -> None:
     """The options that say how a program is read."""
     parser.add_argument("files", nargs="+", metavar="FILE", type=Path, help="source file(s) of one program")
     parser.add_argument("--source-platform", metavar="NAME", help="platform the program was written for")
-    parser.add_argument("-I", dest="include_dirs", action="append", default=[], metavar="DIR", type=Path, help="folder with headers")
+    parser.add_argument(
+        "-I", dest="include_dirs", action="append", default=[], metavar="DIR", type=Path, help="folder with headers"
+    )
     parser.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="macro defined from outside")
 
 

@@ -32,7 +32,10 @@ def run(arguments: argparse.Namespace) -> Report:
 
 def _lines(compiled: CompileReport) -> list[str]:
     lines = [f"compiled for {compiled.board} with {compiled.tool}" if compiled.ok else f"does not compile for {compiled.board}"]
-    for what, used, limit in (("flash", compiled.flash_bytes, compiled.flash_limit), ("RAM", compiled.ram_bytes, compiled.ram_limit)):
+    for what, used, limit in (
+        ("flash", compiled.flash_bytes, compiled.flash_limit),
+        ("RAM", compiled.ram_bytes, compiled.ram_limit),
+    ):
         if used is not None:
             lines.append(f"  {what}: {used} of {limit} bytes ({100 * used / limit:.0f} %)")
     lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from robosmi.cli.migrate import report_of
+from robosmi.cli.migrate import filled
 from robosmi.plugins import content
 from robosmi.report import Report
 
@@ -20,5 +20,6 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
+    report = Report("generate")
     done = content("chain", "generate")(arguments.plan, arguments.output, dry_run=arguments.dry_run, strict=arguments.strict)
-    return report_of(done, "generate", {}, ())
+    return filled(report, done, {}, ())

@@ -16,7 +16,7 @@ import time
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import (
     CompileError,
     InternalError,
@@ -113,11 +113,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or the interpreter complains at its end
         return 0
+    except OSError as error:  # what no reader or writer foresaw: a name too long, a disk that is full
+        if os.environ.get("ROBOSMI_DEBUG"):
+            raise
+        place = Location(str(error.filename)) if error.filename else None
+        refused = SourceError(
+            f"the system refuses: {error.strerror or error}",
+            location=place,
+            fix="check the path, the permissions and the space on the disk",
+        )
+        return _failed(refused, name, as_json, started)
     except Exception as error:
         if os.environ.get("ROBOSMI_DEBUG"):
             raise
         bug = InternalError(
-            f"{type(error).__name__}: {error}", fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened"
+            f"{type(error).__name__}: {error}",
+            fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",
         )
         return _failed(bug, name, as_json, started)
 

@@ -3,11 +3,35 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any, Protocol
 
 from robosmi.cli.common import add_source_options, pairs, project_of
+from robosmi.diagnostics import Finding
 from robosmi.plugins import content
+from robosmi.project import Accepted
 from robosmi.report import Report
+
+
+class Generated(Protocol):
+    """What the chains that generate give back (their content is not known to the command line)."""
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What is worth knowing."""
+
+    def result(self) -> dict[str, Any]:
+        """The command's part of the document."""
+
+    def tasks(self) -> Sequence[Finding]:
+        """What is left for a person."""
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """Files written."""
+
+    def lines(self) -> list[str]:
+        """Text for a terminal."""
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -17,7 +41,12 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--target", metavar="NAME", help="target board")
     parser.add_argument("-o", dest="output", metavar="OUT", type=Path, required=True, help="output folder")
     parser.add_argument(
-        "--library", dest="libraries", action="append", default=[], metavar="COMPONENT=LIBRARY", help="library for a drawn component"
+        "--library",
+        dest="libraries",
+        action="append",
+        default=[],
+        metavar="COMPONENT=LIBRARY",
+        help="library for a drawn component",
     )
     parser.add_argument("--bind", action="append", default=[], metavar="NAME=PIN", help="target pin for a port of the source")
     parser.add_argument("--adapters", choices=("filled", "placeholders"), help="bodies of adapters")
@@ -28,6 +57,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
+    report = Report("migrate")
     project = project_of(arguments.files[0])
     done = content("chain", "migrate")(
         arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
@@ -35,17 +65,13 @@ def run(arguments: argparse.Namespace) -> Report:
         libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
         dry_run=arguments.dry_run, strict=arguments.strict,
     )  # fmt: skip
-    return report_of(done, "migrate", project.severity, project.accept)
+    return filled(report, done, project.severity, project.accept)
 
 
-def report_of(done: object, command: str, severity: dict[str, str], accept: tuple[object, ...]) -> Report:
+def filled(report: Report, made: Generated, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
     """The report of a generation, whether from sources or from a stored plan."""
-    from typing import Any, cast
-
-    made = cast(Any, done)
-    report = Report(command)
     report.result, report.findings, report.tasks = made.result(), list(made.findings), list(made.tasks())
     report.artifacts = made.artifacts()
     report.lines = made.lines()
-    report.judge(severity, cast(Any, accept))
+    report.judge(severity, accept)
     return report

@@ -26,7 +26,10 @@ def run(arguments: argparse.Namespace) -> Report:
     report = Report("recommend")
     project = project_of(arguments.sketch or arguments.components)
     done = content("chain", "recommend")(
-        arguments.sketch, components=arguments.components, ranker=arguments.ranker or defaults()["rank"]["ranker"], roles=project.roles
+        arguments.sketch,
+        components=arguments.components,
+        ranker=arguments.ranker or defaults()["rank"]["ranker"],
+        roles=project.roles,
     )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)

@@ -33,7 +33,7 @@ def render(template: str, **values: Any) -> str:
     """The text of a template.
 
     Args:
-        template: its name below the templates folder, e.g. `arduino/sketch.ino.j2`.
+        template: its name below the templates folder, e.g. `report/migration.md.j2`.
         values: what it shows.
     """
     return str(environment().get_template(template).render(**values))

@@ -62,7 +62,9 @@ class Manifest:
 
     def to_bytes(self) -> bytes:
         """The file's bytes, the same for the same contents."""
-        return (json.dumps({"schema": SCHEMA, "choices": self.choices, "files": self.files}, indent=1, sort_keys=True) + "\n").encode()
+        return (
+            json.dumps({"schema": SCHEMA, "choices": self.choices, "files": self.files}, indent=1, sort_keys=True) + "\n"
+        ).encode()
 
     def guard(self, folder: Path, contents: Mapping[str, bytes], *, inputs: Iterable[str] = ()) -> frozenset[str]:
         """Make sure that writing these contents loses nothing.

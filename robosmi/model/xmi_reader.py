@@ -7,11 +7,14 @@ reported together. Which metamodels there are is `metamodels`' business.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
+
+from ordered_set import OrderedSet
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
@@ -38,7 +41,7 @@ def read_models(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
         ModelError: a file contradicts its metamodel, or a reference leads nowhere; all problems in one message.
     """
     loader = _Loader(metamodels)
-    loader.load(path.resolve(), None)
+    loader.load(Path(os.path.realpath(path)), None)
     loader.link()
     if loader.problems:
         shown = "\n".join(f"  {location}: {text}" for location, text in loader.problems[:20])
@@ -108,9 +111,8 @@ class _Loader:
         element = cls()
         line = node.sourceline
         for name, value in node.attrib.items():
-            if name[0] == "{":
-                if name.startswith((XSI, XMI)):
-                    continue
+            if name.startswith((XSI, XMI)):
+                continue
             feature = _feature(cls, name)
             if feature is None:
                 self._problem(path, line, f"{cls.__name__} has no feature '{name}'{did_you_mean(name, _feature_names(cls))}")
@@ -169,13 +171,14 @@ class _Loader:
     def link(self) -> None:
         """Resolve all references, reading further files as they are met."""
         done = 0
+        listed: list[tuple[Any, list[Any]]] = []
         while done < len(self.pending):
             path, line, element, feature, links = self.pending[done]
             done += 1
             targets = []
             for link in links:
                 file, _, fragment = link.partition("#") if "#" in link else ("", "", link)
-                target_path = (path.parent / unquote(file)).resolve() if file else path
+                target_path = Path(os.path.realpath(path.parent / unquote(file))) if file else path
                 self.load(target_path, Location(str(path), line))
                 target = resolve(self.roots[target_path], fragment)
                 if target is None:
@@ -192,8 +195,19 @@ class _Loader:
                 for target in targets:
                     if target not in current:
                         current.append(target)
+                listed.append((current, targets))
             except (ModelError, TypeError) as error:
                 self._problem(path, line, str(error).splitlines()[0])
+        for current, targets in listed:
+            _put_in_order(current, targets)
+
+
+def _put_in_order(collection: Any, listed: list[Any]) -> None:
+    """Give a collection the order of the file, whatever order its opposites were met in."""
+    wanted = [*dict.fromkeys(listed), *(e for e in collection if e not in listed)]
+    if isinstance(collection, OrderedSet) and collection.items != wanted:
+        collection.items[:] = wanted
+        collection.map.update({element: index for index, element in enumerate(wanted)})
 
 
 def resolve(root: Any, fragment: str) -> Any:

@@ -50,9 +50,14 @@ class Report:
             if level or reason is not None:
                 evidence = dict(finding.evidence) | ({"accepted": reason} if reason is not None else {})
                 finding = Finding(
-                    finding.rule, Severity.info if reason is not None else Severity[level or "info"], finding.message, finding.location,
-                    finding.element, finding.fix, evidence,
-                )  # fmt: skip
+                    finding.rule,
+                    Severity.info if reason is not None else Severity[level or "info"],
+                    finding.message,
+                    finding.location,
+                    finding.element,
+                    finding.fix,
+                    evidence,
+                )
             judged.append(finding)
         self.findings = judged
 

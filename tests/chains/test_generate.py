@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 import robosmi
+from robosmi.metamodels import migration
 from tests.running import run, tree
 
 
@@ -164,8 +165,6 @@ def test_an_edit_of_the_text_in_the_plan_is_kept(migrated: Path) -> None:
     source = (migrated / "models" / "source" / "line_follower.c").read_bytes()
 
     def add(root: Any) -> None:
-        from robosmi.metamodels import migration
-
         start = source.index(b"pause(1000)")
         root.edits.append(
             migration.Edit(

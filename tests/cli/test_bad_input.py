@@ -351,6 +351,20 @@ def test_a_model_cannot_be_stored_below_a_file(
     assert tree(tmp_path) == before
 
 
+def test_an_output_name_that_is_too_long_is_refused(line_follower: Path, tmp_path: Path) -> None:
+    before = tree(tmp_path)
+    check_refused(run("migrate", line_follower, "-o", tmp_path / ("x" * 300)), 3, "too long")
+    assert tree(tmp_path) == before
+
+
+@pytest.mark.parametrize("command", ["analyse", "migrate", "generate"])
+def test_a_link_that_leads_to_itself_is_refused(command: str, tmp_path: Path) -> None:
+    (tmp_path / "loop.c").symlink_to("loop.c")
+    outcome = run(command, tmp_path / "loop.c", "-o", tmp_path / "out")
+    assert outcome.code == 3
+    assert "loop.c" in outcome.err
+
+
 def test_a_model_cannot_be_stored_over_a_folder(line_follower: Path, tmp_path: Path) -> None:
     (tmp_path / "code.xmi").mkdir()
     check_refused(run("analyse", line_follower, "-o", tmp_path / "code.xmi"), 3, "code.xmi", "no ordinary file")

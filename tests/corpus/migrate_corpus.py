@@ -63,8 +63,10 @@ class Table:
         migrated = self.count("compiled") + self.count("not-compiled")
         total = len(self.outcomes)
         lines = [
-            f"programs {total}: migrated {migrated}, compiled {self.count('compiled')}, refused {self.count('refused')}, crashed {self.count('crashed')}",
-            f"warnings in the sketch: {sum(len(o.warnings) for o in self.outcomes)} in {sum(bool(o.warnings) for o in self.outcomes)} programs; "
+            f"programs {total}: migrated {migrated}, compiled {self.count('compiled')}, "
+            f"refused {self.count('refused')}, crashed {self.count('crashed')}",
+            f"warnings in the sketch: {sum(len(o.warnings) for o in self.outcomes)} "
+            f"in {sum(bool(o.warnings) for o in self.outcomes)} programs; "
             f"elements without exactly one verdict: {sum(o.lost for o in self.outcomes)}",
         ]
         for title, kinds in (("errors", [o.errors for o in self.outcomes]), ("warnings", [o.warnings for o in self.outcomes])):
@@ -79,7 +81,8 @@ class Table:
 
 def programs(folder: Path) -> list[tuple[Path, ...]]:
     """The programs of a folder: the file with main first, then the units that belong to it."""
-    mains, others = {}, {}
+    mains: dict[Path, list[Path]] = {}
+    others: dict[Path, list[Path]] = {}
     for path in sorted(folder.rglob("*.c")):
         (mains if _MAIN.search(path.read_bytes()) else others).setdefault(path.parent, []).append(path)
     return [(path, *(others.get(parent, []) if len(paths) == 1 else [])) for parent, paths in mains.items() for path in paths]
@@ -100,13 +103,15 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     except Exception:
         return Outcome(path, "crashed", message=traceback.format_exc())
     report = robosmi.compile_sketch(output)
-    said = {s: [] for s in Severity}
+    said: dict[Severity, list[str]] = {s: [] for s in Severity}
     for finding in report.diagnostics:
         place = f"{Path(finding.location.path).name}:{finding.location.line}: " if finding.location else "?: "
         if finding.rule in ("RS801", "RS802", "RS803", "RS804"):
             said[finding.severity].append(place + finding.message)
     errors, warnings = tuple(dict.fromkeys(said[Severity.error])), tuple(dict.fromkeys(said[Severity.warning]))
-    return Outcome(path, "compiled" if report.ok else "not-compiled", errors, warnings, lost=len(verdict_faults(made.models.plan)))
+    return Outcome(
+        path, "compiled" if report.ok else "not-compiled", errors, warnings, lost=len(verdict_faults(made.models.plan))
+    )
 
 
 def run(corpus: Path, keep: Path | None = None, only: str = "", workers: int = 2) -> Table:

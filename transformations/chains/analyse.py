@@ -27,7 +27,11 @@ class Analysis:
         lines: list[str] = []
         for unit in self.result["units"]:
             main = unit["main"]
-            loop = f"main has a {main['loop_kind']} loop in line {main['loop_line']}" if main and main["loop_line"] else "no endless loop in main"
+            loop = (
+                f"main has a {main['loop_kind']} loop in line {main['loop_line']}"
+                if main and main["loop_line"]
+                else "no endless loop in main"
+            )
             lines.append(f"{unit['path']}: {len(unit['functions'])} functions, {len(unit['globals'])} globals; {loop}")
             for call in unit["platform_calls"]:
                 lines.append(f"  {call['header'] or '?':20} {call['signature'] or call['name']:50} {call['count']} calls")

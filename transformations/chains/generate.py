@@ -1,7 +1,8 @@
-"""The chain `generate`: a stored plan, perhaps edited, to the sketch. It reads the plan and the models beside it, nothing else."""
+"""The chain `generate`: a stored plan, perhaps edited, to the sketch. It reads the plan and the models beside it only."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
@@ -25,5 +26,5 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
     """
     models = load_models(Path(plan))
     settle(models.plan)
-    own = Path(plan).resolve() == (Path(output) / FOLDER / PLAN).resolve()
+    own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
     return produce(models, Path(output), inputs=[f"{FOLDER}/{PLAN}"] if own else (), dry_run=dry_run, strict=strict)

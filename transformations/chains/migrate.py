@@ -17,9 +17,10 @@ from robosmi.plugins import content
 from robosmi.project import Project, defaults, load_project
 from robosmi.query import ancestor_of_kind
 from robosmi.recommend.history import History
+from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
-from robosmi.transformations.chains.reading import read_drawing, read_program
+from robosmi.transformations.chains.reading import check_source_platform, read_drawing, read_program
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.circuit import the_board
@@ -63,9 +64,11 @@ def plan_migration(
     platform_name = source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
     facts = target_facts(target or project.target or defaults()["migrate"]["target"])
     drawing_path = Path(hardware) if hardware is not None else project.hardware
+    check_source_platform(platform_name)
+    api = ApiIndex.load(platform_name)
+    paths = with_headers(paths, include_dirs, api)
     program, findings = read_program(paths, platform_name, include_dirs, defines)
     main = _the_main(program)
-    api = ApiIndex.load(platform_name)
     for view in views(program, api):
         findings = [*findings, *library_cogs(view), *unknown_functions(view)]
     drawn, board, stored = None, None, {}
@@ -92,9 +95,15 @@ def plan_migration(
         drawing.circuit.path = places[str(drawing_path)]
         stored[drawing.circuit.path] = drawing_path.read_bytes()
     else:
-        findings = [*findings, Finding("RS210", Severity.info, "no drawing was given: ports and libraries stay open", fix="give --hardware SKETCH")]
+        findings = [
+            *findings,
+            Finding("RS210", Severity.info, "no drawing was given: ports and libraries stay open", fix="give --hardware SKETCH"),
+        ]
     choices = Choices(
-        {**project.libraries, **(libraries or {})}, {**project.bind, **(bind or {})}, defaults()["choices"]["limit"], defaults()["rank"]["candidates"]
+        {**project.libraries, **(libraries or {})},
+        {**project.bind, **(bind or {})},
+        defaults()["choices"]["limit"],
+        defaults()["rank"]["candidates"],
     )
     if choices.libraries and drawn is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
@@ -138,7 +147,9 @@ def migrate(
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
     if adapters == "filled":
-        raise UsageError("adapters with bodies are not part of this version", fix="leave out --adapters, or give --adapters placeholders")
+        raise UsageError(
+            "adapters with bodies are not part of this version", fix="leave out --adapters, or give --adapters placeholders"
+        )
     models = plan_migration(
         files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
         defines=defines, libraries=libraries, bind=bind,
@@ -154,7 +165,12 @@ def _the_main(program: ccode.Program) -> ccode.Function:
     Raises:
         SourceError: there is none, or more than one.
     """
-    found = [(u, d) for u in program.units for d in u.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition]
+    found = [
+        (u, d)
+        for u in program.units
+        for d in u.declarations
+        if isinstance(d, ccode.Function) and d.name == "main" and d.definition
+    ]
     if not found:
         raise SourceError(
             "there is no function main, so nothing can be migrated", location=Location(program.units[0].path),
@@ -163,9 +179,10 @@ def _the_main(program: ccode.Program) -> ccode.Function:
     if len(found) > 1:
         unit, second = found[1]
         raise SourceError(
-            f"main is defined twice: also in {found[0][0].path}:{found[0][1].line}", location=Location(unit.path, second.line, second.column),
+            f"main is defined twice: also in {found[0][0].path}:{found[0][1].line}",
+            location=Location(unit.path, second.line, second.column),
             fix="give the files of one program",
-        )  # fmt: skip
+        )
     return found[0][1]
 
 

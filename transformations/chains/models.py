@@ -6,6 +6,7 @@ be moved; read back, every source and model is held against its digest. No trans
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -72,14 +73,19 @@ def load_models(path: Path) -> MigrationModels:
         SourceError: a file is missing, is no plan, or does not match its digest.
         ModelError: a model contradicts its metamodel.
     """
-    roots = {file.name: root for file, root in read_models(path, built_in()).items() if file.parent == path.resolve().parent}
+    folder = Path(os.path.realpath(path)).parent
+    roots = {file.name: root for file, root in read_models(path, built_in()).items() if file.parent == folder}
     plan = roots.get(path.name)
     if not isinstance(plan, migration.MigrationPlan):
         kind = type(plan).__name__
-        raise SourceError(f"this model is a {kind}, not a migration plan", location=Location(str(path)), fix="give the plan.xmi of a migration")
+        raise SourceError(
+            f"this model is a {kind}, not a migration plan", location=Location(str(path)), fix="give the plan.xmi of a migration"
+        )
     if not SKETCH_NAME.fullmatch(plan.name):
         raise SourceError(
-            f"'{plan.name}' cannot be a sketch's name", location=Location(str(path)), fix="use letters, digits and underscores in the plan's name"
+            f"'{plan.name}' cannot be a sketch's name",
+            location=Location(str(path)),
+            fix="use letters, digits and underscores in the plan's name",
         )
     files: dict[str, bytes] = {}
     for entry in plan.inputs:
@@ -93,7 +99,9 @@ def load_models(path: Path) -> MigrationModels:
     for unit in program.units:
         if unit.path not in files:
             raise SourceError(
-                f"the plan has no copy of the source '{unit.path}'", location=Location(str(path)), fix="make the plan again with migrate"
+                f"the plan has no copy of the source '{unit.path}'",
+                location=Location(str(path)),
+                fix="make the plan again with migrate",
             )
     places = {name: str(path.parent / name) for name in files}
     return MigrationModels(plan, program, plan.circuit, repository, files, places)
@@ -102,12 +110,18 @@ def load_models(path: Path) -> MigrationModels:
 def _checked(path: Path, entry: migration.Input) -> bytes:
     file = path.parent / entry.path
     if not within(entry.path):
-        raise SourceError(f"the plan's {entry.kind} lies outside of its folder", location=Location(str(file)), fix="make the plan again with migrate")
+        raise SourceError(
+            f"the plan's {entry.kind} lies outside of its folder",
+            location=Location(str(file)),
+            fix="make the plan again with migrate",
+        )
     try:
         data = file.read_bytes()
     except OSError as error:
         raise SourceError(
-            f"the plan's {entry.kind} cannot be read: {error.strerror}", location=Location(str(file)), fix="keep the models' folder together"
+            f"the plan's {entry.kind} cannot be read: {error.strerror}",
+            location=Location(str(file)),
+            fix="keep the models' folder together",
         ) from error
     if digest(data) != entry.digest:
         raise SourceError(

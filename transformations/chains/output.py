@@ -84,7 +84,8 @@ class Generated:
         chosen = sorted({c.chosen.name for c in plan.libraryChoices if c.chosen is not None})
         lines.append(f"  libraries: {', '.join(chosen) or 'none chosen'}; open choices: {len(open_choices(plan))}")
         lines.append(
-            f"  {sites['total']} calls of {len(plan.adapterUses)} platform functions: {sites['with_body']} with a body, {sites['todo']} to do"
+            f"  {sites['total']} calls of {len(plan.adapterUses)} platform functions: "
+            f"{sites['with_body']} with a body, {sites['todo']} to do"
         )
         lines.append(f"  {len(plan.tasks)} tasks: see {self.sketch / 'MIGRATION.md'}")
         return lines
@@ -94,7 +95,9 @@ def _kind(name: str) -> str:
     return "source" if name.startswith(f"{FOLDER}/source/") else KINDS.get(Path(name).suffix, "record")
 
 
-def produce(models: MigrationModels, output: Path, *, inputs: Iterable[str] = (), dry_run: bool = False, strict: bool = False) -> Generated:
+def produce(
+    models: MigrationModels, output: Path, *, inputs: Iterable[str] = (), dry_run: bool = False, strict: bool = False
+) -> Generated:
     """Generate the sketch of a plan and put it, with the models, into the output folder.
 
     Args:
@@ -113,7 +116,8 @@ def produce(models: MigrationModels, output: Path, *, inputs: Iterable[str] = ()
     if strict and (open_ := open_choices(plan)):
         names = ", ".join(sorted({getattr(d, "name", "") or _component(d) for d in open_}))
         raise StoppedError(
-            f"{len(open_)} choice(s) are open: {names}", fix="decide with --bind and --library or in robosmi.toml, or leave out --strict"
+            f"{len(open_)} choice(s) are open: {names}",
+            fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
         )
     derive_edits(plan, models.files)
     generator = content("generator", target_facts(plan.board.name if plan.board else "").generator)
@@ -149,4 +153,6 @@ def remember(made: Generated) -> None:
             if component is not None:
                 history.record(component.partId, component.partTitle or component.title, choice.choice)
     except RobosmiError as error:
-        made.notes.append(Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix))
+        made.notes.append(
+            Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix)
+        )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -49,23 +50,34 @@ def read_program(
         SourceError: a file cannot be read as a program, or is of another kind than the first.
         UsageError: a file is given twice, or there is no such platform.
     """
-    platforms = source_platforms()
-    if platform_name not in platforms:
-        raise UsageError(
-            f"no source platform is called '{platform_name}'{did_you_mean(platform_name, platforms)}", fix=f"use one of: {', '.join(platforms)}"
-        )
-    seen: set[Path] = set()
+    check_source_platform(platform_name)
+    seen: set[str] = set()
     readers = [reader_for(path, "program reader", "c_source") for path in paths]
     for path, reader in zip(paths, readers, strict=True):
-        if path.resolve() in seen:
+        if os.path.realpath(path) in seen:
             raise UsageError(f"'{path}' is given twice", fix="give each source file once")
-        seen.add(path.resolve())
+        seen.add(os.path.realpath(path))
         if reader is not readers[0]:
-            raise SourceError("this file is in another language than the first", location=Location(str(path)), fix="give files of one language")
+            raise SourceError(
+                "this file is in another language than the first", location=Location(str(path)), fix="give files of one language"
+            )
     program: ccode.Program
     findings: list[Finding]
     program, findings = readers[0](paths, platform=platform_name, include_dirs=include_dirs, defines=defines)
     return program, findings
+
+
+def check_source_platform(name: str) -> None:
+    """Refuse a source platform that nothing is known of.
+
+    Raises:
+        UsageError: there is none of that name.
+    """
+    platforms = source_platforms()
+    if name not in platforms:
+        raise UsageError(
+            f"no source platform is called '{name}'{did_you_mean(name, platforms)}", fix=f"use one of: {', '.join(platforms)}"
+        )
 
 
 def source_platforms() -> list[str]:

@@ -39,7 +39,9 @@ class Recommendations:
         for query, answer in zip(self.queries, self.answers, strict=True):
             lines.append(f"{query.label or query.title} ({query.title}): {answer.decision}")
             for candidate in answer.candidates[:5]:
-                lines.append(f"  {candidate.score:6.3f}  {candidate.library} <{candidate.header}>  {next(iter(candidate.reasons), '')}")
+                lines.append(
+                    f"  {candidate.score:6.3f}  {candidate.library} <{candidate.header}>  {next(iter(candidate.reasons), '')}"
+                )
         return lines
 
 

@@ -14,13 +14,13 @@ from robosmi.query import all_of_kind
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CalledFunction, CodeView
+from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
 from robosmi.transformations.t2m.target_platform import TargetFacts
 
-OWN_PROTOTYPE = "program"
-"""`signatureSource` of an adapter that the program itself declares: its body is written where the prototype stands."""
 
-
-def called_functions(program: ccode.Program, views: Iterable[CodeView], target: TargetFacts, names: TargetNames) -> dict[str, CalledFunction]:
+def called_functions(
+    program: ccode.Program, views: Iterable[CodeView], target: TargetFacts, names: TargetNames
+) -> dict[str, CalledFunction]:
     """The functions that need an adapter, by name.
 
     Args:
@@ -52,10 +52,21 @@ def _own_names(program: ccode.Program) -> set[str]:
 def _referenced(view: CodeView) -> Iterable[CalledFunction]:
     """Functions of the platform that are handed on without being called."""
     for reference in all_of_kind(view.unit, ccode.NameReference):
-        if isinstance(reference.target, ccode.ExternalSymbol) or (isinstance(reference.target, ccode.Function) and not reference.target.definition):
+        if isinstance(reference.target, ccode.ExternalSymbol) or (
+            isinstance(reference.target, ccode.Function) and not reference.target.definition
+        ):
             entry = view.resolve(reference.name)
             if entry is not None and entry.callable and reference.name not in view.called():
                 yield CalledFunction(reference.name, entry=entry, header=entry.header)
+    for macro in view.unit.macros:  # another name for a function
+        other = macro.body.strip()
+        if macro.functionLike or not other.isidentifier() or other in view.called():
+            continue
+        entry = view.resolve(other)
+        calls = [c for c in view.calls if c.calleeName == macro.name]
+        if calls or (entry is not None and entry.callable):
+            known = entry if entry is not None and entry.callable else None
+            yield CalledFunction(other, calls, known, known.header if known else "", callee=calls[0].callee if calls else None)
 
 
 def own_prototypes(program: ccode.Program) -> dict[str, ccode.Function]:
@@ -112,7 +123,9 @@ def _signature(
         variadic = prototype.variadic or (not types and any(c.arguments for c in called.calls))
         return Signature(name, _spelling(prototype.returnType) or "int", types, variadic), prototype.signature, OWN_PROTOTYPE
     if function is not None and (function.returnType or not function.functionLikeMacro):
-        declared = Signature(name, function.returnType, tuple((p.spelling, p.name) for p in function.parameters), function.variadic)
+        declared = Signature(
+            name, function.returnType, tuple((p.spelling, p.name) for p in function.parameters), function.variadic
+        )
         if _fits(declared, called.calls):
             return declared, function.signature, "repository"
     if inferred is not None and called.calls:
@@ -136,7 +149,9 @@ def _fits(signature: Signature, calls: Iterable[ccode.Call]) -> bool:
 
 def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin: str, generated: str) -> list[str]:
     lines = ", ".join(str(line) for line in sorted(set(called.lines)))
-    notes = [f"called in line{'s' if ',' in lines else ''} {lines}"] if lines else ["used without a call, or in the body of a macro"]
+    notes = (
+        [f"called in line{'s' if ',' in lines else ''} {lines}"] if lines else ["used without a call, or in the body of a macro"]
+    )
     if origin == OWN_PROTOTYPE:
         notes.append("the program declares it and defines it nowhere")
     elif function is None:

@@ -1,25 +1,23 @@
 """Edits of the carried-over text, derived from the plan's decisions.
 
 They are derived anew whenever text is generated, so that a person who changes a decision in a stored plan need not know
-about offsets. Edits that a person added (they belong to no decision) are kept. The rules of dispositions that change
-text are a table; what is changed for `main` as a whole is the generator's.
+about offsets. Edits that a person added (they belong to no decision) are kept. What a disposition's rule does to the
+text is a table (`edit_rules`); what is changed for `main` as a whole is the generator's.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement
 from robosmi.transformations.queries.source_text import SourceText
 
-RULE_TEXTS: dict[str, str] = {
-    "return-from-setup": "return",
-    "continue-main-loop": "return",
-}
-"""Rule of a `rewrite` disposition -> the text that takes the element's place."""
+RETAINED = frozenset({"own-macro", "own-function", "own-declaration", "main-once", "main-repeated"})
+"""Rules whose elements are carried over as they are, but for the ports in them."""
 
 
 def derive_edits(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
@@ -33,14 +31,48 @@ def derive_edits(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) ->
         ModelError: a binding's element cannot be rewritten as the binding says.
     """
     own = [e for e in plan.edits if e.decision is None]
-    texts = {id(u): SourceText(u, sources[u.path], ()) for u in plan.program.units} if plan.program else {}
-    edits = list(own)
-    for disposition in plan.dispositions:
-        edits += _disposition_edits(disposition, texts)
+    texts = [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else []
+    derived: list[migration.Edit] = []
     for binding in plan.portBindings:
-        edits += _binding_edits(binding)
+        derived += _binding_edits(binding)
+    for disposition in plan.dispositions:
+        derived += _disposition_edits(disposition, texts)
     plan.edits.clear()
-    plan.edits.extend(sorted(edits, key=lambda e: (e.unit.path if e.unit else "", e.startOffset)))
+    plan.edits.extend(_apart([*own, *derived]))
+    _mark_rewritten(plan)
+
+
+def _mark_rewritten(plan: migration.MigrationPlan) -> None:
+    """What a port binding changes the text of is rewritten, and retained again when the binding is gone."""
+    ports = [(id(e.unit), e.startOffset, e.endOffset) for e in plan.edits if isinstance(e.decision, migration.PortBinding)]
+    for disposition in plan.dispositions:
+        element = disposition.element
+        if element is None or disposition.rule not in RETAINED:
+            continue
+        unit = id(ancestor_of_kind(element, ccode.SourceUnit))
+        changed = any(u == unit and element.startOffset <= start and end <= element.endOffset for u, start, end in ports)
+        disposition.action = migration.Action.rewrite if changed else migration.Action.retain
+
+
+def _apart(edits: Sequence[migration.Edit]) -> list[migration.Edit]:
+    """The edits in text order without those that lie in what another one takes away; of equal ones the first counts."""
+    kept: list[migration.Edit] = []
+    order = sorted(enumerate(edits), key=lambda p: (p[1].unit.path if p[1].unit else "", p[1].startOffset, -p[1].endOffset, p[0]))
+    reach, unit = -1, None
+    inserted: list[migration.Edit] = []
+    for _, edit in order:
+        if edit.unit is not unit:
+            reach, unit = -1, edit.unit
+        if edit.startOffset == edit.endOffset:
+            inserted.append(edit)
+        elif edit.startOffset >= reach:
+            kept.append(edit)
+            reach = edit.endOffset
+    ranges = [(id(e.unit), e.startOffset, e.endOffset) for e in kept]
+    for edit in inserted:
+        if not any(unit_id == id(edit.unit) and start < edit.startOffset < end for unit_id, start, end in ranges):
+            kept.append(edit)
+    return sorted(kept, key=lambda e: (e.unit.path if e.unit else "", e.startOffset, e.endOffset))
 
 
 def _unit(element: ccode.Located) -> ccode.SourceUnit:
@@ -50,54 +82,25 @@ def _unit(element: ccode.Located) -> ccode.SourceUnit:
     return unit
 
 
-def _disposition_edits(disposition: migration.Disposition, texts: Mapping[int, SourceText]) -> list[migration.Edit]:
+def _disposition_edits(disposition: migration.Disposition, texts: Sequence[SourceText]) -> list[migration.Edit]:
     element = disposition.element
-    if isinstance(element, ccode.Include) and disposition.rule in _INCLUDE_RULES:
-        unit = _unit(element)
-        text = texts[id(unit)]
-        end = text.line_end(element.endOffset)
-        return [_edit(unit, text.line_start(element.startOffset), end, "", disposition, _INCLUDE_RULES[disposition.rule])]
-    if isinstance(element, ccode.Variable) and disposition.action is migration.Action.hoist:
-        return [_hoist_edit(element, disposition, texts[id(_unit(element))])]
-    if isinstance(element, ccode.Return) and disposition.rule == "return-value-from-setup" and element.value is not None:
-        value = texts[id(_unit(element))].slice(element.value.startOffset, element.value.endOffset)[0]
-        return [_edit(_unit(element), element.startOffset, element.endOffset, f"return (void)({value})", disposition, disposition.reason)]
-    if disposition.action is migration.Action.rewrite and element is not None and disposition.rule in RULE_TEXTS:
-        replacement = RULE_TEXTS[disposition.rule]
-        return [_edit(_unit(element), element.startOffset, element.endOffset, replacement, disposition, disposition.reason)]
-    if disposition.action is migration.Action.drop and isinstance(element, ccode.Function) and not element.definition:
-        unit = _unit(element)
-        end = texts[id(unit)].line_end(element.endOffset)
-        return [_edit(unit, element.startOffset, max(element.endOffset, end - 1), "", disposition, disposition.reason)]
-    return []
+    if element is None or disposition.rule not in RULES:
+        return []
+    unit = _unit(element)
+    made: list[migration.Edit] = []
+    for text in texts:
+        if text.unit is unit or disposition.rule in EVERYWHERE:
+            found = RULES[disposition.rule](element, disposition.choice, text)
+            made += [_edit(text.unit, replacement, disposition, disposition.reason) for replacement in found]
+    return made
 
 
-def _hoist_edit(variable: ccode.Variable, disposition: migration.Disposition, text: SourceText) -> migration.Edit:
-    """Takes the declaration of a hoisted local out; a value that is not constant is assigned where the declaration stood."""
-    statement = variable.eContainer()
-    assert isinstance(statement, ccode.Located)
-    start, end = statement.startOffset, statement.endOffset
-    if disposition.rule == "hoist-local-split" and variable.initializer is not None:
-        value = text.slice(variable.initializer.startOffset, variable.initializer.endOffset)[0]
-        return _edit(text.unit, start, end, f"{variable.name} = {value};", disposition, disposition.reason)
-    if text.blank(text.line_start(start), start):  # a line of its own goes with its comment, which moves along
-        start, end = text.line_start(start), text.line_end(end - 1)
-    return _edit(text.unit, start, end, "", disposition, disposition.reason)
-
-
-_INCLUDE_RULES = {
-    "platform-include": "the header belongs to the source platform",
-    "standard-include": "stands at the top of the sketch",
-    "posix-include": "the target has no such header",
-    "unknown-include": "nothing is known of this header",
-}
-
-
-def _edit(
-    unit: ccode.SourceUnit, start: int, end: int, replacement: str, decision: migration.Decision, reason: str
-) -> migration.Edit:
+def _edit(unit: ccode.SourceUnit, replacement: Replacement, decision: migration.Decision, reason: str) -> migration.Edit:
+    start, end, text = replacement
     step = migration.Step.hardware if isinstance(decision, migration.PortBinding) else migration.Step.code
-    return migration.Edit(unit=unit, startOffset=start, endOffset=end, replacement=replacement, reason=reason, step=step, decision=decision)
+    return migration.Edit(
+        unit=unit, startOffset=start, endOffset=end, replacement=text, reason=reason, step=step, decision=decision
+    )
 
 
 def _binding_edits(binding: migration.PortBinding) -> list[migration.Edit]:
@@ -112,10 +115,9 @@ def _binding_edits(binding: migration.PortBinding) -> list[migration.Edit]:
             fix="remove the binding, or write the port as a constant of its own in the source",
         )
     start, end = place
-    unit = _unit(binding.element)
     if isinstance(binding.element, ccode.EnumerationLiteral):
         value = f"{binding.element.name} = {value}"
-    return [_edit(unit, start, end, value, binding, f"the port is {binding.choice} on the target")]
+    return [_edit(_unit(binding.element), (start, end, value), binding, f"the port is {binding.choice} on the target")]
 
 
 def port_value(binding: migration.PortBinding) -> str | None:
@@ -147,5 +149,7 @@ def _enumerator(literal: ccode.EnumerationLiteral) -> tuple[int, int] | None:
 
 
 _PLACES: dict[type, Callable[[Any], tuple[int, int] | None]] = {
-    ccode.Variable: _initial_value, ccode.Macro: _macro_body, ccode.EnumerationLiteral: _enumerator,
-}  # fmt: skip
+    ccode.Variable: _initial_value,
+    ccode.Macro: _macro_body,
+    ccode.EnumerationLiteral: _enumerator,
+}

@@ -89,11 +89,13 @@ def make_plan(
         UsageError: a choice names what does not exist.
     """
     trace = TraceRecorder()
-    dependence = partition(program, api, target, trace)
+    dependence = partition(program, api, target, files, trace)
     assert dependence.source is not None
     connections = list(drawn.connections) if drawn else []
     for connection in connections:
-        trace.link("connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection])
+        trace.link(
+            "connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection]
+        )
     bindings = bind_ports(program, dependence.source, api, connections, board, choices.bind, choices.limit)
     for binding in bindings:
         trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
@@ -101,24 +103,40 @@ def make_plan(
     library_choices = []
     if drawn is not None:
         reached = [c for c in Q(connections).collect(lambda c: c.component).distinct() if c is not None]
-        library_choices = choose_libraries(drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates)
+        library_choices = choose_libraries(
+            drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates
+        )
         for choice in library_choices:
             trace.link("library ranking", "libraries", [choice.component], [choice])
     platform_target = target_model(target, board, list(libraries.elements.values()))
     repository = platform.PlatformRepository(platforms=[dependence.source, platform_target])
     divided = any(d.loop is not None for d in dependence.divisions)
     plan = migration.MigrationPlan(
-        name=name, toolVersion=version,
+        name=name,
+        toolVersion=version,
         structure=migration.ProgramStructure.loopForever if divided else migration.ProgramStructure.runOnce,
-        program=program, circuit=drawn.circuit if drawn else None, source=dependence.source, target=platform_target, board=board,
+        program=program,
+        circuit=drawn.circuit if drawn else None,
+        source=dependence.source,
+        target=platform_target,
+        board=board,
         boardComponent=drawn.board if drawn else None,
         inputs=[
-            migration.Input(path=path, digest=digest(data), kind="source" if _is_source(path, program) else "drawing", origin=path.rpartition("/")[2])
+            migration.Input(
+                path=path,
+                digest=digest(data),
+                kind="source" if _is_source(path, program) else "drawing",
+                origin=path.rpartition("/")[2],
+            )
             for path, data in files.items()
         ],
-        dispositions=dependence.dispositions, connections=connections, portBindings=bindings, libraryChoices=library_choices,
-        adapterUses=dependence.adapters, symbolUses=dependence.symbols,
-    )  # fmt: skip
+        dispositions=dependence.dispositions,
+        connections=connections,
+        portBindings=bindings,
+        libraryChoices=library_choices,
+        adapterUses=dependence.adapters,
+        symbolUses=dependence.symbols,
+    )
     complete(plan, findings, paths)
     plan.trace = trace.to_model()
     return plan, repository
@@ -126,18 +144,8 @@ def make_plan(
 
 def complete(plan: migration.MigrationPlan, findings: list[Finding], paths: Mapping[str, str]) -> None:
     """Derive the plan's tasks and findings from its decisions."""
-    note_pins(plan)
     plan.tasks.extend(plan_tasks(plan))
     plan.findings.extend(plan_findings(plan, findings, paths))
-
-
-def note_pins(plan: migration.MigrationPlan) -> None:
-    """Say at each adapter which target pins its conventions mean, since no text of the program does."""
-    for adapter in plan.adapterUses:
-        conventions = adapter.function.conventions if adapter.function is not None else []
-        for binding in plan.portBindings:
-            if binding.convention is not None and any(c is binding.convention for c in conventions):
-                adapter.notes.append(f"{binding.name} ({binding.what}) is {binding.choice or 'not bound'}")
 
 
 def _is_source(path: str, program: ccode.Program) -> bool:

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import all_of_kind
+from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2m.signatures import Signature, declare, for_target
 from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CodeView
@@ -21,7 +21,20 @@ from robosmi.transformations.t2m.c_source.prelude import STANDARD_NAMES
 from robosmi.transformations.t2m.target_platform import TargetFacts
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
-_NO_TYPES = ARITHMETIC | {"void", "const", "volatile", "struct", "union", "enum", "restrict", "register", "static", "extern", "inline", "va_list"}
+_NO_TYPES = ARITHMETIC | {
+    "void",
+    "const",
+    "volatile",
+    "struct",
+    "union",
+    "enum",
+    "restrict",
+    "register",
+    "static",
+    "extern",
+    "inline",
+    "va_list",
+}
 
 
 def used_symbols(
@@ -47,7 +60,11 @@ def used_symbols(
                 found.setdefault(use.name, [])
         for reference in all_of_kind(view.unit, ccode.NameReference):
             symbol = reference.target
-            if not isinstance(symbol, ccode.ExternalSymbol) or symbol.header in target.standard_headers or reference.name in there:
+            if (
+                not isinstance(symbol, ccode.ExternalSymbol)
+                or symbol.header in target.standard_headers
+                or reference.name in there
+            ):
                 continue
             entry = view.resolve(reference.name)
             if (entry is None or entry.header not in target.standard_headers) and reference.name not in STANDARD_NAMES:
@@ -59,10 +76,9 @@ def _own(program: ccode.Program) -> set[str]:
     """Names that some file of the program declares or defines at file scope."""
     own = {m.name for u in program.units for m in u.macros}
     for unit in program.units:
-        for declaration in unit.declarations:
-            own.add(declaration.name)
-            if isinstance(declaration, ccode.Enumeration):
-                own.update(literal.name for literal in declaration.literals)
+        own.update(d.name for d in unit.declarations)
+        for kind in (ccode.Record, ccode.Enumeration, ccode.EnumerationLiteral):
+            own.update(d.name for d in all_of_kind(unit, kind) if ancestor_of_kind(d, ccode.Function) is None)
     return own - {""}
 
 
@@ -72,14 +88,17 @@ def implied_headers(views: Iterable[CodeView], target: TargetFacts, names: Targe
     missing: set[str] = set()
     for view in views:
         used = {str(e.name) for e in view.elements if isinstance(e, (ccode.NameReference, ccode.MacroUse))}
-        used |= set(view.called()) | {t.declaration.name for t in all_of_kind(view.unit, ccode.TypeUse) if t.declaration is not None}
+        used |= set(view.called()) | {
+            t.declaration.name for t in all_of_kind(view.unit, ccode.TypeUse) if t.declaration is not None
+        }
         for name in used - there:
             entry = view.resolve(name)
             if entry is not None and entry.header in target.standard_headers and not view.defined(name):
                 missing.add(entry.header)
         missing -= {i.header for i in view.unit.includes}
     return [
-        migration.SymbolUse(name=header, placeholder=f"#include <{header}>", status=migration.AdapterStatus.filled) for header in sorted(missing)
+        migration.SymbolUse(name=header, placeholder=f"#include <{header}>", status=migration.AdapterStatus.filled)
+        for header in sorted(missing)
     ]
 
 
@@ -116,7 +135,9 @@ def symbol_use(
         declared = uses[0].target if uses else None
         use = declared.use if isinstance(declared, ccode.ExternalSymbol) else ccode.SymbolUse.constantUse
         written = use in (ccode.SymbolUse.writtenUse, ccode.SymbolUse.indexedUse)
-        kind = symbol.symbolKind if symbol is not None else platform.SymbolKind.variable if written else platform.SymbolKind.constant
+        kind = (
+            symbol.symbolKind if symbol is not None else platform.SymbolKind.variable if written else platform.SymbolKind.constant
+        )
         spelled = (symbol.typeName if symbol is not None else "") or wanted or "int"
         mutable = written or kind in (platform.SymbolKind.register, platform.SymbolKind.variable) or "*" in spelled
         shown = f"{source}_{name}" if name in names.declared else name
@@ -132,7 +153,7 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     base, bracket, _ = spelled.partition("[")
     kind = for_target(Signature(name, base.strip()), target.widths).returns
     if not mutable:
-        # Constants of unknown value must differ, or a switch over them would not compile; none may be 0, for arrays have such sizes.
+        # Constants of unknown value must differ, or a switch over them would not compile; none is 0, for arrays have such sizes.
         return f"const {kind.removeprefix('const ')} {name} = {number};"
     storage = "__attribute__((weak)) " if several else "static "  # weak: the one variable of all files
     kind = kind.removeprefix("const ") if "*" not in kind else kind
@@ -153,7 +174,12 @@ def wanted_types(program: ccode.Program, functions: Mapping[str, FunctionType]) 
 
 
 def type_uses(
-    program: ccode.Program, sources: Mapping[str, bytes], signatures: Iterable[str], views: list[CodeView], target: TargetFacts, names: TargetNames
+    program: ccode.Program,
+    sources: Mapping[str, bytes],
+    signatures: Iterable[str],
+    views: list[CodeView],
+    target: TargetFacts,
+    names: TargetNames,
 ) -> list[migration.SymbolUse]:
     """The placeholders of types that nobody declares, in the program and in the signatures that are generated.
 
@@ -167,7 +193,12 @@ def type_uses(
     """
     there = _NO_TYPES | names.declared | names.keywords | _own(program)
     # A tag or typedef inside a function hides nothing here: the model links its uses to it.
-    in_program = {t.declaration.name for u in program.units for t in all_of_kind(u, ccode.TypeUse) if isinstance(t.declaration, ccode.ExternalSymbol)}
+    in_program = {
+        t.declaration.name
+        for u in program.units
+        for t in all_of_kind(u, ccode.TypeUse)
+        if isinstance(t.declaration, ccode.ExternalSymbol)
+    }
     pointed = {word for text in signatures if "*" in text for word in _WORD.findall(text.partition("*")[0])}
     found = (in_program | {word for text in signatures for word in _WORD.findall(text)}) - there
     made = []
@@ -182,12 +213,31 @@ def type_uses(
 
 
 def _type(name: str, program: ccode.Program, sources: Mapping[str, bytes], *, pointed: bool) -> str:
-    uses = [t for u in program.units for t in all_of_kind(u, ccode.TypeUse) if t.declaration is not None and t.declaration.name == name]
+    uses = [
+        t
+        for u in program.units
+        for t in all_of_kind(u, ccode.TypeUse)
+        if t.declaration is not None and t.declaration.name == name
+    ]
     fields = members(name, program, sources)
+    listed = _listed(name, program)
+    fields += [f"int32_t value{number}" for number in range(len(fields) + 1, listed + 1)]
     tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)
     if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not _computed(name, program)):
         return f"struct {name} {{{''.join(f' {f};' for f in fields)}{' ' * bool(fields)}}};"
     return f"typedef int32_t {name};"
+
+
+def _listed(name: str, program: ccode.Program) -> int:
+    """How many values a list gives to a variable of the type, at most."""
+    variables = (
+        v for u in program.units for v in all_of_kind(u, ccode.Variable) if isinstance(v.initializer, ccode.InitializerList)
+    )
+    kinds = [(v.valueType, v.initializer) for v in variables if v.valueType is not None]
+    lists = [
+        value for kind, value in kinds if kind.declaration is not None and kind.declaration.name == name and not kind.arrayDims
+    ]
+    return max((len(value.elements) for value in lists if isinstance(value, ccode.InitializerList)), default=0)
 
 
 def _computed(name: str, program: ccode.Program) -> bool:

@@ -48,7 +48,9 @@ def settle(plan: migration.MigrationPlan) -> None:
         plan: the plan; decisions whose reference differs from their recorded choice become the person's.
     """
     for binding in plan.portBindings:
-        choice = binding.connection.name if binding.connection is not None else binding.pin.label if binding.pin is not None else ""
+        choice = (
+            binding.connection.name if binding.connection is not None else binding.pin.label if binding.pin is not None else ""
+        )
         if binding.connection is not None and binding.connection.pin is not binding.pin:
             binding.pin = binding.connection.pin
         _settle(binding, choice)
@@ -87,21 +89,28 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
             continue
         count = len(adapter.calls)
         yield Task(
-            rule="RS501", severity=Level.warning, message=f"write the body of '{adapter.targetSignature}', called {count} time{'s' * (count != 1)}",
+            rule="RS501",
+            severity=Level.warning,
+            message=f"write the body of '{adapter.targetSignature}', called {count} time{'s' * (count != 1)}",
             effort="medium" if adapter.function is not None and adapter.function.startsCog else "small",
-            fix=f"in adapters.h: do on the target what '{adapter.signature}' does", elements=[adapter, *adapter.calls],
+            fix=f"in adapters.h: do on the target what '{adapter.signature}' does",
+            elements=[adapter, *adapter.calls],
             **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
-        )  # fmt: skip
+        )
 
 
 def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
     for symbol in plan.symbolUses:
         meaning = symbol.symbol.meaning if symbol.symbol is not None else ""
         yield Task(
-            rule="RS502", severity=Level.warning, message=f"give the placeholder of '{symbol.name}' its meaning{f': {meaning}' if meaning else ''}",
-            effort="small", fix="in adapters.h", elements=[symbol, *symbol.uses],
+            rule="RS502",
+            severity=Level.warning,
+            message=f"give the placeholder of '{symbol.name}' its meaning{f': {meaning}' if meaning else ''}",
+            effort="small",
+            fix="in adapters.h",
+            elements=[symbol, *symbol.uses],
             **_place(symbol.uses[0] if symbol.uses else None),  # type: ignore[arg-type]
-        )  # fmt: skip
+        )
 
 
 def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -112,12 +121,15 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
         what = f", {binding.what}," if binding.what else ""
         options = [o.label for o in binding.options]
         yield Task(
-            rule="RS330", severity=Level.warning if options else Level.info,
+            rule="RS330",
+            severity=Level.warning if options else Level.info,
             message=f"say which target pin the port '{binding.name}'{pin}{what} is on"
             + (f"; candidates: {', '.join(options)}" if options else "; the drawing has nothing for it"),
-            effort="small", fix=f'--bind {binding.name}=PIN, or [bind] {binding.name} = "PIN" in robosmi.toml', elements=[binding],
+            effort="small",
+            fix=f'--bind {binding.name}=PIN, or [bind] {binding.name} = "PIN" in robosmi.toml',
+            elements=[binding],
             **_place(binding.element),  # type: ignore[arg-type]
-        )  # fmt: skip
+        )
 
 
 def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -126,9 +138,13 @@ def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
             title = choice.component.title
             best = [o.label for o in list(choice.options)[:3]]
             yield Task(
-                rule="RS401", severity=Level.info, message=f"choose a library for '{title}', or none; best ranked: {', '.join(best) or 'none'}",
-                effort="small", fix=f"--library \"{title}=LIBRARY\" (or {NO_LIBRARY}), or [libraries] in robosmi.toml", elements=[choice],
-            )  # fmt: skip
+                rule="RS401",
+                severity=Level.info,
+                message=f"choose a library for '{title}', or none; best ranked: {', '.join(best) or 'none'}",
+                effort="small",
+                fix=f'--library "{title}=LIBRARY" (or {NO_LIBRARY}), or [libraries] in robosmi.toml',
+                elements=[choice],
+            )
 
 
 def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -149,9 +165,13 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
         component = connection.component
         if id(connection.pin) not in bound and component is not None and component.role is not hardware.Role.Unknown:
             yield Task(
-                rule="RS331", severity=Level.info, message=f"'{component.title}' ({connection.name}) is drawn but no port of the program is bound to it",
-                effort="small", fix="bind a port to it, or leave it unused", elements=[connection],
-            )  # fmt: skip
+                rule="RS331",
+                severity=Level.info,
+                message=f"'{component.title}' ({connection.name}) is drawn but no port of the program is bound to it",
+                effort="small",
+                fix="bind a port to it, or leave it unused",
+                elements=[connection],
+            )
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
@@ -165,7 +185,9 @@ def _width_findings(plan: migration.MigrationPlan) -> Iterator[migration.PlanFin
         return
     source, target = plan.source.intBits, plan.target.intBits
     for unit in plan.program.units:
-        narrow = Q(all_of_kind(unit, ccode.TypeUse)).select(lambda t: t.bits == source and t.pointerDepth == 0 and _says_int(t.canonical or t.spelling))
+        narrow = Q(all_of_kind(unit, ccode.TypeUse)).select(
+            lambda t: t.bits == source and t.pointerDepth == 0 and _says_int(t.canonical or t.spelling)
+        )
         if narrow:
             yield migration.PlanFinding(
                 rule="RS310", severity=Level.info, path=unit.path, fix="use int32_t where values may pass 16 bits",

@@ -51,7 +51,8 @@ def bind_ports(
     for name in said:
         if name not in known:
             raise UsageError(
-                f"'{name}' is no port of the program{did_you_mean(name, known)}", fix=f"its ports are: {', '.join(sorted(known)) or 'none'}"
+                f"'{name}' is no port of the program{did_you_mean(name, known)}",
+                fix=f"its ports are: {', '.join(sorted(known)) or 'none'}",
             )
     bindings = [_binding(port, source, connections, board, said.get(port.name)) for port in found]
     taken = {b.connection for b in bindings if b.connection is not None}
@@ -65,14 +66,21 @@ def _binding(
     port: Port, source: platform.Platform, connections: Sequence[migration.Connection], board: platform.Board, said: str | None
 ) -> migration.PortBinding:
     binding = migration.PortBinding(
-        name=port.name, sourcePin=-1 if port.pin is None else port.pin, signal=getattr(migration.Signal, signal_of(port)), origin=port.origin,
-        what=port.what, element=port.element, convention=convention_of(port, source) if port.origin == "convention" else None, open=True,
-    )  # fmt: skip
+        name=port.name,
+        sourcePin=-1 if port.pin is None else port.pin,
+        signal=getattr(migration.Signal, signal_of(port)),
+        origin=port.origin,
+        what=port.what,
+        element=port.element,
+        convention=convention_of(port, source) if port.origin == "convention" else None,
+        open=True,
+    )
     if said is None:
         return binding
     if port.origin == "declaration" and port_place(port.element) is None:
         raise UsageError(
-            f"the port '{port.name}' cannot be bound: its value is not written as one expression", fix="write it as a constant of its own"
+            f"the port '{port.name}' cannot be bound: its value is not written as one expression",
+            fix="write it as a constant of its own",
         )
     binding.connection, binding.pin = _chosen(said, connections, board)
     binding.choice = binding.connection.name if binding.connection is not None else said
@@ -118,13 +126,19 @@ def _by_name(port: Port, binding: migration.PortBinding, free: Sequence[migratio
         shared = ", ".join(sorted(hits[connection.name]))
         reasons = [f"shares '{shared}' with the port's name"] if shared else ["fits in direction only"]
         binding.options.append(
-            migration.Option(label=connection.name, score=NAME_CONFIDENCE if shared and len(best) == 1 else 0.5 if shared else 0.1, reasons=reasons)
+            migration.Option(
+                label=connection.name,
+                score=NAME_CONFIDENCE if shared and len(best) == 1 else 0.5 if shared else 0.1,
+                reasons=reasons,
+            )
         )
     if len(best) == 1 and limit <= NAME_CONFIDENCE and port_place(port.element) is not None:
         binding.connection, binding.pin = best[0], best[0].pin
         binding.choice, binding.open = best[0].name, False
         binding.confidence, binding.chosenBy = NAME_CONFIDENCE, migration.ChosenBy.rule
-        binding.evidence.append(f"the only free component that shares '{', '.join(sorted(hits[best[0].name]))}' with the port's name")
+        binding.evidence.append(
+            f"the only free component that shares '{', '.join(sorted(hits[best[0].name]))}' with the port's name"
+        )
 
 
 def name_words(name: str) -> set[str]:

@@ -46,4 +46,6 @@ def target_names(platform: str) -> TargetNames:
         data = json.loads(path.read_bytes())
         return TargetNames(*(frozenset(data[key]) for key in ("declared", "macros", "same", "absent", "keywords")))
     except (OSError, ValueError, KeyError) as error:
-        raise PlatformDataError(f"the names cannot be read: {error}", location=Location(str(path)), fix="correct the file") from error
+        raise PlatformDataError(
+            f"the names cannot be read: {error}", location=Location(str(path)), fix="correct the file"
+        ) from error

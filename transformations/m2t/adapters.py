@@ -10,6 +10,8 @@ from robosmi.generate.environment import render
 from robosmi.generate.text import GeneratedFile
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, nothing, parameter_name, taken_apart
+from robosmi.transformations.queries.source_text import is_header
 
 FILE = "adapters.h"
 
@@ -21,60 +23,52 @@ def adapters_file(plan: migration.MigrationPlan) -> GeneratedFile:
     source = plan.source.name if plan.source else "the source platform"
     include = plan.target.mainHeader if plan.target else ""
     file.add(
-        render("arduino/adapters_header.j2", source=source, board=plan.board.title, include=include), "generation", "adapter file", [plan]
+        render("arduino/adapters_header.j2", source=source, board=plan.board.title, include=include),
+        "generation",
+        "adapter file",
+        [plan],
     )
     for symbol in plan.symbolUses:
         meaning = symbol.symbol.meaning if symbol.symbol else ""
-        file.add(
-            render("arduino/placeholder.j2", meaning=meaning, declaration=symbol.placeholder), "code", "placeholder", [symbol, *symbol.uses]
-        )
-    prefix = "inline " if plan.program and len(plan.program.units) > 1 else ""
+        todo = symbol.status is migration.AdapterStatus.todo
+        text = render("arduino/placeholder.j2", meaning=meaning, declaration=symbol.placeholder, todo=todo)
+        file.add(text, "code", "placeholder", [symbol, *symbol.uses])
+    several = plan.program is not None and sum(not is_header(u) for u in plan.program.units) > 1
+    prefix = "inline " if several else ""
+    renamed: list[tuple[migration.AdapterUse, str]] = []
     for adapter in plan.adapterUses:
-        returned, names = signature_parts(adapter)
+        if adapter.signatureSource == OWN_PROTOTYPE:
+            continue  # its body stands where the program declares it
+        returned, name, parameters = taken_apart(adapter.targetSignature)
         header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
         file.add(
             render(
-                "arduino/adapter.j2", signature=adapter.signature, header=header.name if header else "", notes=list(adapter.notes),
-                prefix=prefix, target_signature=adapter.targetSignature, parameters=names, result=_nothing(returned),
+                "arduino/adapter.j2",
+                signature=adapter.signature,
+                header=header.name if header else "",
+                notes=[*adapter.notes, *_pin_notes(plan, adapter)],
+                prefix=prefix,
+                target_signature=adapter.targetSignature,
+                result=nothing(returned),
+                parameters=[n for n in map(parameter_name, parameters) if n],
             ),
-            "code", "adapter", [adapter, *adapter.calls],
-        )  # fmt: skip
+            "code",
+            "adapter",
+            [adapter, *adapter.calls],
+        )
+        if name and name != adapter.name:
+            renamed.append((adapter, name))
+    for number, (adapter, name) in enumerate(renamed):
+        text = render("arduino/renamed.j2", name=adapter.name, new=name)
+        file.add(text if number else "\n" + text, "code", "adapter's name", [adapter])
     return file
 
 
-def _nothing(returned: str) -> str:
-    """What a body without a result gives back; empty for void."""
-    if returned == "void":
-        return ""
-    return "0" if "*" in returned or returned.removeprefix("const ").split()[0] in _ARITHMETIC else "{}"
-
-
-_ARITHMETIC = {
-    "bool", "char", "double", "float", "int", "long", "short", "signed", "size_t", "unsigned", "int8_t", "int16_t", "int32_t", "int64_t",
-    "uint8_t", "uint16_t", "uint32_t", "uint64_t",
-}  # fmt: skip
-
-
-def signature_parts(adapter: migration.AdapterUse) -> tuple[str, list[str]]:
-    """What an adapter returns, and the names of its parameters, read from its signature for the target."""
-    head, _, rest = adapter.targetSignature.partition("(")
-    returned = head.strip()[: -len(adapter.name)].strip()
-    return returned, [name for name in map(_name, _split(rest.rpartition(")")[0])) if name]
-
-
-def _split(parameters: str) -> list[str]:
-    parts, depth = [""], 0
-    for character in parameters:
-        depth += (character in "([") - (character in ")]")
-        if character == "," and depth == 0:
-            parts.append("")
-        else:
-            parts[-1] += character
-    return [p.strip() for p in parts if p.strip() not in ("", "...", "void")]
-
-
-def _name(parameter: str) -> str:
-    if "(*" in parameter:
-        return parameter.partition("(*")[2].partition(")")[0].strip()
-    words = parameter.partition("[")[0].replace("*", " ").split()
-    return words[-1] if words else ""
+def _pin_notes(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> list[str]:
+    """Which target pins the function's conventions mean, since no text of the program says so."""
+    conventions = list(adapter.function.conventions) if adapter.function is not None else []
+    return [
+        f"{binding.name} ({binding.what}) is {binding.choice or 'not bound'}"
+        for binding in plan.portBindings
+        if binding.convention is not None and any(c is binding.convention for c in conventions)
+    ]

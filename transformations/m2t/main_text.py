@@ -1,76 +1,156 @@
 """`main` as the target's `setup` and `loop` (paper 4, RQ1: what stands outside the endless loop runs once, its body is repeated).
 
 How main is divided is in the plan's dispositions: a loop with rule `main-loop` is the one that becomes `loop`; locals
-with rule `hoist-local` become globals. Without such a loop the whole body stays in `setup`.
+with rule `hoist-local` become globals. Without such a loop the whole body stays in `setup`. Comments that stand between
+the parts stay with the part that follows, those behind the loop come last.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 
 from robosmi.generate.environment import render
 from robosmi.generate.text import Part
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries.source_text import Piece, SourceText, reindent
+from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.source_text import Piece, SourceText, comments_in, reindent
+
+HOISTS = ("hoist-local", "hoist-local-split")
 
 
 def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
     """The parts that take main's place: hoisted locals, `setup`, `loop`."""
     assert main.body is not None
-    inside = [d for d in plan.dispositions if d.element is not None and _in_main(d.element, main)]
+    inside = [d for d in plan.dispositions if d.element is not None and ancestor_of_kind(d.element, ccode.Function) is main]
     loop = next((d.element for d in inside if d.rule == "main-loop"), None)
-    for disposition in inside:
-        if disposition.rule in ("hoist-local", "hoist-local-split"):
-            yield from _hoisted(source, disposition)
+    hoisted = sorted((d for d in inside if d.rule in HOISTS), key=lambda d: d.element.startOffset if d.element is not None else 0)
+    for disposition in hoisted:
+        yield from _hoisted(source, disposition)
+    if hoisted:
+        yield Part("\n", "generation", "blank", [main])
+    cuts = [_moved(source, d.element) for d in hoisted if d.rule == "hoist-local" and d.element is not None]
     body = main.body
     statements = list(body.statements)
     start, end = _first_line(source, body.startOffset + 1), body.endOffset - 1
+    yield from _comments(source, main.startOffset, body.startOffset, main)
     if not isinstance(loop, ccode.Loop):
-        yield from _function("setup", source, start, _last_line(source, end), statements, main)
+        yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, _parameters(main))
         yield Part("\n", "generation", "blank", [main])
         yield Part(render("arduino/function.j2", name="loop", body=""), "generation", "loop", [main])
         return
     place = statements.index(loop)
     border = source.line_start(loop.startOffset)
     border = border if source.blank(border, loop.startOffset) else loop.startOffset
-    yield from _function("setup", source, start, border, statements[:place], main)
+    yield from _function("setup", source, start, border, statements[:place], main, cuts)
     yield Part("\n", "generation", "blank", [main])
     inner = loop.body
     if isinstance(inner, ccode.Block):
+        yield from _comments(source, loop.startOffset, inner.startOffset, loop)
         first = _first_line(source, inner.startOffset + 1)
         yield from _function("loop", source, first, _last_line(source, inner.endOffset - 1), list(inner.statements), loop)
+        last = inner.endOffset
     elif inner is None or isinstance(inner, ccode.EmptyStatement):
         yield from _function("loop", source, loop.endOffset, loop.endOffset, [], loop)
+        last = loop.startOffset
     else:
-        last = source.data.find(b";", inner.endOffset - 1) + 1 or inner.endOffset
+        yield from _comments(source, loop.startOffset, inner.startOffset, loop)
+        last = _statement_end(source, inner)
         yield from _function("loop", source, inner.startOffset, last, [inner], loop)
+    yield from _comments(source, last, body.endOffset, main)
 
 
-def _in_main(element: ccode.Located, main: ccode.Function) -> bool:
-    return ancestor_of_kind(element, ccode.Function) is main
+def _statement_end(source: SourceText, statement: ccode.Located) -> int:
+    """Behind a statement with its semicolon."""
+    if source.data[statement.endOffset - 1 : statement.endOffset] in (b";", b"}"):
+        return int(statement.endOffset)
+    found = source.data.find(b";", statement.endOffset)
+    return found + 1 if found >= 0 else int(statement.endOffset)
+
+
+def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[Part]:
+    """The comments of a range that is not carried over otherwise, each on a line of its own."""
+    for comment in comments_in(source.unit, start, end):
+        text = source.slice(comment.startOffset, comment.endOffset)[0].strip()
+        yield Part(text + "\n", "code", "retained comment", [comment, owner])
+
+
+def _parameters(main: ccode.Function) -> list[str]:
+    """Declarations for main's parameters, which nobody gives a value on the target."""
+    kinds = [(p.name, of_use(p.valueType)) for p in main.parameters if p.references]
+    return [
+        f"  {kind.spelling}{'' if kind.spelling.endswith('*') else ' '}{name} = 0;\n" for name, kind in kinds if kind is not None
+    ]
+
+
+def _moved(source: SourceText, variable: ccode.Located) -> tuple[int, int]:
+    """The range that moves with a hoisted declaration: its whole lines where nothing but a comment stands there beside it."""
+    statement = variable.eContainer()
+    assert isinstance(statement, ccode.Located)
+    start, end = statement.startOffset, _statement_end(source, statement)
+    first, last = source.line_start(start), source.line_end(end)
+    comments = comments_in(source.unit, end, last)
+    behind = comments[-1].endOffset if comments else end
+    alone = (
+        source.blank(first, start)
+        and source.blank(behind, last)
+        and source.blank(end, comments[0].startOffset if comments else end)
+    )
+    return (first, last) if alone and behind < last else (start, end)
 
 
 def _hoisted(source: SourceText, disposition: migration.Disposition) -> Iterator[Part]:
     """The declaration of a local that main's loop uses, at file scope."""
     variable = disposition.element
     assert isinstance(variable, ccode.Variable)
-    end = source.line_end(variable.endOffset - 1)
-    text = source.data[variable.startOffset : end].decode(source.unit.encoding or "utf-8", errors="replace").replace("\r\n", "\n").strip()
-    if disposition.rule == "hoist-local-split" and variable.initializer is not None:
-        head = source.data[variable.startOffset : variable.initializer.startOffset].decode(source.unit.encoding or "utf-8", errors="replace")
-        text = head.rstrip().removesuffix("=").rstrip().removeprefix("const ") + ";"
+    if disposition.rule == "hoist-local":
+        start, end = _moved(source, variable)
+        text = source.slice(max(start, variable.startOffset), end)[0].strip()
+    else:
+        end = max((e.endOffset for e in source.edits if e.decision is disposition), default=variable.startOffset)
+        head = _without_const(source.slice(variable.startOffset, end, disposition)[0])
+        name = source.slice(end, end + len(variable.name.encode()))[0]
+        text = f"{head}{name};"
     yield Part(text + "\n", "code", "hoisted local", [variable, disposition])
-    yield Part("\n", "generation", "blank", [variable])
+
+
+def _without_const(head: str) -> str:
+    """A declaration up to its name, so that the variable may be given its value later; what it points to stays constant."""
+    kept, star, last = head.rpartition("*")
+    return kept + star + re.sub(r"\bconst\b\s*", "", last)
 
 
 def _function(
-    name: str, source: SourceText, start: int, end: int, statements: list[ccode.Statement], owner: ccode.Located
+    name: str,
+    source: SourceText,
+    start: int,
+    end: int,
+    statements: list[ccode.Statement],
+    owner: ccode.Located,
+    cuts: Sequence[tuple[int, int]] = (),
+    first: Sequence[str] = (),
 ) -> Iterator[Part]:
-    """`void name() { ... }` around copied text, one part for each run of lines."""
+    """`void name() { ... }` around copied text, one part for each run of lines.
+
+    Args:
+        name: of the function.
+        source: where the text is copied from.
+        start, end: the range that is copied.
+        statements: the statements in it.
+        owner: the element that the function comes from.
+        cuts: ranges that are left out.
+        first: lines that come first.
+    """
     yield Part(f"void {name}() {{\n", "generation", name, [owner])
-    pieces = [p for p in source.pieces(start, end, statements) if p.text]
-    texts = reindent([p.text if p.text.endswith("\n") else p.text + "\n" for p in pieces])
+    for line in first:
+        yield Part(line, "generation", "parameter of main", [owner])
+    pieces: list[Piece] = []
+    position = start
+    for cut_start, cut_end in [*sorted(c for c in cuts if start <= c[0] < end), (end, end)]:
+        pieces += [p for p in source.pieces(position, cut_start, statements) if p.text]
+        position = cut_end
+    texts = _indented(pieces, source)
     if texts:
         texts[0], texts[-1] = texts[0].lstrip("\n"), texts[-1].rstrip("\n") + "\n"
     for piece, text in zip(pieces, texts, strict=True):
@@ -79,6 +159,16 @@ def _function(
         elif text:
             yield Part("\n", "code", "blank", [owner])
     yield Part("}\n", "generation", name, [owner])
+
+
+def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:
+    """The texts of pieces, indented alike; a first line that begins in the middle of one has no indentation of its own."""
+    texts = [p.text if p.text.endswith("\n") else p.text + "\n" for p in pieces]
+    if not pieces or source.line_start(pieces[0].start) == pieces[0].start:
+        return reindent(texts)
+    head, _, rest = texts[0].partition("\n")
+    others = reindent([rest, *texts[1:]])
+    return [f"  {head.strip()}\n{others[0]}" if head.strip() else others[0], *others[1:]]
 
 
 def _elements(piece: Piece) -> list[object]:

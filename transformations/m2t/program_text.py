@@ -7,6 +7,7 @@ stored source (see `queries.source_text`), in the order of the source, so commen
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from robosmi.generate.environment import render
 from robosmi.generate.text import GeneratedFile
@@ -14,7 +15,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import FILE as ADAPTERS
 from robosmi.transformations.m2t.main_text import main_parts
-from robosmi.transformations.queries.source_text import Piece, SourceText
+from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 
 
 def program_files(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Iterator[GeneratedFile]:
@@ -22,11 +23,26 @@ def program_files(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -
     assert plan.program is not None
     for unit in plan.program.units:
         main = next((d for d in unit.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition), None)
-        stem = unit.path.rpartition("/")[2].rpartition(".")[0]
-        file = GeneratedFile(f"{plan.name}/{plan.name}.ino" if main is not None else f"{plan.name}/{stem}.cpp")
-        _head(file, plan, unit)
-        _body(file, plan, SourceText(unit, sources[unit.path], plan.edits), main)
+        own = unit.path.rpartition("/")[2]
+        text = SourceText(unit, sources[unit.path], plan.edits)
+        if is_header(unit):
+            file = GeneratedFile(f"{plan.name}/{own}")
+            elements = [*unit.includes, *unit.macros, *unit.declarations]
+            for piece in text.pieces(0, len(text.data), elements):
+                file.add(piece.text, "code", "retained header", piece.elements or [unit])
+        else:
+            file = GeneratedFile(f"{plan.name}/{plan.name}.ino" if main is not None else f"{plan.name}/{_stem(own, plan)}.cpp")
+            _head(file, plan, unit)
+            _body(file, plan, text, main)
         yield file
+
+
+def _stem(own: str, plan: migration.MigrationPlan) -> str:
+    """Name of a unit's .cpp file: its own, or its whole name where another unit has that one too."""
+    stem = own.rpartition(".")[0]
+    names = [u.path.rpartition("/")[2] for u in plan.program.units] if plan.program is not None else []
+    same = [n for n in names if n.rpartition(".")[0] == stem and not n.lower().endswith(HEADERS)]
+    return stem if len(same) == 1 and stem != plan.name else own.replace(".", "_")
 
 
 def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> None:
@@ -36,14 +52,24 @@ def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.Source
     source = plan.source.name if plan.source else "its platform"
     origins = [unit.path.rpartition("/")[2]]
     file.add(
-        render("arduino/header.j2", name=plan.name, origins=origins, source=source, board=plan.board.title, version=plan.toolVersion),
-        "generation", "header", [plan],
-    )  # fmt: skip
+        render(
+            "arduino/header.j2", name=plan.name, origins=origins, source=source, board=plan.board.title, version=plan.toolVersion
+        ),
+        "generation",
+        "header",
+        [plan],
+    )
     file.add(render("arduino/include.j2", header=plan.target.mainHeader), "generation", "main header", [plan.target])
     for disposition in plan.dispositions:
         element = disposition.element
-        if disposition.rule == "standard-include" and isinstance(element, ccode.Include) and ancestor_of_kind(element, ccode.SourceUnit) is unit:
-            file.add(render("arduino/include.j2", header=element.header), "code", "platform-agnostic library", [element, disposition])
+        if (
+            disposition.rule == "standard-include"
+            and isinstance(element, ccode.Include)
+            and ancestor_of_kind(element, ccode.SourceUnit) is unit
+        ):
+            file.add(
+                render("arduino/include.j2", header=element.header), "code", "platform-agnostic library", [element, disposition]
+            )
     included: set[str] = set()
     for choice in plan.libraryChoices:
         for header in list(choice.chosen.headers)[:1] if choice.chosen else []:
@@ -53,10 +79,13 @@ def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.Source
                 file.add(render("arduino/include.j2", header=header), "libraries", "library include", users)
     for number, connection in enumerate(plan.connections):
         text = render(
-            "arduino/ports.j2", name=connection.name, literal=connection.pin.literal if connection.pin else "",
-            component=connection.component.title if connection.component else "", label=connection.pin.label if connection.pin else "",
+            "arduino/ports.j2",
+            name=connection.name,
+            literal=connection.pin.literal if connection.pin else "",
+            component=connection.component.title if connection.component else "",
+            label=connection.pin.label if connection.pin else "",
             connectors=[c.name for c in connection.connectors],
-        )  # fmt: skip
+        )
         file.add(text if number else "\n" + text, "hardware", "port interface", [connection])
     file.add(f'\n#include "{ADAPTERS}"\n\n', "generation", "adapter include", [plan])
 
@@ -70,17 +99,26 @@ def _body(file: GeneratedFile, plan: migration.MigrationPlan, source: SourceText
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
     start = 0
     if ahead:
-        _retain(file, source.pieces(0, first, elements))
+        _retain(file, unit, source.pieces(0, first, elements))
         text = "\n".join(["// Functions that are used before they are defined", *(f"{f.signature};" for f in ahead), ""])
         file.add(text + "\n", "generation", "prototypes", ahead)
         start = first
     if main is None:
-        _retain(file, source.pieces(start, len(source.data), elements))
+        _retain(file, unit, source.pieces(start, len(source.data), elements))
         return
-    _retain(file, source.pieces(start, main.startOffset, elements))
+    _retain(file, unit, source.pieces(start, main.startOffset, elements))
     for part in main_parts(plan, source, main):
         file.parts.append(part)
-    _retain(file, source.pieces(min(source.line_end(main.endOffset - 1), len(source.data)), len(source.data), elements))
+    behind = main.endOffset
+    if source.blank(behind, source.line_end(behind)):
+        behind = source.line_end(behind)
+    _retain(file, unit, _stripped(source.pieces(behind, len(source.data), elements)))
+
+
+def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
+    """The pieces without the blanks with which the first one begins."""
+    for number, piece in enumerate(pieces):
+        yield piece if number else replace(piece, text=piece.text.lstrip(" \t"))
 
 
 def _used_before(function: ccode.Function, unit: ccode.SourceUnit) -> bool:
@@ -93,13 +131,18 @@ def _used_before(function: ccode.Function, unit: ccode.SourceUnit) -> bool:
     return first < function.startOffset and all(p.startOffset > first for p in prototypes)
 
 
-def _retain(file: GeneratedFile, pieces: Iterator[Piece]) -> None:
+def _retain(file: GeneratedFile, unit: ccode.SourceUnit, pieces: Iterator[Piece]) -> None:
     for piece in pieces:
         bindings = [e.decision for e in piece.edits if isinstance(e.decision, migration.PortBinding)]
         decisions: Sequence[object] = [*bindings, *(b.connection for b in bindings if b.connection is not None)]
         text = piece.text
         if not file.parts[-1].text.endswith("\n\n") or text.strip("\n"):
-            file.add(_squeezed(file, text), "hardware" if bindings else "code", "retained code", [*piece.elements, *decisions])
+            file.add(
+                _squeezed(file, text),
+                "hardware" if bindings else "code",
+                "retained code",
+                [*(piece.elements or [unit]), *decisions],
+            )
 
 
 def _squeezed(file: GeneratedFile, text: str) -> str:

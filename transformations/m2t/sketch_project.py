@@ -18,7 +18,12 @@ def sketch_yaml(plan: migration.MigrationPlan) -> GeneratedFile:
     platform = ":".join(plan.board.fqbn.split(":")[:2])  # arduino:avr of arduino:avr:uno
     listed = [f"{name} ({versions[name]})" if versions.get(name) else name for name in names]
     text = render(
-        "arduino/sketch.yaml.j2", board=plan.board.name, fqbn=plan.board.fqbn, platform=platform, core=plan.target.coreVersion, libraries=listed
+        "arduino/sketch.yaml.j2",
+        board=plan.board.name,
+        fqbn=plan.board.fqbn,
+        platform=platform,
+        core=plan.target.coreVersion,
+        libraries=listed,
     )
     file.add(text, "libraries", "sketch project", [plan.board, *chosen])
     return file

@@ -27,7 +27,8 @@ def migration_report(plan: migration.MigrationPlan) -> GeneratedFile:
         source=plan.source.name if plan.source else "its platform",
         board=plan.board.title if plan.board else "the target",
         summary=(
-            f"{len(plan.dispositions)} elements were judged. {sites['total']} calls go to {len(plan.adapterUses)} platform functions; "
+            f"{len(plan.dispositions)} elements were judged. "
+            f"{sites['total']} calls go to {len(plan.adapterUses)} platform functions; "
             f"{sites['with_body']} of them reach an adapter with a body, {sites['todo']} one that is still to be written. "
             f"{len(open_choices(plan))} choices are open."
         ),
@@ -36,7 +37,7 @@ def migration_report(plan: migration.MigrationPlan) -> GeneratedFile:
         wiring=[_wire(c, plan) for c in plan.connections],
         ports=[_port(b) for b in plan.portBindings],
         libraries=[_library(c) for c in plan.libraryChoices],
-        groups=[_group(u, plan) for u in (plan.program.units if plan.program else [])],
+        groups=[_group(u, plan) for u in (plan.program.units if plan.program else [])] + _outside(plan),
         adapters=[_adapter(a) for a in plan.adapterUses],
     )
     file.add(text, "generation", "report", [plan])
@@ -51,8 +52,13 @@ def _cell(text: str) -> str:
 def _said(task: migration.PlanTask) -> dict[str, Any]:
     place = f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
     return {
-        "message": task.message, "rule": task.rule, "place": place, "effort": task.effort, "fix": task.fix, "severity": task.severity.name,
-    }  # fmt: skip
+        "message": task.message,
+        "rule": task.rule,
+        "place": place,
+        "effort": task.effort,
+        "fix": task.fix,
+        "severity": task.severity.name,
+    }
 
 
 def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> dict[str, str]:
@@ -89,14 +95,38 @@ def _library(choice: migration.LibraryChoice) -> dict[str, str]:
 
 def _group(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> dict[str, Any]:
     mine = Q(plan.dispositions).select(lambda d: d.element is not None and ancestor_of_kind(d.element, ccode.SourceUnit) is unit)
-    counts = Counter(d.action.name for d in mine)
     rows = [
         {"line": d.element.line, "element": _cell(element_title(d.element)), "action": d.action.name, "reason": _cell(d.reason)}
-        for d in sorted(mine, key=lambda d: (d.element.startOffset if d.element else 0))
+        for d in sorted(mine, key=lambda d: d.element.startOffset if d.element else 0)
         if d.element is not None
     ]
+    return _with_counts(unit.path.rpartition("/")[2], mine, rows)
+
+
+def _outside(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
+    """What the program uses and does not declare, at the line of its first use."""
+    externals = {id(e): e for e in (plan.program.externals if plan.program else [])}
+    mine = Q(plan.dispositions).select(lambda d: id(d.element) in externals)
+    rows = []
+    for disposition in mine:
+        external = externals[id(disposition.element)]
+        uses = [*(external.calls if isinstance(external, ccode.Function) else []), *external.references]
+        line = min((use.line for use in uses), default=0)
+        rows.append(
+            {
+                "line": line,
+                "element": _cell(element_title(external)),
+                "action": disposition.action.name,
+                "reason": _cell(disposition.reason),
+            }
+        )
+    return [_with_counts("used and declared elsewhere (line of the first use)", mine, rows)] if rows else []
+
+
+def _with_counts(title: str, mine: Q[migration.Disposition], rows: list[dict[str, Any]]) -> dict[str, Any]:
+    counts = Counter(d.action.name for d in mine)
     summed = ", ".join(f"{count} {action}" for action, count in sorted(counts.items()))
-    return {"title": unit.path.rpartition("/")[2], "counts": f"{len(mine)} elements: {summed}.", "rows": rows}
+    return {"title": title, "counts": f"{len(mine)} elements: {summed}.", "rows": rows}
 
 
 def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:

@@ -15,7 +15,26 @@ from robosmi.query import all_of_kind, ancestor_of_kind
 
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|struct|union|enum)\b")
 ARITHMETIC = frozenset(
-    "bool char double float int long short signed unsigned size_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t".split()
+    [
+        "bool",
+        "char",
+        "double",
+        "float",
+        "int",
+        "long",
+        "short",
+        "signed",
+        "unsigned",
+        "size_t",
+        "int8_t",
+        "int16_t",
+        "int32_t",
+        "int64_t",
+        "uint8_t",
+        "uint16_t",
+        "uint32_t",
+        "uint64_t",
+    ]
 )
 
 
@@ -114,7 +133,9 @@ def type_of(expression: ccode.Expression | None, functions: Mapping[str, Functio
         if expression.operator == "&" and inner is not None and not inner.array:
             return replace(inner, spelling=inner.spelling + (" *" if inner.depth == 0 else "*"), depth=inner.depth + 1)
     if isinstance(expression, ccode.Binary) and expression.operator in ("+", "-"):
-        sides = [t for t in (type_of(expression.left, functions), type_of(expression.right, functions)) if t is not None and t.depth]
+        sides = [
+            t for t in (type_of(expression.left, functions), type_of(expression.right, functions)) if t is not None and t.depth
+        ]
         return sides[0] if len(sides) == 1 else None
     return None
 
@@ -125,6 +146,12 @@ def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> 
     if not isinstance(record, ccode.Record):
         return None
     return next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
+
+
+def declared_with_others(variable: ccode.Variable) -> bool:
+    """Whether the variable's declaration declares other names too."""
+    statement = variable.eContainer()
+    return bool(variable.shared) or (isinstance(statement, ccode.DeclarationStatement) and len(statement.declarations) > 1)
 
 
 def expectations(unit: ccode.SourceUnit, functions: Mapping[str, FunctionType]) -> Iterator[tuple[ccode.Expression, ValueType]]:

@@ -6,10 +6,12 @@ it, or why the whole body has to stay in one piece, which is always correct. It 
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.expression_type import declared_with_others
 from robosmi.transformations.queries.main_program import MainStructure, main_structure
 
 
@@ -40,11 +42,12 @@ class Division:
     reason: str = ""
 
 
-def divide(main: ccode.Function) -> Division:
+def divide(main: ccode.Function, reserved: Collection[str] = ()) -> Division:
     """Divide main at its endless loop if that keeps its meaning.
 
     Args:
         main: a function with a body.
+        reserved: names that nothing at file scope may have.
     """
     unit = ancestor_of_kind(main, ccode.SourceUnit)
     structure = main_structure(unit) if unit is not None else None
@@ -52,18 +55,53 @@ def divide(main: ccode.Function) -> Division:
     if structure is None or structure.loop is None:
         statements = tuple(main.body.statements) if main.body else ()
         return Division(main, None, statements, returns=returns, reason="main has no endless loop of its own")
-    loop, before, after, hoisted = structure.loop, structure.before, structure.after, tuple(structure.hoisted)
-    if reason := _obstacle(structure):
+    loop, before, after = structure.loop, structure.before, structure.after
+    hoisted = tuple(v for v in _locals(before) if v in structure.hoisted or _outlives(v))
+    if reason := _obstacle(structure, hoisted, reserved):
         statements = tuple(main.body.statements) if main.body else ()
         return Division(main, None, statements, returns=returns, reason=f"main stays in one piece: {reason}")
     return Division(
-        main, loop, tuple(before), hoisted, tuple(v for v in hoisted if v.initializer is not None and not is_constant(v.initializer)),
-        tuple(after), tuple(c for c in all_of_kind(loop, ccode.Continue) if ancestor_of_kind(c, ccode.Loop) is loop), returns,
+        main,
+        loop,
+        tuple(before),
+        hoisted,
+        tuple(v for v in hoisted if v.initializer is not None and not is_constant(v.initializer)),
+        tuple(after),
+        tuple(c for c in all_of_kind(loop, ccode.Continue) if ancestor_of_kind(c, ccode.Loop) is loop),
+        returns,
         "main is divided at its endless loop",
-    )  # fmt: skip
+    )
 
 
-def _obstacle(structure: MainStructure) -> str:
+def _locals(statements: Iterable[ccode.Statement]) -> list[ccode.Variable]:
+    """The variables that these statements themselves declare."""
+    declared = (d for s in statements if isinstance(s, ccode.DeclarationStatement) for d in s.declarations)
+    return [d for d in declared if isinstance(d, ccode.Variable)]
+
+
+def _outlives(variable: ccode.Variable) -> bool:
+    """Whether something may point to the variable when setup is over: its address is taken, or it is an array handed on."""
+    if variable.storage.name == "staticStorage":
+        return False
+    array = variable.valueType is not None and bool(variable.valueType.arrayDims)
+    for use in variable.references:
+        container = use.eContainer()
+        if isinstance(container, ccode.Unary) and container.operator == "&":
+            return True
+        if isinstance(container, (ccode.Index, ccode.Member)) and _address_taken(container):
+            return True
+        if array and not isinstance(container, (ccode.Index, ccode.SizeOf)):
+            return True
+    return False
+
+
+def _address_taken(expression: object) -> bool:
+    while isinstance(expression, (ccode.Index, ccode.Member)):
+        expression = expression.eContainer()
+    return isinstance(expression, ccode.Unary) and expression.operator == "&"
+
+
+def _obstacle(structure: MainStructure, hoisted: Iterable[ccode.Variable], reserved: Collection[str]) -> str:
     """Why the loop cannot be taken out of main, or an empty text."""
     main, loop = structure.function, structure.loop
     if structure.exits:
@@ -76,13 +114,46 @@ def _obstacle(structure: MainStructure) -> str:
         return f"the loop in line {loop.line} has an initial clause"
     if isinstance(loop, ccode.For) and loop.step is not None:
         return f"the loop in line {loop.line} has a step"
+    for statement in structure.before:
+        if isinstance(statement, ccode.DeclarationStatement) and not all(
+            isinstance(d, (ccode.Variable, ccode.Function)) for d in statement.declarations
+        ):
+            return f"line {statement.line} declares a type"
     unit = ancestor_of_kind(main, ccode.SourceUnit)
+    if unit is not None and loop is not None and (line := _torn(unit, main, loop)):
+        return f"the conditional directive in line {line} would be torn apart"
     taken = {d.name for d in unit.declarations} | {m.name for m in unit.macros} if unit else set()
-    for variable in structure.hoisted:
+    for variable in hoisted:
         if reason := _stays(variable, taken):
             return reason
+        if variable.name in reserved:
+            return f"'{variable.name}' at file scope would clash with a name of the target"
     names = {p.name for p in main.parameters if p.references}
     return f"it uses its parameter '{min(names)}'" if names else ""
+
+
+def _torn(unit: ccode.SourceUnit, main: ccode.Function, loop: ccode.Loop) -> int:
+    """Line of a conditional directive in main whose branches would come into different functions, 0 for none."""
+    body = main.body
+    inner = loop.body if isinstance(loop.body, ccode.Block) else loop
+    assert body is not None
+    ranges = ((body.startOffset, loop.startOffset), (inner.startOffset, inner.endOffset), (loop.endOffset, body.endOffset))
+    for directive in unit.conditionals:
+        if body.startOffset <= directive.startOffset < body.endOffset and not any(
+            a <= directive.startOffset < b for a, b in ranges
+        ):
+            return int(directive.line)
+    for start, end in ranges:
+        depth = 0
+        for directive in unit.conditionals:
+            if start <= directive.startOffset < end:
+                depth += directive.directive in ("if", "ifdef", "ifndef")
+                if depth == 0:
+                    return int(directive.line)
+                depth -= directive.directive == "endif"
+        if depth:
+            return int(loop.line)
+    return 0
 
 
 def _stays(variable: ccode.Variable, taken: set[str]) -> str:
@@ -91,7 +162,7 @@ def _stays(variable: ccode.Variable, taken: set[str]) -> str:
     declared = use.declaration if use is not None else None
     if variable.name in taken:
         return f"'{variable.name}' would hide the global of that name"
-    if variable.shared:
+    if declared_with_others(variable):
         return f"line {variable.line} declares '{variable.name}' together with other names"
     if use is not None and use.arrayDims and not _plain_dimensions(use.arrayDims):
         return f"the size of '{variable.name}' is not constant"
@@ -122,5 +193,7 @@ def _constant_name(target: ccode.Declaration | None) -> bool:
     if isinstance(target, ccode.EnumerationLiteral):
         return True
     if isinstance(target, ccode.Variable):
-        return bool(target.valueType and target.valueType.constant and target.initializer is not None and is_constant(target.initializer))
+        return bool(
+            target.valueType and target.valueType.constant and target.initializer is not None and is_constant(target.initializer)
+        )
     return False

@@ -65,11 +65,19 @@ def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Any]
 def binding_json(binding: migration.PortBinding) -> dict[str, Any]:
     """A port binding in the contract's form."""
     return {
-        "name": binding.name, "source_pin": binding.sourcePin if binding.sourcePin >= 0 else None, "signal": binding.signal.name,
-        "origin": binding.origin, "what": binding.what, "connection": binding.connection.name if binding.connection else None,
-        "pin": _pin(binding), "open": binding.open, "chosen_by": binding.chosenBy.name, "confidence": binding.confidence,
-        "evidence": list(binding.evidence), "options": [{"label": o.label, "score": o.score, "reasons": list(o.reasons)} for o in binding.options],
-    }  # fmt: skip
+        "name": binding.name,
+        "source_pin": binding.sourcePin if binding.sourcePin >= 0 else None,
+        "signal": binding.signal.name,
+        "origin": binding.origin,
+        "what": binding.what,
+        "connection": binding.connection.name if binding.connection else None,
+        "pin": _pin(binding),
+        "open": binding.open,
+        "chosen_by": binding.chosenBy.name,
+        "confidence": binding.confidence,
+        "evidence": list(binding.evidence),
+        "options": [{"label": o.label, "score": o.score, "reasons": list(o.reasons)} for o in binding.options],
+    }
 
 
 def _pin(binding: migration.PortBinding) -> str | None:
@@ -128,5 +136,7 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
         location = Location(places.get(entry.path, entry.path), entry.line or None, entry.column or None) if entry.path else None
         kind = Finding if isinstance(entry, migration.PlanFinding) else Task
         evidence = {"effort": entry.effort} if entry.effort else {}
-        result.append(kind(entry.rule, Severity[entry.severity.name], entry.message, location, fix=entry.fix or None, evidence=evidence))
+        result.append(
+            kind(entry.rule, Severity[entry.severity.name], entry.message, location, fix=entry.fix or None, evidence=evidence)
+        )
     return result

@@ -48,7 +48,9 @@ def ports(program: ccode.Program, api: ApiIndex) -> list[Port]:
     for use in pin_uses(program, api):
         if use.origin == "convention":
             name = f"P{use.pin}"
-            found.setdefault(("convention", use.pin), Port(name, "convention", use.call, use.pin, use.expression)).uses.append(use)
+            found.setdefault(("convention", use.pin), Port(name, "convention", use.call, use.pin, use.expression)).uses.append(
+                use
+            )
             continue
         for element in _holders(use.argument, set()):
             if isinstance(element, ccode.IntegerLiteral):

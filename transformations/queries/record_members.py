@@ -19,11 +19,19 @@ def members(type_name: str, program: ccode.Program, sources: Mapping[str, bytes]
     tree: dict[str, Any] = {}
     for unit in program.units:
         named = (*all_of_kind(unit, ccode.Variable), *all_of_kind(unit, ccode.Parameter), *all_of_kind(unit, ccode.Field))
-        holders = {v.name for v in named if v.valueType is not None and v.valueType.declaration is not None and v.valueType.declaration.name == type_name}
-        if holders:
+        mine = [
+            v
+            for v in named
+            if v.valueType is not None and v.valueType.declaration is not None and v.valueType.declaration.name == type_name
+        ]
+        holders = {v.name for v in mine if not isinstance(v, ccode.Field)}
+        fields = {v.name for v in mine if isinstance(v, ccode.Field)}
+        if mine:
             words = [t[3] for t in tokens(sources[unit.path]) if t[0] not in ("comment", "directive")]
             for i, word in enumerate(words):
-                if word in holders and words[i - 1] not in (".", "->", "struct"):
+                if (word in holders and words[i - 1] not in (".", "->", "struct")) or (
+                    word in fields and words[i - 1] in (".", "->")
+                ):
                     _chain(words, i + 1, tree)
                 elif word in holders and words[i + 1 : i + 3] == ["=", "{"] and words[i + 3 : i + 4] == ["."]:
                     tree.setdefault(words[i + 4], {})

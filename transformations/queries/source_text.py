@@ -12,6 +12,13 @@ from dataclasses import dataclass
 from robosmi.errors import InternalError
 from robosmi.metamodels import ccode, migration
 
+HEADERS = (".h", ".hh", ".hpp")
+
+
+def is_header(unit: ccode.SourceUnit) -> bool:
+    """Whether a unit is a header of the program's own, which the others include."""
+    return unit.path.lower().endswith(HEADERS)
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -64,14 +71,21 @@ class SourceText:
         """Whether the range holds white space only."""
         return not self.data[start:end].strip()
 
-    def slice(self, start: int, end: int) -> tuple[str, tuple[migration.Edit, ...]]:
-        """The text of a range with edits applied, line ends as line feeds, and the edits that took part."""
+    def slice(self, start: int, end: int, without: migration.Decision | None = None) -> tuple[str, tuple[migration.Edit, ...]]:
+        """The text of a range with edits applied, line ends as line feeds, and the edits that took part.
+
+        Args:
+            start, end: the range.
+            without: a decision whose edits are left out.
+        """
         parts: list[str] = []
         applied: list[migration.Edit] = []
         position = start
         for edit in self.edits:
-            if edit.startOffset < start or edit.endOffset > end:
+            if edit.startOffset < start or edit.endOffset > end or (without is not None and edit.decision is without):
                 continue
+            if edit.startOffset == edit.endOffset == end < len(self.data) and end > start and self.data[end - 1 : end] == b"\n":
+                continue  # an insertion at a border of lines belongs to the line that it begins
             parts += [self._decode(position, edit.startOffset), edit.replacement]
             position = edit.endOffset
             applied.append(edit)
@@ -108,6 +122,11 @@ class SourceText:
         return Piece(text, start, end, tuple(elements), applied)
 
 
+def comments_in(unit: ccode.SourceUnit, start: int, end: int) -> list[ccode.Comment]:
+    """The comments that begin in a range."""
+    return [c for c in unit.comments if start <= c.startOffset < end]
+
+
 def reindent(texts: Sequence[str]) -> list[str]:
     """Texts that stand together, with their common indentation taken away and two blanks given instead.
 
@@ -115,7 +134,10 @@ def reindent(texts: Sequence[str]) -> list[str]:
     """
     lines = [line.expandtabs(4) for text in texts for line in text.splitlines() if line.strip()]
     common = min((len(line) - len(line.lstrip(" ")) for line in lines), default=0)
-    return [text if "\\\n" in text else "".join(_reindented(line, common) for line in text.splitlines(keepends=True)) for text in texts]
+    return [
+        text if "\\\n" in text else "".join(_reindented(line, common) for line in text.splitlines(keepends=True))
+        for text in texts
+    ]
 
 
 def _reindented(line: str, common: int) -> str:

@@ -8,9 +8,8 @@ from itertools import pairwise
 from robosmi.metamodels import ccode, migration
 
 
-
 def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
-    """Elements without exactly one disposition: includes, macros, top declarations, statements of main and of its repeated loop."""
+    """Elements without exactly one disposition: includes, macros, top declarations, statements of main and its loop."""
     counts = Counter(id(d.element) for d in plan.dispositions)
     wanted: dict[int, ccode.Located] = {}
     for unit in plan.program.units if plan.program else ():
@@ -23,7 +22,9 @@ def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
             body = disposition.element.body
             inner = body.statements if isinstance(body, ccode.Block) else [body] if body is not None else []
             wanted |= {id(s): s for s in inner}
-        if isinstance(disposition.element, ccode.Variable) and isinstance(disposition.element.eContainer(), ccode.DeclarationStatement):
+        if isinstance(disposition.element, ccode.Variable) and isinstance(
+            disposition.element.eContainer(), ccode.DeclarationStatement
+        ):
             counts[id(disposition.element.eContainer())] += 1  # the declaration is judged by what it declares
     return [f"{type(e).__name__} in line {e.line}: {counts[key]} verdicts" for key, e in wanted.items() if counts[key] != 1]
 
@@ -33,7 +34,9 @@ def overlaps(plan: migration.MigrationPlan) -> list[str]:
     found = []
     for unit in plan.program.units if plan.program else ():
         edits = sorted((e for e in plan.edits if e.unit is unit), key=lambda e: (e.startOffset, e.endOffset))
-        found += [f"{a.startOffset}-{a.endOffset} and {b.startOffset}-{b.endOffset}" for a, b in pairwise(edits) if b.startOffset < a.endOffset]
+        found += [
+            f"{a.startOffset}-{a.endOffset} and {b.startOffset}-{b.endOffset}"
+            for a, b in pairwise(edits)
+            if b.startOffset < a.endOffset
+        ]
     return found
-
-

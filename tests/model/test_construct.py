@@ -1,0 +1,176 @@
+"""Elements that are made in one go equal those that pyecore's own setters make: values, containers, opposites, back links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.metamodels import ccode, hardware
+from robosmi.model.xmi_writer import to_xmi
+
+
+def slow(cls: Any, **features: Any) -> Any:
+    """An element whose features are set one by one, by pyecore's setters and collections."""
+    element = cls()
+    for name, value in features.items():
+        if isinstance(value, list):
+            getattr(element, name).extend(value)
+        else:
+            setattr(element, name, value)
+    return element
+
+
+def fast(cls: Any, **features: Any) -> Any:
+    """An element that is made with its features."""
+    return cls(**features)
+
+
+def state(root: Any) -> list[tuple[Any, ...]]:
+    """Everything that pyecore knows of the elements of a model, in a form that two models can be compared by."""
+    elements = [root, *root.eAllContents()]
+    names = {id(element): number for number, element in enumerate(elements)}
+
+    def shown(value: Any) -> Any:
+        if hasattr(value, "eClass") and id(value) in names:
+            return names[id(value)]
+        return value if isinstance(value, (str, int, float, bool, type(None))) else repr(value)
+
+    result = []
+    for element in elements:
+        features = {}
+        for feature in element.eClass.eAllStructuralFeatures():
+            value = element.eGet(feature)
+            features[feature.name] = [shown(v) for v in value] if feature.many else shown(value)
+        container = element.eContainer()
+        result.append(
+            (
+                type(element).__name__,
+                features,
+                shown(container),
+                element.eContainmentFeature().name if container is not None else None,
+                sorted(feature.name for feature in element._isset),
+                sorted((names.get(id(owner), -1), feature.name) for owner, feature in element._inverse_rels),
+                element.eResource,
+            )
+        )
+    return result
+
+
+def circuit(make: Any) -> Any:
+    """A circuit with containments, opposites of both kinds and a reference between siblings."""
+    pulse = make(hardware.Connector, name="pulse", connectorId="connector2")
+    ground = make(hardware.Connector, name="gnd", connectorId="connector0")
+    servo = make(
+        hardware.Component,
+        title="Servo",
+        elementId="7",
+        connectors=[pulse, ground],
+        tags=["motor", "motor"],
+        role=hardware.Role.Output,
+    )
+    net = make(hardware.Net, name="N1", connectors=[pulse])
+    other = make(hardware.Net, name="N2")
+    ground.net = other
+    return make(hardware.Circuit, path="a.fz", components=[servo], nets=[net, other])
+
+
+def program(make: Any) -> Any:
+    """A program with calls, whose callee collects them."""
+    function = make(ccode.Function, name="high", line=1)
+    calls = [make(ccode.Call, calleeName="high", callee=function, line=n) for n in (4, 3)]
+    statements = [make(ccode.ExpressionStatement, expression=call) for call in calls]
+    main = make(ccode.Function, name="main", definition=True, body=make(ccode.Block, statements=statements))
+    macro = make(ccode.Macro, name="ON", parameters=["a", "b", "a"])
+    unit = make(ccode.SourceUnit, path="a.c", declarations=[function, main], macros=[macro])
+    return make(ccode.Program, name="p", units=[unit])
+
+
+@pytest.mark.parametrize("model", [circuit, program])
+def test_one_go_equals_one_by_one(model: Any) -> None:
+    assert state(model(fast)) == state(model(slow))
+
+
+def test_the_order_of_collected_opposites_is_the_order_of_making() -> None:
+    assert [call.line for call in program(fast).units[0].declarations[0].calls] == [4, 3]
+
+
+@pytest.mark.parametrize("make", [fast, slow])
+def test_an_element_that_lives_elsewhere_moves(make: Any) -> None:
+    servo = make(hardware.Component, title="Servo", elementId="7")
+    old = make(hardware.Circuit, components=[servo])
+    new = make(hardware.Circuit, components=[servo])
+    assert list(old.components) == []
+    assert list(new.components) == [servo]
+    assert servo.circuit is new
+    assert servo.eContainer() is new
+
+
+@pytest.mark.parametrize("make", [fast, slow])
+def test_a_block_that_lives_elsewhere_moves(make: Any) -> None:
+    block = make(ccode.Block)
+    first = make(ccode.Function, name="a", body=block)
+    second = make(ccode.Function, name="b", body=block)
+    assert first.body is None
+    assert second.body is block
+    assert block.eContainer() is second
+
+
+@pytest.mark.parametrize("make", [fast, slow])
+def test_an_element_comes_into_a_collection_once(make: Any) -> None:
+    pin = make(hardware.Connector, connectorId="c1")
+    assert list(make(hardware.Component, elementId="1", connectors=[pin, pin]).connectors) == [pin]
+
+
+@pytest.mark.parametrize("make", [fast, slow])
+def test_a_deleted_element_is_gone_from_everywhere(make: Any) -> None:
+    model = program(make)
+    function, main = model.units[0].declarations
+    calls = list(function.calls)
+    function.delete()
+    assert list(model.units[0].declarations) == [main]
+    assert [call.callee for call in calls] == [None, None]
+    assert b"callee=" not in to_xmi({"a.xmi": model})["a.xmi"]
+
+
+@pytest.mark.parametrize("make", [fast, slow])
+def test_a_deleted_caller_is_gone_from_its_function(make: Any) -> None:
+    model = program(make)
+    function = model.units[0].declarations[0]
+    function.calls[0].delete()
+    assert [call.line for call in function.calls] == [3]
+
+
+def test_an_unset_reference_forgets_its_back_link() -> None:
+    model = circuit(fast)
+    pulse = model.components[0].connectors[0]
+    pulse.net = None
+    assert list(model.nets[0].connectors) == []
+
+
+def parts(root: Any) -> Iterator[tuple[Any, dict[str, Any]]]:
+    """Every element of a model, children first, with its attributes and children by feature name."""
+    for child in root.eContents:
+        yield from parts(child)
+    own: dict[str, Any] = {}
+    for feature in root.eClass.eAllStructuralFeatures():
+        if root.eIsSet(feature) and not feature.derived and (feature.is_attribute or feature.containment):
+            value = root.eGet(feature)
+            own[feature.name] = list(value) if feature.many else value
+    yield root, own
+
+
+def test_a_whole_program_is_made_the_same_both_ways(examples: Path) -> None:
+    original = robosmi.load_code(examples / "environmental_monitoring" / "environmental_monitoring.c")
+    twins: list[Any] = []
+    for make in (fast, slow):
+        made: dict[int, Any] = {}
+        for element, own in parts(original):
+            features = {n: [made.get(id(v), v) for v in x] if isinstance(x, list) else made.get(id(x), x) for n, x in own.items()}
+            made[id(element)] = make(type(element), **features)
+        twins.append(made[id(original)])
+    assert len(state(twins[0])) > 300
+    assert state(twins[0]) == state(twins[1])

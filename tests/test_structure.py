@@ -1,0 +1,256 @@
+"""The house as design and architecture draw it: rooms, arrows, names, sizes, and what `import robosmi` costs.
+
+Everything here is read from the source text (ast), so that a rule also holds for imports inside functions.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import pkgutil
+import re
+import statistics
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import robosmi
+
+ROOT = Path(__file__).parents[1]
+CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
+FOUNDATION = ("errors", "diagnostics", "resources", "plugins", "project")
+ABOVE: dict[str, tuple[str, ...]] = {
+    "model": FOUNDATION,
+    "query": ("model", *FOUNDATION),
+    "generate": ("query", "model", *FOUNDATION),
+    "validate": ("query", "model", *FOUNDATION),
+    "transform": ("query", "model", "metamodels", *FOUNDATION),
+    "report": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
+    "verify": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
+    "recommend": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
+    "cli": ("api", "report", "verify", "recommend", "generate", "validate", "transform", "query", "model", *FOUNDATION),
+}
+"""Room of the framework -> the rooms that it may import (and itself). The foundation's own arrows are a test below."""
+
+
+def modules(*folders: str) -> list[Path]:
+    """The Python files below these folders."""
+    found = [path for folder in folders for path in sorted((ROOT / folder).rglob("*.py")) if "__pycache__" not in path.parts]
+    assert found
+    return found
+
+
+@cache
+def tree_of(path: Path) -> ast.Module:
+    """The syntax tree of a module."""
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+def imported(path: Path) -> Iterator[tuple[int, str]]:
+    """Line and full name of everything that a module imports, wherever in it."""
+    package = (
+        ["robosmi", *path.relative_to(ROOT).parts[:-1]]
+        if path.relative_to(ROOT).parts[0] in CONTENT
+        else list(path.relative_to(ROOT).parts[:-1])
+    )
+    for node in ast.walk(tree_of(path)):
+        if isinstance(node, ast.Import):
+            yield from ((node.lineno, alias.name) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = (
+                ".".join([*package[: len(package) - node.level + 1], *([node.module] if node.module else [])])
+                if node.level
+                else node.module or ""
+            )
+            yield from ((node.lineno, f"{base}.{alias.name}") for alias in node.names)
+
+
+def rooms_imported(path: Path) -> Iterator[tuple[str, str]]:
+    """Place and room of each import of this package."""
+    for line, name in imported(path):
+        parts = name.split(".")
+        if parts[0] == "robosmi" and len(parts) > 1 and not parts[1].startswith("__"):
+            yield f"{path.relative_to(ROOT)}:{line}", parts[1]
+
+
+@pytest.mark.parametrize("room", ABOVE)
+def test_a_room_imports_only_rooms_below_it(room: str) -> None:
+    allowed = {room, *ABOVE[room]}
+    wrong = [
+        f"{place} imports {other}"
+        for path in modules(f"robosmi/{room}")
+        for place, other in rooms_imported(path)
+        if other not in allowed
+    ]
+    assert wrong == []
+
+
+def test_every_room_of_the_framework_has_its_arrows() -> None:
+    rooms = {path.name for path in (ROOT / "robosmi").iterdir() if (path / "__init__.py").is_file()}
+    files = {path.stem for path in (ROOT / "robosmi").glob("*.py")} - {"__init__", "__main__"}
+    assert rooms == set(ABOVE)
+    assert files == {*FOUNDATION, "api"}
+
+
+def test_the_foundation_imports_nothing_but_itself() -> None:
+    paths = [ROOT / "robosmi" / f"{name}.py" for name in FOUNDATION]
+    wrong = [f"{place} imports {other}" for path in paths for place, other in rooms_imported(path) if other not in FOUNDATION]
+    assert wrong == []
+
+
+def test_the_framework_never_imports_content_by_name() -> None:
+    wrong = [
+        place
+        for path in modules("robosmi")
+        for place, other in rooms_imported(path)
+        if other in ("transformations", "templates", "platform_repo")
+    ]
+    assert wrong == []
+
+
+def test_content_does_not_import_the_command_line_or_the_api() -> None:
+    wrong = [place for path in modules("transformations") for place, other in rooms_imported(path) if other in ("cli", "api")]
+    assert wrong == []
+
+
+def test_generated_packages_import_pyecore_the_strict_base_and_each_other() -> None:
+    allowed = ("robosmi.model.strict", "robosmi.metamodels", "pyecore", "__future__", "collections.abc", "functools", "typing")
+    names = [(path, line, name) for path in modules("metamodels") for line, name in imported(path)]
+    assert names
+    assert [f"{path}:{line} {name}" for path, line, name in names if not name.startswith(allowed)] == []
+
+
+@pytest.mark.parametrize("folder", ["templates", "platform_repo"])
+def test_data_rooms_hold_no_code(folder: str) -> None:
+    for path in modules(folder):
+        assert [type(node).__name__ for node in tree_of(path).body] == ["Expr"], f"{path}: a docstring and nothing else"
+
+
+def test_nothing_is_imported_by_the_folders_own_name() -> None:
+    names = [(path, line, name.split(".")[0]) for path in modules("robosmi", *CONTENT, "tests") for line, name in imported(path)]
+    assert [f"{path.relative_to(ROOT)}:{line}" for path, line, first in names if first in CONTENT] == []
+
+
+def test_no_platform_board_or_drawing_tool_is_named_in_the_framework() -> None:
+    words = re.compile("propeller|parallax|arduino|fritzing", re.IGNORECASE)
+    found = [
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
+        for path in modules("robosmi")
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if words.search(line)
+    ]
+    assert found == []
+
+
+def written_by_hand() -> list[Path]:
+    """The modules of the product that no generator writes."""
+    return modules("robosmi", "transformations")
+
+
+def test_no_module_is_longer_than_400_lines_and_half_have_150_at_most() -> None:
+    lengths = {str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines()) for path in written_by_hand()}
+    assert {name: length for name, length in lengths.items() if length > 400} == {}
+    assert statistics.median(lengths.values()) <= 150
+
+
+def test_every_module_says_what_lives_in_it() -> None:
+    assert [str(path) for path in modules("robosmi", *CONTENT, "tests") if not ast.get_docstring(tree_of(path))] == []
+
+
+def is_overload(node: ast.AST) -> bool:
+    """Whether it is one of several signatures of a function, which has its docstring at the last one."""
+    return any(isinstance(d, ast.Name) and d.id == "overload" for d in getattr(node, "decorator_list", []))
+
+
+def public_definitions(body: list[ast.stmt], within: str) -> Iterator[tuple[str, ast.AST]]:
+    """Public functions and classes of a body, and public methods of public classes."""
+    for node in body:
+        if (
+            isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))
+            and not node.name.startswith("_")
+            and not is_overload(node)
+        ):
+            yield f"{within}.{node.name}", node
+            if isinstance(node, ast.ClassDef):
+                yield from public_definitions(node.body, f"{within}.{node.name}")
+
+
+def test_every_public_function_and_class_has_a_docstring() -> None:
+    found = [
+        (name, node)
+        for path in written_by_hand()
+        for name, node in public_definitions(tree_of(path).body, str(path.relative_to(ROOT)))
+    ]
+    assert len(found) > 200
+    silent = [
+        name
+        for name, node in found
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and not ast.get_docstring(node)
+    ]
+    assert silent == []
+
+
+def test_every_finding_rule_of_the_code_is_documented_and_no_other() -> None:
+    quoted = re.compile(r"[\"'](RS\d{3})[\"']")
+    in_code = {rule for path in written_by_hand() for rule in quoted.findall(path.read_text(encoding="utf-8"))}
+    table = (ROOT / "docs" / "reference" / "rules.md").read_text(encoding="utf-8")
+    documented = re.findall(r"^\| (RS\d{3}) \|", table, re.MULTILINE)
+    assert len(documented) == len(set(documented))
+    assert set(documented) == in_code
+
+
+def test_pyproject_lists_every_folder_with_python_files() -> None:
+    listed = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]["packages"]
+    folders = {path.parent.relative_to(ROOT).parts for path in modules("robosmi", *CONTENT)}
+    names = {".".join(parts if parts[0] == "robosmi" else ("robosmi", *parts)) for parts in folders}
+    assert len(listed) == len(set(listed))
+    assert set(listed) == names
+
+
+IMPORT = """
+import json, sys, time
+before = set(sys.modules)
+start = time.perf_counter()
+import robosmi
+seconds = time.perf_counter() - start
+json.dump({"seconds": seconds, "modules": sorted({name.partition(".")[0] for name in set(sys.modules) - before})}, sys.stdout)
+"""
+
+
+def fresh_import() -> tuple[float, set[str]]:
+    """Seconds that `import robosmi` takes in a new process, and the top-level modules that it loads."""
+    done = subprocess.run([sys.executable, "-c", IMPORT], capture_output=True, text=True, check=True, cwd=ROOT)
+    measured = json.loads(done.stdout)
+    return measured["seconds"], set(measured["modules"])
+
+
+def test_importing_the_package_is_light() -> None:
+    runs = [fresh_import() for _ in range(5)]
+    assert min(seconds for seconds, _ in runs) < 0.150
+    assert runs[0][1] & {"pyecore", "lxml", "clang", "networkx", "jinja2", "sqlite3"} == set()
+
+
+def test_public_names_can_be_imported_and_are_no_submodules() -> None:
+    submodules = {module.name for module in pkgutil.iter_modules(robosmi.__path__)}
+    assert "cli" in submodules
+    assert set(robosmi.__all__) & submodules == set()
+    assert all(callable(getattr(robosmi, name)) for name in robosmi.__all__)
+    assert set(robosmi.__all__) <= set(dir(robosmi))
+
+
+def test_the_python_interface_has_the_functions_of_the_contract_that_exist() -> None:
+    promised = {
+        "load_code", "load_hardware", "load_model", "save_model", "recommend_libraries", "plan_migration", "generate_sketch",
+        "compile_sketch", "migrate",
+    }  # fmt: skip
+    assert promised <= set(robosmi.__all__)
+
+
+def test_an_unknown_public_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="has no attribute 'migrat'"):
+        _ = robosmi.migrat

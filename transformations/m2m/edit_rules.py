@@ -1,0 +1,161 @@
+"""What the rule of a disposition does to the text: a table from the rule to the bytes that change and what comes there.
+
+A change is as small as it can be, so that changes for different reasons meet in one expression without overlapping.
+Which rule applies is decided in the plan.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.signature_text import nothing
+from robosmi.transformations.queries.source_text import SourceText, is_header
+from robosmi.transformations.queries.tokens import name_tokens
+
+Replacement = tuple[int, int, str]
+"""First byte, byte behind the last, new text."""
+
+
+def _line(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """The whole line goes; its comment stays as a line."""
+    start, end = text.line_start(element.startOffset), text.line_end(element.endOffset)
+    comments = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end]
+    if not comments:
+        return [(start, end, "")]
+    return [(start, comments[0].startOffset, "")]
+
+
+def _keyword(word: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
+    def replaced(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+        return [(element.startOffset, _end(element, text), word)]
+
+    return replaced
+
+
+def _end(element: ccode.Located, text: SourceText) -> int:
+    """The end of a statement without its semicolon."""
+    end = element.endOffset
+    while end > element.startOffset and text.data[end - 1 : end] in (b";", b" ", b"\t", b"\n", b"\r"):
+        end -= 1
+    return end
+
+
+def _void_value(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    value = element.value
+    return [(value.startOffset, value.startOffset, "(void)("), (value.endOffset, value.endOffset, ")")]
+
+
+def _assign_later(variable: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """`int x = f();` leaves `x = f();` where it stood; its declaration is made at file scope."""
+    return [(variable.eContainer().startOffset, name_place(variable, text.data), "")]
+
+
+def name_place(variable: ccode.Variable, data: bytes) -> int:
+    """Offset of a variable's name in its declaration."""
+    end = variable.initializer.startOffset if variable.initializer is not None else variable.endOffset
+    found = [m.start() for m in re.finditer(rb"\b%s\b" % re.escape(variable.name.encode()), data[variable.startOffset : end])]
+    return variable.startOffset + (found[-1] if found else 0)
+
+
+def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """The declaration goes with its semicolon; the line, too, where nothing else stands on it."""
+    found = text.data.find(b";", element.endOffset - 1)
+    end = found + 1 if found >= 0 else element.endOffset
+    start = text.line_start(element.startOffset)
+    if text.blank(start, element.startOffset) and text.blank(end, text.line_end(end)):
+        return [(start, text.line_end(end), "")]
+    return [(element.startOffset, end, "")]
+
+
+def _rename(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    return [(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
+
+
+def _undefine(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    start = text.line_start(element.startOffset)
+    return [(start, start, f"#undef {choice}\n")]
+
+
+def _convert(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.startOffset, element.startOffset, f"({choice})")]
+
+
+def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.startOffset, element.startOffset, f"({choice})("), (element.endOffset, element.endOffset, ")")]
+
+
+def _parentheses(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    found = re.compile(rb"\b%s\s*\(\s*\)" % re.escape(element.name.encode())).search(
+        text.data, element.startOffset, element.endOffset
+    )
+    return [(found.end() - 1, found.end() - 1, choice)] if found else []
+
+
+def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    place = element.startOffset + int(choice)
+    return [(place, place, "int ")]
+
+
+def _declare_only(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.startOffset, element.startOffset, "extern ")]
+
+
+def _define_extern(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    shared = is_header(text.unit)
+    found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
+    open_size = re.compile(rb"\[\s*\]").search(text.data, element.startOffset, element.endOffset)
+    made = [(found.start(), found.end(), "__attribute__((weak)) " if shared else "")] if found else []
+    return made + ([(open_size.end() - 1, open_size.end() - 1, "16")] if open_size else [])
+
+
+def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written."""
+    returned = element.returnType.spelling if element.returnType is not None else "int"
+    lines = ["  // TODO: complete method", *(f"  (void){p.name};" for p in element.parameters if p.name)]
+    result = nothing(returned)
+    lines += [f"  return {result};"] if result else []
+    found = text.data.find(b";", element.endOffset - 1)
+    end = found + 1 if found >= 0 else element.endOffset
+    shared = is_header(text.unit)
+    made = [(element.startOffset, element.startOffset, "inline ")] if shared else []
+    return [*made, (found if found >= 0 else end, end, " {\n" + "\n".join(lines) + "\n}")]
+
+
+def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """The include of a header that was carried over names the file in the sketch folder."""
+    written = re.compile(rb'[<"][^>"\n]*[>"]').search(text.data, element.startOffset, text.line_end(element.startOffset))
+    wanted = f'"{choice}"'
+    if written is None or written[0] == wanted.encode():
+        return []
+    return [(written.start(), written.end(), wanted)]
+
+
+RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
+    "platform-include": _line,
+    "standard-include": _line,
+    "posix-include": _line,
+    "unknown-include": _line,
+    "own-header": _own_header,
+    "return-from-setup": _keyword("return"),
+    "return-value-from-setup": _void_value,
+    "continue-main-loop": _keyword("return"),
+    "hoist-local-split": _assign_later,
+    "main-prototype": _out,
+    "rename": _rename,
+    "redefine-macro": _undefine,
+    "convert": _convert,
+    "convert-compound": _convert_compound,
+    "empty-parentheses": _parentheses,
+    "implicit-int": _implicit_int,
+    "declare-only": _declare_only,
+    "take-out": _out,
+    "define-extern": _define_extern,
+    "adapter-in-place": _body,
+}
+"""Rule of a disposition -> the changes of text that it asks for."""
+
+EVERYWHERE = frozenset({"rename"})
+"""Rules that change every unit of the program, not only their element's."""

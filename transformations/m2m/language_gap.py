@@ -1,0 +1,264 @@
+"""C that is no C++: what a compiler of the target's language refuses although C allows it, and the edit that fits each.
+
+A table of rules over the code model. Each finds elements and says which rule of `edits` changes their text; what no
+simple edit mends is a finding with its place. Which way a value is converted is read off `queries.expression_type`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind
+from robosmi.transformations.queries.expression_type import (
+    FunctionType,
+    ValueType,
+    declared_with_others,
+    expectations,
+    of_use,
+    type_of,
+)
+
+_NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
+_QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
+
+
+@dataclass(frozen=True)
+class Change:
+    """A change of text that C++ wants.
+
+    Attributes:
+        element: what is changed.
+        rule: the rule of `edits` that changes it.
+        text: what the rule puts in.
+        reason: why, one sentence.
+    """
+
+    element: ccode.Located
+    rule: str
+    text: str
+    reason: str
+
+
+Rule = Callable[[ccode.SourceUnit, bytes, Mapping[str, FunctionType]], Iterator[Change]]
+
+
+def changes(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> list[Change]:
+    """What has to change in a unit.
+
+    Args:
+        unit: the unit.
+        data: its bytes.
+        functions: what adapters take and give.
+    """
+    if unit.language != "C":
+        return []
+    found: dict[tuple[int, int, str], Change] = {}
+    for rule in RULES:
+        for change in rule(unit, data, functions):
+            found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
+    return list(found.values())
+
+
+def _conversions(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    for value, wanted in expectations(unit, functions):
+        text = data[value.startOffset : value.endOffset]
+        if text and not _NULLS.fullmatch(text) and (reason := _conversion(value, wanted, functions)):
+            yield Change(value, "convert" if _primary(value) else "convert-compound", wanted.spelling, reason)
+
+
+def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[str, FunctionType]) -> str:
+    """Why C++ wants the conversion written, or an empty text."""
+    if wanted.function:
+        return _function_pointer(value, wanted)
+    if isinstance(value, ccode.StringLiteral):
+        if wanted.depth == 1 and wanted.base == "char" and not wanted.constant:
+            return "a text is constant in C++"
+        return "a text is no such pointer in C++" if wanted.depth == 1 and wanted.base not in ("char", "void") else ""
+    if wanted.depth == 0 and isinstance(wanted.declaration, ccode.Enumeration):
+        given = type_of(value, functions)
+        literal = value.target if isinstance(value, ccode.NameReference) else None
+        same = (given is not None and given.declaration is wanted.declaration) or (
+            isinstance(literal, ccode.EnumerationLiteral) and literal.eContainer() is wanted.declaration
+        )
+        return "" if same else "a number is no value of an enumeration in C++"
+    if wanted.arithmetic and isinstance(value.eContainer(), ccode.InitializerList):
+        return "" if _fits(value, wanted) else "C++ narrows no value in a list on its own"
+    given = type_of(value, functions)
+    if given is None or given.function:
+        return ""
+    if wanted.depth and given.depth:
+        return _pointers(given, wanted)
+    if wanted.depth and given.arithmetic:
+        return "a number is no pointer in C++"
+    if given.depth and wanted.arithmetic:
+        return "a pointer is no number in C++"
+    return ""
+
+
+_LIMITS = {
+    "char": (-128, 127),
+    "signed char": (-128, 127),
+    "int8_t": (-128, 127),
+    "unsigned char": (0, 255),
+    "uint8_t": (0, 255),
+    "short": (-32768, 32767),
+    "int": (-32768, 32767),
+    "int16_t": (-32768, 32767),
+    "unsigned": (0, 65535),
+    "unsigned int": (0, 65535),
+    "unsigned short": (0, 65535),
+    "uint16_t": (0, 65535),
+    "long": (-(2**31), 2**31 - 1),
+    "int32_t": (-(2**31), 2**31 - 1),
+    "unsigned long": (0, 2**32 - 1),
+    "uint32_t": (0, 2**32 - 1),
+    "bool": (0, 1),
+    "size_t": (0, 65535),
+}
+"""Least and greatest value that surely fits on any target; int has 16 bits on some."""
+
+
+def _fits(value: ccode.Expression, wanted: ValueType) -> bool:
+    """Whether a list may hold a value of the type without a conversion."""
+    real = wanted.base in ("float", "double")
+    if isinstance(value, ccode.FloatingLiteral):
+        return real
+    sign, literal = (-1, value.operand) if isinstance(value, ccode.Unary) and value.operator == "-" else (1, value)
+    if isinstance(literal, ccode.FloatingLiteral):
+        return real
+    if isinstance(literal, ccode.IntegerLiteral):
+        least, most = _LIMITS.get(wanted.base, (-(2**31), 2**31 - 1))
+        return real or least <= sign * literal.value <= most
+    given = type_of(value, {})
+    if isinstance(value, ccode.Binary):
+        return wanted.base == "int"
+    return given is None or given.base == wanted.base
+
+
+def _pointers(given: ValueType, wanted: ValueType) -> str:
+    if wanted.base == "void" and wanted.depth == 1:
+        return "a pointer to a constant is no such pointer in C++" if given.constant and not wanted.constant else ""
+    if given.base == "void":
+        return "C++ does not convert void * on its own"
+    if (given.base, given.depth) != (wanted.base, wanted.depth):
+        return "the pointers are of different types"
+    return "a pointer to a constant is no such pointer in C++" if given.constant and not wanted.constant else ""
+
+
+def _function_pointer(value: ccode.Expression, wanted: ValueType) -> str:
+    inner = value.operand if isinstance(value, ccode.Unary) and value.operator == "&" else value
+    function = inner.target if isinstance(inner, ccode.NameReference) else None
+    if isinstance(function, ccode.Function):
+        taken = wanted.spelling.rpartition("(*")[2].partition(")")[2].strip().strip("()")
+        wants = [_plain(p) for p in taken.split(",") if _plain(p) not in ("", "void")]
+        takes = [_plain(p.valueType.spelling) for p in function.parameters if p.valueType is not None]
+        returned = _plain(wanted.spelling.partition("(*")[0])
+        gives = _plain(function.returnType.spelling) if function.returnType is not None else ""
+        return "the function takes or gives something else than the place wants" if wants != takes or returned != gives else ""
+    if isinstance(inner, ccode.Cast) and inner.target is not None:
+        return "" if "(*" in inner.target.spelling else "the place wants a pointer to a function"
+    if isinstance(inner, ccode.NameReference):
+        known = isinstance(inner.target, (ccode.Variable, ccode.Parameter, ccode.Field)) and inner.target.valueType is not None
+        plain = known and "(*" not in inner.target.valueType.spelling  # type: ignore[union-attr]
+        unknown = isinstance(inner.target, ccode.ExternalSymbol) and inner is not value
+        return "the place wants a pointer to a function" if plain or unknown else ""
+    return "the place wants a pointer to a function"
+
+
+def _plain(spelling: str) -> str:
+    """A type without blanks and without the name of a parameter."""
+    words = re.sub(r"\s+", " ", spelling).strip()
+    found = re.fullmatch(r"(.*[*\s])[A-Za-z_]\w*", words)
+    keeps = found is None or words.rpartition(" ")[2] in ("int", "char", "long", "short", "unsigned", "float", "double", "void")
+    return (words if keeps or found is None else found[1]).replace(" ", "")
+
+
+def _primary(value: ccode.Expression) -> bool:
+    kinds = (ccode.Call, ccode.NameReference, ccode.Member, ccode.Index, ccode.StringLiteral, ccode.IntegerLiteral, ccode.Unary)
+    return isinstance(value, kinds)
+
+
+def _prototypes(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`f()` says nothing of its parameters in C and that there are none in C++."""
+    defined = {d.name: d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    for function in all_of_kind(unit, ccode.Function):
+        if function.parameters or function.variadic or function.name == "main" or not re.search(r"\(\s*\)$", function.signature):
+            continue
+        known = defined.get(function.name)
+        if known is not None and known.parameters and not function.definition:
+            start = known.signature.find("(", known.signature.find(known.name))
+            yield Change(
+                function, "empty-parentheses", known.signature[start + 1 : -1], "in C++ an empty list means no parameters"
+            )
+        elif any(c.arguments for f in (function, known) if f is not None for c in f.calls):
+            yield Change(function, "empty-parentheses", "...", "it is called with arguments that it does not take")
+
+
+def _implicit_int(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    for element in (*all_of_kind(unit, ccode.Function), *all_of_kind(unit, ccode.Variable)):
+        if element.name == "main" or (isinstance(element, ccode.Variable) and declared_with_others(element)):
+            continue
+        head = data[element.startOffset : element.endOffset].decode("latin-1")
+        found = re.search(rf"\b{re.escape(element.name)}\b", head)
+        if found is not None and _QUALIFIERS.fullmatch(head[: found.start()]) and element.name:
+            yield Change(element, "implicit-int", str(found.start()), "C++ wants the type int written")
+
+
+def _tentative(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Globals that are declared twice: all but one become mere declarations."""
+    by_name: dict[str, list[ccode.Variable]] = {}
+    for declaration in unit.declarations:
+        if (
+            isinstance(declaration, ccode.Variable)
+            and declaration.storage.name in ("unspecified", "staticStorage")
+            and declaration.name
+        ):
+            by_name.setdefault(declaration.name, []).append(declaration)
+    for variables in by_name.values():
+        kept = next((v for v in variables if v.initialised), variables[0])
+        for variable in variables if len(variables) > 1 else ():
+            if variable is not kept and not declared_with_others(variable):
+                rule = "declare-only" if variable.storage.name == "unspecified" else "take-out"
+                yield Change(variable, rule, "", "the variable is declared a second time")
+
+
+def _extern(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Variables that the program declares and defines nowhere: their declaration becomes the definition."""
+    program = unit.program
+    defined = (
+        {
+            d.name
+            for u in program.units
+            for d in u.declarations
+            if isinstance(d, ccode.Variable) and d.storage.name != "externStorage"
+        }
+        if program is not None
+        else set()
+    )
+    seen: set[str] = set()
+    for declaration in unit.declarations:
+        if not isinstance(declaration, ccode.Variable) or declaration.name in defined | seen:
+            continue
+        if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
+            seen.add(declaration.name)
+            yield Change(declaration, "define-extern", declaration.name, "the program defines it nowhere")
+
+
+RULES: tuple[Rule, ...] = (_conversions, _prototypes, _implicit_int, _tentative, _extern)
+
+
+def remarks(unit: ccode.SourceUnit, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
+    """What no simple edit mends: the element and what is to be known of it."""
+    for value in (*all_of_kind(unit, ccode.UnknownExpression), *all_of_kind(unit, ccode.InitializerList)):
+        text = data[value.startOffset : value.endOffset].decode("latin-1")
+        if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):
+            yield value, "a list that names the elements of an array by their index is no C++"
+        elif re.search(r"[{,]\s*\.\w+\s*=(?!=)", text):
+            yield value, "a list that names members is C++ only where it names all of them in their order"
+    for variable in all_of_kind(unit, ccode.Variable):
+        kind = of_use(variable.valueType)
+        if kind is not None and "restrict" in kind.spelling:
+            yield variable, "'restrict' is no word of C++"

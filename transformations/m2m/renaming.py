@@ -1,0 +1,88 @@
+"""Names of the program's own that the target needs for itself: what they are called in the sketch.
+
+C leaves words to programs that C++ has reserved, and a sketch shares its names with the target's core. Such a name is
+renamed wherever it stands; a macro of the program's own takes the place of the target's macro. A local that merely
+hides a name of the core stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind
+from robosmi.transformations.m2m.target_names import TargetNames
+from robosmi.transformations.queries.tokens import name_tokens
+
+RENAME, REDEFINE = "rename", "redefine-macro"
+"""Rules of dispositions: the name is another one in the sketch (`choice`); a macro that the target has is defined anew."""
+
+
+@dataclass(frozen=True)
+class Renaming:
+    """A name that changes.
+
+    Attributes:
+        element: the first declaration with the name.
+        name: as it is.
+        new: as it will be.
+        reason: why, one sentence.
+    """
+
+    element: ccode.Declaration
+    name: str
+    new: str
+    reason: str
+
+
+def renamings(program: ccode.Program, sources: Mapping[str, bytes], names: TargetNames) -> list[Renaming]:
+    """The names that have to change, in the order of their first declaration.
+
+    Args:
+        program: the code model.
+        sources: path of a unit -> its bytes.
+        names: the target's names.
+    """
+    found: dict[str, Renaming] = {}
+    taken: set[str] | None = None
+    for declaration, top in _declarations(program):
+        name = declaration.name
+        if not name or name in found or (name == "main" and isinstance(declaration, ccode.Function)):
+            continue
+        if name in names.keywords:
+            reason = f"'{name}' is a word of the target's language"
+        elif name in names.macros:
+            reason = f"the target has a macro '{name}'"
+        elif top and name in names.declared:
+            reason = f"the target declares a '{name}' of its own"
+        else:
+            continue
+        if taken is None:
+            taken = {text for unit in program.units for _, _, text in name_tokens(sources[unit.path])}
+        new = f"{name}_"
+        while new in taken or new in names.macros | names.declared | names.keywords:
+            new += "_"
+        taken.add(new)
+        found[name] = Renaming(declaration, name, new, reason)
+    return list(found.values())
+
+
+def _declarations(program: ccode.Program) -> Iterator[tuple[ccode.Declaration, bool]]:
+    """Every declaration of the program with whether it is visible outside of a function."""
+    for unit in program.units:
+        if unit.language != "C":
+            continue
+        top = {id(d) for d in unit.declarations}
+        for declaration in all_of_kind(unit, ccode.Declaration):
+            literal = isinstance(declaration, ccode.EnumerationLiteral) and id(declaration.eContainer()) in top
+            yield declaration, id(declaration) in top or literal
+
+
+def redefined(unit: ccode.SourceUnit, names: TargetNames) -> list[ccode.Macro]:
+    """The unit's macros that the target's core defines too, each at its first definition."""
+    first: dict[str, ccode.Macro] = {}
+    for macro in unit.macros:
+        if macro.name in names.macros:
+            first.setdefault(macro.name, macro)
+    return list(first.values())

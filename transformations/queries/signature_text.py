@@ -1,0 +1,64 @@
+"""Signatures as text, taken apart: name, what the function returns, its parameters' types and names.
+
+Only declarators as this project writes them are read (`m2m.signatures`); C at large is the reader's business.
+"""
+
+from __future__ import annotations
+
+import re
+
+from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType
+
+OWN_PROTOTYPE = "program"
+"""`signatureSource` of an adapter that the program itself declares: its body is written where the prototype stands."""
+
+_HEAD = re.compile(r"^(?P<returns>.*?[\s*])(?P<name>[A-Za-z_]\w*)\((?P<rest>.*)\)$", re.DOTALL)
+
+
+def split(parameters: str) -> list[str]:
+    """The parameters of a list, without the empty one and without `...`."""
+    parts, depth = [""], 0
+    for character in parameters:
+        depth += (character in "([") - (character in ")]")
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [p.strip() for p in parts if p.strip() not in ("", "...", "void")]
+
+
+def taken_apart(signature: str) -> tuple[str, str, list[str]]:
+    """What a function returns, its name, its parameters with names; empty texts where it is no signature."""
+    found = _HEAD.match(signature.strip())
+    return (found["returns"].strip(), found["name"], split(found["rest"])) if found else ("", "", [])
+
+
+def parameter_name(parameter: str) -> str:
+    """The name of a parameter as declared."""
+    if "(*" in parameter:
+        return parameter.partition("(*")[2].partition(")")[0].strip()
+    words = parameter.partition("[")[0].replace("*", " ").split()
+    return words[-1] if words else ""
+
+
+def parameter_type(parameter: str) -> str:
+    """The type of a parameter as declared, without its name."""
+    name = parameter_name(parameter)
+    if "(*" in parameter:
+        return parameter.replace(f"(*{name})", "(*)", 1)
+    head, bracket, dimensions = parameter.partition("[")
+    return f"{head.rstrip().removesuffix(name).rstrip()}{' ' if bracket else ''}{bracket}{dimensions}"
+
+
+def function_type(signature: str) -> FunctionType:
+    """What a function takes and gives."""
+    returns, _, parameters = taken_apart(signature)
+    return FunctionType(returns, tuple(parameter_type(p) for p in parameters))
+
+
+def nothing(returned: str) -> str:
+    """What a body without a result gives back; empty for void."""
+    words = returned.replace("const ", "").replace("volatile ", "").split()
+    if returned.strip() == "void" or not words:
+        return ""
+    return "0" if "*" in returned or words[0] in ARITHMETIC else "{}"
