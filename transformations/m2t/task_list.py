@@ -96,11 +96,17 @@ def _library(choice: migration.LibraryChoice) -> dict[str, str]:
 def _group(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> dict[str, Any]:
     mine = Q(plan.dispositions).select(lambda d: d.element is not None and ancestor_of_kind(d.element, ccode.SourceUnit) is unit)
     rows = [
-        {"line": d.element.line, "element": _cell(element_title(d.element)), "action": d.action.name, "reason": _cell(d.reason)}
+        {"line": d.element.line, "element": _cell(element_title(d.element)), "action": d.action.name, "reason": _cell(_why(d))}
         for d in sorted(mine, key=lambda d: d.element.startOffset if d.element else 0)
         if d.element is not None
     ]
     return _with_counts(unit.path.rpartition("/")[2], mine, rows)
+
+
+def _why(disposition: migration.Disposition) -> str:
+    """The reason of a verdict; what was judged to stay is rewritten all the same where a port in it has another pin now."""
+    moved = disposition.action is migration.Action.rewrite and disposition.choice == migration.Action.retain.name
+    return f"{disposition.reason}; a port in it is another one on the target" if moved else str(disposition.reason)
 
 
 def _outside(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
