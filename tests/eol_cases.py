@@ -14,9 +14,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from pyecore.resources import URI, ResourceSet
-
 from robosmi.errors import RobosmiError
+from robosmi.model.driver import is_element
+from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
 from robosmi.query import (
     Bag,
     Long,
@@ -42,7 +43,7 @@ from robosmi.query import (
     type_named,
     xor,
 )
-from robosmi.query.values import as_string, collection_kind, is_element
+from robosmi.query.values import as_string, collection_kind
 
 Scope = dict[str, Any]
 KINDS: dict[str, Callable[[list[Any]], Any]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "OrderedSet": OrderedSet}
@@ -103,7 +104,7 @@ def evaluate(form: Any, scope: Scope) -> Any:
     if head == "get?":
         return get_safe(evaluate(rest[0], scope), rest[1])
     if head == "call":
-        return operate(evaluate(rest[0], scope), rest[1], *(evaluate(x, scope) for x in rest[2:]))
+        return call(evaluate(rest[0], scope), rest[1], *(evaluate(x, scope) for x in rest[2:]))
     if head == "not":
         return operators.negated(evaluate(rest[0], scope))
     if head == "neg":
@@ -118,19 +119,6 @@ def evaluate(form: Any, scope: Scope) -> Any:
     return OPERATORS[head](evaluate(rest[0], scope), evaluate(rest[1], scope))
 
 
-def operate(target: Any, name: str, *arguments: Any) -> Any:
-    """An operation by name; those of models are methods of the model's handle."""
-    if isinstance(target, ModelView):
-        methods: dict[str, Callable[..., Any]] = {
-            "allContents": lambda: Q(target.all_contents()),
-            "getElementById": target.element,
-            "getElementId": target.id_of,
-            "owns": target.owns,
-        }
-        return methods[name](*arguments)
-    return call(target, name, *arguments)
-
-
 def step(target: Any, form: dict[str, Any]) -> Any:
     """One step applied to what came before."""
     if "get" in form:
@@ -138,7 +126,7 @@ def step(target: Any, form: dict[str, Any]) -> Any:
     name = form["op"]
     arguments = [value(x) for x in form.get("args", [])]
     if "lambda" not in form:
-        return operate(target, name, *arguments)
+        return call(target, name, *arguments)
     variable, *bodies = form["lambda"]
     if form.get("multi") and len(bodies) == 1:
         bodies = bodies[0]
@@ -169,7 +157,7 @@ def same(answer: Any, expected: Any) -> bool:
             return _matched(items, content)
         if tag == "Real":
             return isinstance(answer, float) and (
-                math.isclose(answer, float(content), rel_tol=1e-9) or str(answer) == str(content)
+                math.isclose(answer, float(content), rel_tol=1e-9) or as_string(answer) == str(content)
             )
         if tag == "Long":
             return isinstance(answer, int) and answer.__class__ is not bool and answer == content
@@ -213,20 +201,18 @@ def run(case: dict[str, Any]) -> Any:
         return {"error": True}
 
 
-def load(path: Path, model: dict[str, str]) -> ModelView:
-    """The model beside the cases."""
-    resources = ResourceSet()
-    package = resources.get_resource(URI(str(path.parent / model["metamodel"]))).contents[0]
-    resources.metamodel_registry[package.nsURI] = package
-    return ModelView(resources.get_resource(URI(str(path.parent / model["file"]))).contents, [package], model["name"])
+def load(path: Path, model: dict[str, str], metamodel: Metamodel) -> ModelView:
+    """The model beside the cases, anew for each, since a case may change it."""
+    return ModelView(EmfModel.load(path.parent / model["file"], metamodel, model["name"]))
 
 
 def check(path: Path) -> tuple[int, list[tuple[dict[str, Any], Any]]]:
     """How many cases of a file agree, and those that differ with our answers."""
     data = json.loads(path.read_text(encoding="utf-8"))
+    metamodel = Metamodel.load(path.parent / data["model"]["metamodel"])
     differing = []
     for case in data["cases"]:
-        with Run(load(path, data["model"])):
+        with Run(load(path, data["model"], metamodel)):
             answer = run(case)
             agrees = answer == {"error": True} if case["expected"] == {"error": True} else same(answer, case["expected"])
             if not agrees:

@@ -1,27 +1,47 @@
 """Models: strict elements, metamodels, XMI in and out, whole-or-nothing files.
 
-A first part (models over any technology are their own issue). `load_model` and `save_model` are the simple way in; the
-modules beneath do one thing each. Nothing here knows what the models are about.
+`load_model` and `save_model` are the simple way in for XMI, `open_model` for models of any technology; `Metamodel`, `EmfModel`
+and `Repository` are what researchers work with, `Model` is what a driver implements. The modules beneath do one thing each and
+are imported when first used. Nothing here knows what the models are about.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Model
+    from robosmi.model.emf import EmfModel
+    from robosmi.model.metamodel import Metamodel
+    from robosmi.model.opening import open_model
+    from robosmi.model.repository import Repository
+
+__all__ = ["EmfModel", "Metamodel", "Model", "Repository", "load_model", "open_model", "save_model"]
+
+_PLACES = {"EmfModel": "emf", "Metamodel": "metamodel", "Model": "driver", "Repository": "repository", "open_model": "opening"}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _PLACES:
+        from importlib import import_module
+
+        return getattr(import_module(f"robosmi.model.{_PLACES[name]}"), name)
+    raise AttributeError(f"module 'robosmi.model' has no attribute '{name}'")
 
 
 def load_model(path: str | Path) -> Any:
-    """Read an XMI file, with the files it refers to, and return its root element.
+    """Read an XMI file, with the files it refers to, and return its root element; older versions of metamodels are migrated.
 
     Raises:
         SourceError: a file cannot be read as XMI.
         ModelError: it contradicts its metamodel.
     """
     from robosmi.model.metamodels import built_in
-    from robosmi.model.xmi_reader import read_models
+    from robosmi.model.versions import read_current
 
-    return next(iter(read_models(Path(path), built_in()).values()))
+    return next(iter(read_current(Path(path), built_in()).values()))
 
 
 def save_model(root: Any, path: str | Path, others: Mapping[str, Any] | None = None) -> None:

@@ -1,229 +1,174 @@
-"""Python packages from metamodels: pyecoregen's generator with templates of our own.
+"""Python packages from metamodels: pyecoregen's generator with a template and views of our own.
 
-pyecoregen's own output loses enumeration values, bounds and relative imports and takes any name; ours keeps them, has
-annotations, and derives its classes from `robosmi.model.strict.Element`. One package is one file,
-`<package>/__init__.py`. What Python cannot say as it stands (keywords as names) is refused, not renamed. The .ecore
-files stay the truth: generated code is never edited, and a test generates it again and compares.
+`render` gives the files of one or more .ecore files and of all that they refer to; nothing is written. One EPackage is one
+file, `<package>/__init__.py`, whose classes derive from `robosmi.model.strict.Element`. The .ecore files stay the truth:
+generated code is never edited. Writing it where a person's files may lie is `robosmi.generate.packages`' business; run as a
+module, this writes our own packages anew, and a test compares.
 """
 
 from __future__ import annotations
 
-import keyword
-import os
+import ast
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import pyecoregen.ecore as pyecoregen
-from pyecore import ecore
-from pyecore.resources import URI, ResourceSet
 
 from robosmi import resources
-from robosmi.errors import ModelError
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError
+from robosmi.model.ecore_description import Class, Package
+from robosmi.model.ecore_loader import MetamodelError, load_metamodels
+from robosmi.model.files import write_folder
+from robosmi.model.linearise import bases, topological
+from robosmi.model.package_cycles import Cycles
+from robosmi.model.package_names import Names
+from robosmi.model.package_problems import problems_of
+from robosmi.model.package_types import Notes
+from robosmi.model.package_view import Mixins, PackageView, view_of
 
-GENMODEL = "http://www.eclipse.org/emf/2002/GenModel"
-PYTHON_TYPES = {
-    "EString": "str",
-    "EInt": "int",
-    "ELong": "int",
-    "EShort": "int",
-    "EBoolean": "bool",
-    "EDouble": "float",
-    "EFloat": "float",
-}
+MIXINS = "mixins.py"
 
 
-def documentation(element: ecore.EModelElement) -> str:
-    """The GenModel documentation of a metamodel element, or an empty text."""
-    annotation = element.getEAnnotation(GENMODEL)
-    return str(annotation.details.get("documentation", "")) if annotation else ""
+@dataclass
+class Run:
+    """What one run of the generator works on: the packages with everything that holds for all of them."""
+
+    packages: list[Package]
+    mixins: Mixins
+    notes: Notes = field(default_factory=Notes)
+
+    def __post_init__(self) -> None:
+        classes = [c for p in self.all() for c in p.classifiers if isinstance(c, Class)]
+        self.names = Names(self.packages)
+        self.bases = bases(topological(classes)[0])
+        self.cycles = Cycles(self.packages)
+
+    def all(self) -> Iterator[Package]:
+        """The packages with their sub-packages."""
+        for root in self.packages:
+            yield from root.walk()
+
+    def view(self, package: Package) -> PackageView:
+        """What the template shows of a package."""
+        return view_of(package, self.names, self.bases, self.cycles, self.mixins, self.notes)
 
 
 class PackageTask(pyecoregen.EcoreTask):
     """One Python file for one EPackage."""
 
     template_name = "package.py.j2"
-    element_type = ecore.EPackage
 
     @staticmethod
-    def filename_for_element(package: ecore.EPackage) -> str:
+    def filename_for_element(package: Package) -> str:
         """The name of the file inside the package's folder."""
         return "__init__.py"
 
-    def create_template_context(self, element: ecore.EPackage, **kwargs: Any) -> dict[str, Any]:
-        """What the template sees: the package, its classes with supertypes first, and what it needs of other packages."""
-        classes = [c for c in element.eClassifiers if isinstance(c, ecore.EClass)]
-        ordered: list[ecore.EClass] = []
-        while len(ordered) < len(classes):
-            ready = [
-                c for c in classes if c not in ordered and all(s.ePackage is not element or s in ordered for s in c.eSuperTypes)
-            ]
-            ordered.append(ready[0])
-        references = [r for c in classes for r in c.eReferences]
-        return dict(
-            super().create_template_context(element=element, **kwargs),
-            package=element,
-            classes=ordered,
-            enums=[c for c in element.eClassifiers if isinstance(c, ecore.EEnum)],
-            supertype_imports=_imports(element, [s for c in classes for s in c.eSuperTypes]),
-            reference_imports=_imports(element, [r.eType for r in references]),
-            attribute_imports=_imports(
-                element, [a.eType for c in classes for a in c.eAttributes if isinstance(a.eType, ecore.EEnum)]
-            ),
-            datatypes=sorted({a.eType.name for c in classes for a in c.eAttributes if not isinstance(a.eType, ecore.EEnum)}),
-            has_many=any(f.many for c in classes for f in c.eStructuralFeatures),
-        )
-
-
-def _imports(package: ecore.EPackage, classifiers: list[Any]) -> dict[str, list[str]]:
-    """Relative module -> sorted names, for classifiers of other packages than Ecore and this one."""
-    depth = 1
-    parent = package.eSuperPackage
-    while parent:
-        depth, parent = depth + 1, parent.eSuperPackage
-    found: dict[str, set[str]] = {}
-    for classifier in classifiers:
-        owner = classifier.ePackage
-        if owner is not package and not _is_ecore(classifier):
-            path = pyecoregen.EcoreTask.folder_path_for_package(owner).replace(os.sep, ".")
-            found.setdefault("." * (depth + 1) + path, set()).add(classifier.name)
-    return {module: sorted(names) for module, names in sorted(found.items())}
-
-
-def _is_ecore(classifier: Any) -> bool:
-    return getattr(classifier.ePackage, "nsURI", None) == ecore.nsURI or classifier.ePackage is None
+    def filtered_elements(self, model: Run) -> Iterator[Package]:
+        """The packages that become files."""
+        return model.all()
 
 
 class PackageGenerator(pyecoregen.EcoreGenerator):
-    """pyecoregen's generator with our task and templates."""
+    """pyecoregen's generator with our task and template; it gives the files and writes none."""
 
     def __init__(self, **kwargs: Any) -> None:
         self.templates_path = str(resources.find("templates", "metamodel"))
         super().__init__(**kwargs)
         self.tasks = [PackageTask()]
+
+    def render(self, run: Run) -> dict[str, bytes]:
+        """The files of a run: relative path -> bytes."""
+        environment = self.create_environment(trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True)
+        made = {}
         for task in self.tasks:
-            task.environment = self.create_environment(trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True)
-            task.global_context = self.create_global_context()
-
-    def create_environment(self, **kwargs: Any) -> Any:
-        """pyecoregen's environment with our filters."""
-        environment = super().create_environment(**kwargs)
-        environment.filters.update(
-            documentation=documentation,
-            annotation=_annotation,
-            parameter=_parameter,
-            arguments=_arguments,
-            supertypes=_supertypes,
-            all_features=_all_features,
-        )
-        return environment
+            template = environment.get_template(task.template_name)
+            for package in task.filtered_elements(run):
+                path = "/".join([*run.names.module(package), task.filename_for_element(package)])
+                made[path] = template.render(view=run.view(package)).encode()
+        return made
 
 
-def _all_features(eclass: ecore.EClass) -> list[Any]:
-    """Features of supertypes first, in Ecore's order."""
-    result: list[Any] = []
-    for base in eclass.eSuperTypes:
-        result += [f for f in _all_features(base) if f not in result]
-    return result + list(eclass.eStructuralFeatures)
+@dataclass(frozen=True)
+class Rendered:
+    """What was generated.
 
-
-def _supertypes(eclass: ecore.EClass) -> str:
-    return ", ".join(s.name for s in eclass.eSuperTypes) or "Element, metaclass=MetaEClass"
-
-
-def _type_name(feature: Any) -> str:
-    if isinstance(feature, ecore.EAttribute) and not isinstance(feature.eType, ecore.EEnum):
-        return PYTHON_TYPES.get(feature.eType.name, "Any")
-    return "Element" if _is_ecore(feature.eType) else str(feature.eType.name)
-
-
-def _optional(feature: Any) -> bool:
-    if isinstance(feature, ecore.EReference):
-        return True
-    return feature.eType.name == "EString" and feature.defaultValueLiteral is None
-
-
-def _annotation(feature: Any) -> str:
-    name = _type_name(feature)
-    if feature.many:
-        return f"MutableSequence[{name}]"
-    return f"{name} | None" if isinstance(feature, ecore.EReference) or (_optional(feature) and feature.lowerBound == 0) else name
-
-
-def _parameter(feature: Any) -> str:
-    name = _type_name(feature)
-    return f"{feature.name}: Iterable[{name}] | None = None" if feature.many else f"{feature.name}: {name} | None = None"
-
-
-def _arguments(feature: Any) -> str:
-    """The arguments of the feature's EAttribute or EReference."""
-    arguments = [] if isinstance(feature, ecore.EReference) else [f"eType={feature.eType.name}"]
-    if feature.lowerBound:
-        arguments.append(f"lower={feature.lowerBound}")
-    if feature.upperBound != 1:
-        arguments.append(f"upper={feature.upperBound}")
-    for flag, default in (("ordered", True), ("unique", True), ("changeable", True), ("derived", False), ("transient", False)):
-        if getattr(feature, flag) != default:
-            arguments.append(f"{flag}={not default}")
-    for flag in ("containment", "iD"):
-        if getattr(feature, flag, False):
-            arguments.append(f"{flag}=True")
-    if feature.defaultValueLiteral is not None and isinstance(feature, ecore.EAttribute):
-        value = feature.eType.from_string(feature.defaultValueLiteral)
-        text = f"{feature.eType.name}.{value.name}" if isinstance(feature.eType, ecore.EEnum) else repr(value)
-        arguments.append(f"default_value={text}")
-    return ", ".join(arguments)
-
-
-def check_profile(package: ecore.EPackage) -> None:
-    """Refuse what cannot become Python as it stands.
-
-    Raises:
-        ModelError: a name is a Python keyword or used twice in the package.
+    Attributes:
+        files: relative path -> bytes.
+        sources: relative path -> the .ecore file.
+        findings: what was left out, renamed or could not be said.
+        classes: number of classes.
     """
-    seen: set[str] = set()
-    for classifier in package.eClassifiers:
-        inner = [f.name for f in getattr(classifier, "eStructuralFeatures", ())] + [
-            x.name for x in getattr(classifier, "eLiterals", ())
-        ]
-        for name in [classifier.name, *inner]:
-            if keyword.iskeyword(name) or not name.isidentifier():
-                raise ModelError(
-                    f"'{package.name}.{classifier.name}': '{name}' cannot be a Python name", fix="rename it in the .ecore file"
-                )
-        if classifier.name in seen:
-            raise ModelError(f"the package '{package.name}' has two classifiers '{classifier.name}'", fix="rename one of them")
-        seen.add(classifier.name)
+
+    files: dict[str, bytes]
+    sources: dict[str, Path]
+    findings: list[Finding]
+    classes: int
 
 
-def generate(metamodel: Path, folder: Path) -> list[Path]:
-    """Generate the Python package(s) of one .ecore file.
+def render(metamodels: Sequence[Path], folder: Path | None = None) -> Rendered:
+    """Generate the packages of .ecore files and of all files that they refer to.
 
     Args:
-        metamodel: the .ecore file; files it refers to must lie where it says.
-        folder: where the package folders are made; it must be a Python package itself if packages refer to each other.
-
-    Returns:
-        The files written.
+        metamodels: the .ecore files.
+        folder: where the packages will lie, to find the `mixins.py` that persons wrote there; None if there are none.
 
     Raises:
-        ModelError: the file is no metamodel, or uses names that Python cannot say.
+        SourceError: a file cannot be read, or is no metamodel.
+        MetamodelError: it is no valid metamodel, or no Python package can be made of it; all reasons together.
     """
+    packages = load_metamodels(metamodels)
+    if problems := problems_of(packages):
+        raise MetamodelError(problems)
+    run = Run(packages, {})
+    if folder is not None:
+        run.mixins = {path: found for p in run.all() if (found := _mixins(folder, path := "/".join(run.names.module(p))))}
+    files = PackageGenerator().render(run)
+    sources = {"/".join([*run.names.module(p), "__init__.py"]): p.source for p in run.all()}
+    classes = sum(isinstance(c, Class) for p in run.all() for c in p.classifiers)
+    return Rendered(files, sources, [*run.notes.findings, *_namespaces(run)], classes)
+
+
+def _namespaces(run: Run) -> Iterable[Finding]:
+    """Findings on packages that model files could not name."""
+    seen: dict[str, Package] = {}
+    for package in run.all():
+        if package.uri in seen or not package.uri:
+            why = f"the namespace of '{seen[package.uri].path}'" if package.uri else "no namespace"
+            yield Finding(
+                "RS605", Severity.warning, f"the package '{package.path}' has {why}: models cannot be read with it",
+                package.location, package.path, "give it an nsURI of its own in the .ecore file",
+            )  # fmt: skip
+        seen.setdefault(package.uri, package)
+
+
+def _mixins(folder: Path, module: str) -> dict[str, frozenset[str]]:
+    """The classes of a package's `mixins.py`: name -> the names that it defines."""
+    path = folder / module / MIXINS
+    if not path.is_file():
+        return {}
     try:
-        root = ResourceSet().get_resource(URI(str(metamodel))).contents[0]
-    except Exception as error:  # pyecore raises what it likes: KeyError, ValueError, lxml's own
-        raise ModelError(
-            f"'{metamodel}' cannot be read as a metamodel: {error}", fix="open it in Eclipse, or validate it"
+        tree = ast.parse(path.read_bytes())
+    except (SyntaxError, ValueError) as error:
+        raise SourceError(
+            f"the file is no Python: {error}", location=Location(str(path), getattr(error, "lineno", None)), fix="correct it"
         ) from error
-    if not isinstance(root, ecore.EPackage):
-        raise ModelError(f"'{metamodel}' holds a {type(root).__name__}, not an EPackage", fix="give an .ecore file")
-    packages = [root, *(p for p in root.eAllContents() if isinstance(p, ecore.EPackage))]
-    for package in packages:
-        check_profile(package)
-    folder.mkdir(parents=True, exist_ok=True)
-    PackageGenerator().generate(root, str(folder))
-    return [folder / pyecoregen.EcoreTask.folder_path_for_package(p) / "__init__.py" for p in packages]
+    found = {}
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            names = {n.name for n in node.body if isinstance(n, (ast.FunctionDef, ast.AsyncFunctionDef))}
+            names |= {t.id for n in node.body if isinstance(n, ast.Assign) for t in n.targets if isinstance(t, ast.Name)}
+            found[node.name] = frozenset(names)
+    return found
 
 
-if __name__ == "__main__":  # python -m robosmi.model.codegen: our own packages anew
-    for source in sorted(resources.built_in("metamodels").glob("*.ecore")):
-        generate(source, source.parent)
+def generate_built_in() -> None:
+    """Write our own packages anew."""
+    folder = resources.built_in("metamodels")
+    write_folder(folder, render(sorted(folder.glob("*.ecore"))).files)
+
+
+if __name__ == "__main__":
+    generate_built_in()

@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from pyecore import ecore
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFeature
 from pyecore.valuecontainer import EList, EOrderedSet, EValue
 
 from robosmi.model import strict
 
-_PYTHON = {"EString": str, "EInt": int, "ELong": int, "EBoolean": bool, "EDouble": float}
+_PYTHON = {ecore.EString: str, ecore.EInt: int, ecore.ELong: int, ecore.EBoolean: bool, ecore.EDouble: float}
 _PLANS: dict[type, dict[str, tuple[Any, Any, Any]]] = {}
 
 
@@ -38,7 +39,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         if entry is None:
             raise strict.unknown_feature(element, name)
         feature, put, kind = entry
-        if put is None or not put(element, slots, name, feature, kind, value):
+        if put is None or not put(element, slots, feature._name, feature, kind, value):
             setattr(element, name, value)
         else:
             isset[feature] = None
@@ -53,7 +54,7 @@ def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
             put: Any
             if isinstance(feature, EAttribute):
                 enumeration = isinstance(feature.eType, EEnum)
-                kind = (feature.eType,) if enumeration else _PYTHON.get(feature.eType.name)
+                kind = (feature.eType,) if enumeration else _PYTHON.get(feature.eType)
                 many = None if feature.unique or enumeration else _put_attributes
                 put = None if kind is None else many if feature.many else _put_literal if enumeration else _put_attribute
             else:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import resources
-from robosmi.model.codegen import documentation
+from robosmi.model.ecore_loader import GENMODEL
 
 ORDER = ("ccode", "hardware", "platform", "migration", "trace")
 
@@ -26,6 +26,12 @@ Facts and decisions are apart: `ccode` and `hardware` hold what a file says and 
 plan refers to them and copies nothing. Diagrams below show classes, containments (filled) and references; attributes
 are in the `.ecore`.
 """
+
+
+def documentation(element: Any) -> str:
+    """The GenModel documentation of an element of a metamodel (a pyecore object), or an empty text."""
+    annotation = element.getEAnnotation(GENMODEL)
+    return str(annotation.details.get("documentation", "")) if annotation else ""
 
 
 def to_mermaid(package: Any) -> str:

@@ -60,6 +60,8 @@ def write_atomic(path: Path, data: bytes) -> None:
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
+            file.flush()
+            os.fsync(file.fileno())  # the rename must not reach the disk before the bytes
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
     except OSError as error:

@@ -1,13 +1,14 @@
-"""Which metamodels a model may use: generated packages by namespace URI.
+"""Which metamodels a model may use: packages by namespace URI.
 
 A `Metamodels` is a value of its own; there is no global registry that two loads could share by accident. The built-in
-ones are imported when first asked for, since that costs more than all else of this room.
+ones are imported when first asked for, since that costs more than all else of this room. How an .ecore file becomes packages
+is `metamodel`'s business.
 """
 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
@@ -16,22 +17,33 @@ BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
 
 
 class Metamodels:
-    """Generated packages by namespace URI.
+    """Packages by namespace URI, sub-packages included.
 
     Args:
-        packages: Python packages as `robosmi metamodels generate` makes them.
+        packages: Python packages as `robosmi metamodels generate` makes them, or pyecore EPackages.
     """
 
     def __init__(self, packages: Iterable[Any] = ()) -> None:
-        self._packages = {package.nsURI: package for package in packages}
+        self.packages: list[Any] = list(packages)
+        self._packages = {package.nsURI: package for package in _with_subpackages(self.packages)}
 
     def get(self, uri: str) -> Any:
-        """The package of that namespace, or None."""
+        """The package of that namespace, or None; its `getEClassifier(name)` gives classes and EClasses."""
         return self._packages.get(uri)
 
     def uris(self) -> list[str]:
         """The namespaces known here, sorted."""
-        return sorted(self._packages)
+        return sorted(uri for uri in self._packages if uri)
+
+
+def _with_subpackages(packages: Iterable[Any]) -> Iterator[Any]:
+    """The packages and all below them, outer ones first."""
+    pending = list(reversed(list(packages)))
+    while pending:
+        package = pending.pop()
+        yield package
+        epackage = getattr(package, "eClass", package) if not hasattr(package, "_isset") else package
+        pending.extend(reversed(list(epackage.eSubpackages)))
 
 
 @cache

@@ -83,42 +83,68 @@ class Element(_Base):
             )
             return instance
 
+        _renamed: dict[str, str] = {}
+        """Names of features that would hide what every element has (`delete`) -> the attribute that has them."""
+
+        def eGet(self, feature: Any) -> Any:
+            """The value of a feature, given by its name in the metamodel or itself."""
+            name = feature if isinstance(feature, str) else feature.name
+            return getattr(self, self._renamed.get(name, name))
+
+        def eSet(self, feature: Any, value: Any) -> None:
+            """Set a feature, given by its name in the metamodel or itself."""
+            name = feature if isinstance(feature, str) else feature.name
+            setattr(self, self._renamed.get(name, name), value)
+
+        @property
+        def eContents(self) -> list[Any]:
+            """The elements that this one contains."""
+            if not self._renamed:
+                return super().eContents
+            kept = [f for f in self.eClass.eAllReferences() if f.containment and not f.derived]
+            found = [(f, self.eGet(f)) for f in kept]
+            return [value for f, held in found for value in (held if f.many else [held]) if value is not None]
+
         @property
         def eResource(self) -> Any:
-            """The resource of the root container; a loop, since pyecore asks for it at every change, recursively."""
-            element = self
-            while (container := element._container) is not None:
-                element = container.dyn_inst
-            return element._eresource
+            """The resource of the root container."""
+            return resource_of(self)
 
     def __init__(self, **features: Any) -> None:
         from robosmi.model.construct import initialise  # it needs this module's errors
 
         initialise(self, features)
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        enumerations = _features(type(self))
-        expected = enumerations.get(name, _MISSING)
-        if expected is _MISSING:
-            if name in _INTERNAL or name[0] == "_":
-                object.__setattr__(self, name, value)
-                return
-            raise unknown_feature(self, name)
-        if expected is not None and value.__class__ is str:
-            literals = [literal.name for literal in expected.eLiterals]
-            raise FeatureValueError(
-                f"{type(self).__name__}.{name} takes a literal of {expected.name}, not the text '{value}'",
-                fix=f"use one of: {', '.join(f'{expected.name}.{literal}' for literal in literals)}",
-            )
-        try:
-            object.__setattr__(self, name, value)
-        except TypeError as error:
-            raise FeatureValueError(f"{type(self).__name__}.{name} does not take {value!r}: {error}") from error
+    if not TYPE_CHECKING:  # to a type checker an element has its features and no others
 
-    def __getattr__(self, name: str) -> Any:
-        if name[:2] == "__":
-            raise AttributeError(name)
-        raise unknown_feature(self, name)
+        def __setattr__(self, name: str, value: Any) -> None:
+            enumerations = _features(type(self))
+            expected = enumerations.get(name, _MISSING)
+            if expected is _MISSING:
+                if name in _INTERNAL or name[0] == "_":
+                    object.__setattr__(self, name, value)
+                    return
+                raise unknown_feature(self, name)
+            if expected is not None and value.__class__ is str:
+                literals = [literal.name for literal in expected.eLiterals]
+                raise FeatureValueError(
+                    f"{type(self).__name__}.{name} takes a literal of {expected.name}, not the text '{value}'",
+                    fix=f"use one of: {', '.join(f'{expected.name}.{literal}' for literal in literals)}",
+                )
+            try:
+                object.__setattr__(self, name, value)
+            except TypeError as error:
+                raise FeatureValueError(f"{type(self).__name__}.{name} does not take {value!r}: {error}") from error
+
+        def __getattr__(self, name: str) -> Any:
+            if name[:2] == "__":
+                raise AttributeError(name)
+            raise unknown_feature(self, name)
+
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import element_html  # for notebooks only
+
+        return element_html(self)
 
     def __repr__(self) -> str:
         known = _features(type(self))
@@ -128,6 +154,23 @@ class Element(_Base):
             if n in known and self.eIsSet(n)
         ]
         return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
+
+
+def resource_of(element: Any) -> Any:
+    """The resource of an element's root container; a loop, since pyecore asks for it at every change, recursively.
+
+    Raises:
+        ModelError: the element contains itself.
+    """
+    steps, limit, seen = 0, 64, element  # a circle passes by one that was seen, sooner or later (Brent)
+    while (container := element._container) is not None:
+        element = container.dyn_inst
+        if element is seen:
+            raise ModelError(f"{element!r} contains itself", fix="take it out of what it contains first")
+        steps += 1
+        if steps == limit:
+            steps, limit, seen = 0, limit * 2, element
+    return element._eresource
 
 
 _MISSING: Any = object()
@@ -156,13 +199,3 @@ def unknown_feature(element: Element, name: str) -> UnknownFeatureError:
         f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
         fix=f"use one of: {', '.join(sorted(known))}",
     )
-
-
-if not TYPE_CHECKING:
-
-    def enumeration(name: str, literals: dict[str, int]) -> Any:
-        """An Ecore enumeration with these names and values (pyecoregen's own code would number them anew)."""
-        result = ecore.EEnum(name)
-        for literal, value in literals.items():
-            result.eLiterals.append(ecore.EEnumLiteral(name=literal, value=value))
-        return result

@@ -1,234 +1,391 @@
-"""Models to XMI text, byte for byte as Eclipse EMF writes them (OMG XMI 2.0 as in EMF's XMIResourceImpl).
+"""Models to XMI text, byte for byte as Eclipse EMF writes them (OMG XMI 2.0 as in EMF's XMIResourceImpl and XMLSaveImpl).
 
 pyecore's own writer truncates a file when it fails, drops references that have no place and decorates every child with
-a type. Here all models of a set are checked first and only then turned into bytes; nothing is written to disk: that is
-`files`' job. References between the models of a set become relative URIs; a reference to anything else is an error.
+a type. Here all models of a set are turned into bytes, and nothing is written to disk: that is `files`' job. References
+between the models of a set become relative URIs; a reference to anything else but a metamodel is an error. Where elements
+are is `xmi_places`' part, how a class is written is in its layout.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from types import ModuleType
 from typing import Any
-from urllib.parse import quote
+
+from pyecore import ecore
+from pyecore.valuecontainer import EOrderedSet
 
 from robosmi.errors import ModelError
+from robosmi.model.datatypes import real
+from robosmi.model.ecore_writer import EcoreText
+from robosmi.model.features import as_package
+from robosmi.model.lean import collector_at_rest
+from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
+from robosmi.model.xmi_places import Places, Unplaced, UnusableId, metamodel_place, metamodel_uri, relative, shown
 
 _ESCAPES = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "\n": "&#xA;", "\t": "&#x9;", "\r": "&#xD;"}
-_SPECIAL = re.compile('[&<"\n\t\r]')
-_SPECIAL_TEXT = re.compile("[&<\r]|]]>")
-_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+_FORBIDDEN = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
+_IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{_FORBIDDEN}]')
+_IN_TEXT = re.compile(f'[&<"\r{_FORBIDDEN}]|]]>')
+_BAD = re.compile(f"[{_FORBIDDEN}]")
+_PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
 
 
 def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, bytes]:
     """The bytes of a set of models that refer to each other.
 
     Args:
-        models: relative file name -> root element; the names are those that references use.
+        models: relative file name -> root element, or a list of root elements; the names are those that references use.
         wanted: the names whose bytes are wanted; all if None.
 
     Returns:
         The wanted names -> UTF-8 text of an XMI file.
 
     Raises:
-        ModelError: a reference leads to an element in none of the models, or a text holds a character XML cannot.
+        ModelError: a reference leads to an element in none of the models, a text holds a character XML cannot, a value is
+            not of its feature's type or too many, an id is used twice, or an element contains itself.
     """
-    places: dict[int, tuple[str, str]] = {}
-    for name, root in models.items():
-        _number(root, "/", name, places)
-    return {name: _Writer(name, models[name], places).write() for name in (models if wanted is None else wanted)}
+    roots = {name: _roots(given) for name, given in models.items()}
+    places = Places(roots)
+    with collector_at_rest():
+        return {name: _Writer(name, roots[name], places).write() for name in (models if wanted is None else wanted)}
 
 
-class _Plan:
-    """What of an EClass is written, worked out once."""
-
-    __slots__ = ("attributes", "children", "elements")
-
-    def __init__(self, eclass: Any) -> None:
-        self.attributes: list[tuple[str, bool, Any, Any]] = []  # name, is reference, default, to text
-        self.elements: list[tuple[str, str, Any]] = []  # name, form, declared type
-        self.children: list[tuple[str, bool]] = []
-        for feature in _ordered(eclass):
-            if feature.transient or feature.derived:
-                continue
-            if feature.is_attribute:
-                if feature.many:
-                    self.elements.append((feature.name, "texts", feature.eType.to_string))
-                else:
-                    self.attributes.append((feature.name, False, feature.get_default_value(), feature.eType.to_string))
-            elif feature.containment:
-                self.elements.append((feature.name, "children", feature.eType))
-                self.children.append((feature.name, feature.many))
-            elif not (feature.eOpposite and feature.eOpposite.containment):
-                self.attributes.append((feature.name, True, None, feature.many))
-                self.elements.append((feature.name, "references", feature.eType))
-
-
-_PLANS: dict[Any, _Plan] = {}
-
-
-def _plan(element: Any) -> _Plan:
-    eclass = element.eClass
-    plan = _PLANS.get(eclass)
-    if plan is None:
-        plan = _PLANS[eclass] = _Plan(eclass)
-    return plan
-
-
-def _ordered(eclass: Any) -> list[Any]:
-    result: list[Any] = []
-    for base in eclass.eSuperTypes:
-        result.extend(f for f in _ordered(base) if f not in result)
-    return result + list(eclass.eStructuralFeatures)
-
-
-def _values(element: Any, name: str) -> list[Any]:
-    """The values of a feature without touching a slot that was never used."""
-    slot = element.__dict__.get(name)
-    if slot is None:
-        return []
-    value = slot._get()
-    return list(value) if value is slot else [] if value is None else [value]
-
-
-def _number(element: Any, fragment: str, name: str, places: dict[int, tuple[str, str]]) -> None:
-    places[id(element)] = (name, fragment)
-    for feature, many in _plan(element).children:
-        for index, child in enumerate(_values(element, feature)):
-            step = f"/@{feature}.{index}" if many else f"/@{feature}"
-            _number(child, fragment + step, name, places)
+def _roots(given: Any) -> list[Any]:
+    roots = list(given) if isinstance(given, (list, tuple)) else [given]
+    return [as_package(root) if isinstance(root, ModuleType) else root for root in roots]
 
 
 class _Writer:
     """One file."""
 
-    def __init__(self, name: str, root: Any, places: dict[int, tuple[str, str]]) -> None:
+    def __init__(self, name: str, roots: list[Any], places: Places) -> None:
         self.name = name
-        self.root = root
+        self.roots = roots
         self.places = places
-        self.out: list[str] = []
-        self.namespaces: dict[str, str] = {}
-        self.typed = False
+        self.layouts = Layouts()
+        self.prefixes: dict[str, str] = {"xmi": "http://www.omg.org/XMI"}  # prefix -> namespace
+        self.qualified: dict[Any, str] = {}
+        self.uses_xsi = False
+        self.ids: dict[str, Any] = {}
+        self.hrefs: dict[str, str] = {}
+        self.local: dict[int, str] = {}  # elements of this file that were referred to -> their fragments
 
     def write(self) -> bytes:
-        package = self.root.eClass.ePackage
-        tag = self._qualified(self.root.eClass)
-        self._element(self.root, tag, None, "")
-        body = "".join(self.out)
-        head = ' xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"'
-        if self.typed:
-            head += ' xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"'
-        first = self.namespaces.pop(package.nsPrefix)
-        rest = "".join(f' xmlns:{prefix}="{uri}"' for prefix, uri in sorted({**self.namespaces, package.nsPrefix: first}.items()))
-        head += rest
-        return f'<?xml version="1.0" encoding="UTF-8"?>\n<{tag}{head}{body[len(tag) + 1 :]}'.encode()
+        """The bytes of the file."""
+        if self.roots and all(isinstance(root, ecore.EPackage) for root in self.roots):
+            return EcoreText(self.metamodel_link, self.metamodel_text).write(self.roots)
+        if len(self.roots) == 1:
+            tag = self.name_of(self.roots[0].eClass)
+            body = self.elements([("", tag, self.roots[0])], "")
+            return self.head(tag) + body
+        named = [(self.name_of(root.eClass), root) for root in self.roots]
+        body = self.elements([(f"<{tag}", tag, root) for tag, root in named], "  ")
+        return self.head("xmi:XMI") + (b">\n" + body + b"</xmi:XMI>\n" if self.roots else b"/>\n")
 
-    def _qualified(self, eclass: Any) -> str:
-        package = eclass.ePackage
-        self.namespaces[package.nsPrefix] = package.nsURI
-        return f"{package.nsPrefix}:{eclass.name}"
+    def head(self, tag: str) -> bytes:
+        """The XML declaration, and the first tag with its namespaces; what follows is the first element's own."""
+        xsi = ' xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"' if self.uses_xsi else ""
+        spaces = "".join(
+            f' xmlns{f":{prefix}" if prefix else ""}="{self.escape(uri, _IN_ATTRIBUTE)}"'
+            for prefix, uri in sorted(self.prefixes.items())
+            if prefix != "xmi"
+        )
+        text = f'<?xml version="1.0" encoding="UTF-8"?>\n<{tag} xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"{xsi}{spaces}'
+        return text.encode()
 
-    def _element(self, element: Any, tag: str, declared: Any, indent: str) -> None:
-        out = self.out
-        plan = _plan(element)
-        slots = element.__dict__
-        out.append(f"{indent}<{tag}")
-        if declared is not None and element.eClass is not getattr(declared, "eClass", declared):
-            self.typed = True
-            out.append(f' xsi:type="{self._qualified(element.eClass)}"')
-        remote: set[str] = set()
-        for name, is_reference, default, convert in plan.attributes:
-            if name not in slots:
-                continue
-            if is_reference:
-                targets = _values(element, name)
-                found = [self._place(element, name, target) for target in targets]
-                if any(file != self.name for file, _ in found):
-                    remote.add(name)
-                elif found:
-                    out.append(f' {name}="{" ".join(fragment for _, fragment in found)}"')
+    def name_of(self, eclass: Any) -> str:
+        """The qualified name of a class; its package gets a prefix."""
+        found = self.qualified.get(eclass)
+        if found is None:
+            package = as_package(eclass.ePackage)
+            uri = package.nsURI
+            if not uri:
+                raise ModelError(
+                    f"{self.name}: the package '{package.name}' of the class {eclass.name} has no nsURI",
+                    fix="give the package a namespace in its .ecore file",
+                )
+            prefix = next((p for p, u in self.prefixes.items() if u == uri), None)
+            if prefix is None:
+                wanted = prefix = package.nsPrefix or ""
+                number = 0
+                while prefix in self.prefixes:
+                    number += 1
+                    prefix = f"{wanted}_{number}"
+                self.prefixes[prefix] = uri
+            found = self.qualified[eclass] = f"{prefix}:{eclass.name}" if prefix else str(eclass.name)
+        return found
+
+    def elements(self, roots: list[tuple[str, str, Any]], indent: str) -> bytes:
+        """The text of elements and all they contain, each given as the beginning of its start tag, its tag, and itself."""
+        done: list[bytes] = []
+        out: list[str] = []
+        append = out.append
+        layouts, nested = self.layouts.known, self.places.nested
+        stack: list[tuple[Iterator[Any], str, str]] = []
+        work: Iterator[Any] = iter(roots)
+        while True:
+            for item in work:
+                if item.__class__ is str:
+                    append(item)
+                    continue
+                opening, tag, element = item
+                layout = layouts.get(element.__class__) or self.layouts.of(element)
+                append(f"{indent}{opening}")
+                slots = element.__dict__
+                if layout.has_id or element._internal_id is not None:
+                    self.identify(element, append)
+                later: list[Any] | None = None
+                for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
+                    slot = slots[key]
+                    if kind == VALUE:
+                        value = slot._value
+                        if value.__class__ is plain and (text := rendered.get(value)) is not None:
+                            append(text)
+                        else:
+                            later = self.value(element, column, value, append, indent, later)
+                    elif kind == CHILDREN:
+                        if column.many:
+                            children = slot.items if slot.__class__ is EOrderedSet else slot
+                        else:
+                            children = () if slot._value is None else (slot._value,)
+                        for child in children:
+                            begun = rendered.get(child.__class__)
+                            if begun is None or child._container is not element or (nested and id(child) in nested):
+                                later = self.child(element, column, child, indent, later)
+                            elif later is None:
+                                later = [(begun, column.name, child)]
+                            else:
+                                later.append((begun, column.name, child))
+                        if column.is_unsettable and not children:
+                            later = self.nothing(element, column, None, append, indent, later)
+                    elif kind == LINKS:
+                        later = self.links(element, column, slot, append, indent, later)
+                    else:
+                        later = self.rarer(element, column, slot, append, indent, later)
+                if later is None:
+                    append("/>\n")
+                    continue
+                append(">\n")
+                stack.append((work, indent, tag))
+                indent += "  "
+                work = iter(later)
+                break
             else:
-                value = slots[name]._get()
-                if value is not None and value != default:
-                    out.append(f' {name}="{self._escaped(element, name, _text(value, convert))}"')
-        opened = False
-        for name, form, kind in plan.elements:
-            if name not in slots or (form == "references" and name not in remote):
-                continue
-            for value in _values(element, name):
-                if not opened:
-                    out.append(">\n")
-                    opened = True
-                if form == "children":
-                    self._element(value, name, kind, indent + "  ")
-                elif form == "texts":
-                    out.append(f"{indent}  <{name}>{self._content(element, name, _text(value, kind))}</{name}>\n")
-                else:
-                    self._reference(element, name, value, kind, indent + "  ")
-        out.append(f"{indent}</{tag}>\n" if opened else "/>\n")
+                if not stack:
+                    break
+                work, indent, tag = stack.pop()
+                append(f"{indent}</{tag}>\n")
+                if len(out) > _PIECES:
+                    done.append("".join(out).encode())
+                    out.clear()
+        done.append("".join(out).encode())
+        return b"".join(done)
 
-    def _reference(self, element: Any, name: str, target: Any, declared: Any, indent: str) -> None:
-        file, fragment = self._place(element, name, target)
-        kind = ""
-        expected = getattr(declared, "eClass", declared)
-        # EMF's own rule for references across files; pyecore calls EObject abstract, Ecore does not.
-        if expected.abstract and target.eClass is not expected and expected.name != "EObject":
-            self.typed = True
-            kind = f' xsi:type="{self._qualified(target.eClass)}"'
-        link = f"#{fragment}" if file == self.name else f"{quote(file)}#{fragment}"
-        self.out.append(f'{indent}<{name}{kind} href="{link}"/>\n')
-
-    def _place(self, element: Any, name: str, target: Any) -> tuple[str, str]:
+    def metamodel_link(self, element: Any, name: str, target: Any) -> str:
+        """The URI of a metamodel's element, seen from this file."""
         try:
-            return self.places[id(target)]
-        except KeyError:
-            raise ModelError(
-                f"{self.name}: {element!r}.{name} refers to {target!r}, which is in none of the models that are written",
-                fix="add the target to a model that is saved with this one, or remove the reference",
-            ) from None
+            package, fragment = metamodel_place(target)
+            file = self.places.roots.get(id(package))
+            if file is None:
+                return metamodel_uri(target)
+        except Unplaced:
+            what = f"refers by '{name}' to {shown(target)}, which is in no package with a namespace"
+            raise self.problem(element, None, what, "put it into a package") from None
+        return f"#{fragment}" if file == self.name else f"{relative(self.name, file)}#{fragment}"
 
-    def _checked(self, element: Any, name: str, text: str) -> str:
-        if bad := _FORBIDDEN.search(text):
-            raise ModelError(
-                f"{self.name}: {element!r}.{name} holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold",
-                fix="remove the character from the source",
-            )
-        return text
+    def metamodel_text(self, text: str, element: Any, name: str) -> str:
+        """A text of a metamodel, escaped."""
+        try:
+            return self.escape(text, _IN_ATTRIBUTE)
+        except ModelError as error:
+            raise ModelError(f"{self.name}: {shown(element)}.{name}: {error.message}", fix=error.fix) from None
 
-    def _escaped(self, element: Any, name: str, text: str) -> str:
-        text = self._checked(element, name, text)
-        return _SPECIAL.sub(lambda m: _ESCAPES[m.group()], text) if _SPECIAL.search(text) else text
+    # --- values
 
-    def _content(self, element: Any, name: str, text: str) -> str:
-        text = self._checked(element, name, text)
-        return _SPECIAL_TEXT.sub(lambda m: _ESCAPES.get(m.group(), "]]&gt;"), text) if _SPECIAL_TEXT.search(text) else text
+    def value(
+        self, element: Any, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
+    ) -> list[Any] | None:
+        """A value as attribute; what is written for a plain value is kept for the next time."""
+        if value is None or column.is_unsettable:
+            return self.nothing(element, column, value, append, indent, later)
+        text = ""
+        if value != column.default:
+            text = f'{column.start}{self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE, element, column)}"'
+            append(text)
+        if value.__class__ is column.plain and len(column.rendered) < 1 << 16:
+            column.rendered[value] = text
+        return later
 
+    def value_text(self, element: Any, column: Column, value: Any) -> str:
+        """The text of a value, not yet escaped."""
+        try:
+            return str(column.convert(value))
+        except ValueError as error:
+            raise self.problem(element, column, str(error), "set a value of the feature's type") from None
 
-def _text(value: Any, convert: Any) -> str:
-    if value.__class__ is str:
-        return str(value)
-    if value.__class__ is bool:
-        return "true" if value else "false"
-    if value.__class__ is float:
-        return _double(value)
-    return str(convert(value))
+    def escape(self, text: str, pattern: re.Pattern[str], element: Any = None, column: Any = None) -> str:
+        """Replace what XML gives a meaning, and refuse what it cannot hold."""
+        if not pattern.search(text):
+            return text
+        if bad := _BAD.search(text):
+            what = f"holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold"
+            raise self.problem(element, column, what, "remove the character from the source")
+        return pattern.sub(lambda m: _ESCAPES.get(m.group(), "]]&gt;"), text)
 
+    def problem(self, element: Any, column: Any, what: str, fix: str) -> ModelError:
+        """The error for a value."""
+        name = f".{column.name}" if column is not None else ""
+        return ModelError(f"{self.name}: {shown(element)}{name} {what}", fix=fix)
 
-def _double(value: float) -> str:
-    """As Java's Double.toString prints it."""
-    if value != value:
-        return "NaN"
-    if value in (float("inf"), float("-inf")):
-        return "Infinity" if value > 0 else "-Infinity"
-    if value == 0 or 1e-3 <= abs(value) < 1e7:
-        plain = repr(value)
-        return plain if "e" not in plain else f"{value:.20f}".rstrip("0")
-    mantissa, _, exponent = f"{value!r}".partition("e")
-    digits = repr(value) if exponent == "" else mantissa
-    sign, digits = ("-", digits[1:]) if digits[0] == "-" else ("", digits)
-    whole, _, fraction = digits.partition(".")
-    power = int(exponent or 0) + len(whole) - 1
-    figures = (whole + fraction).rstrip("0") or "0"
-    stripped = figures.lstrip("0")
-    power -= len(figures) - len(stripped)
-    return f"{sign}{stripped[0]}.{stripped[1:] or '0'}E{power}"
+    def identify(self, element: Any, append: Any) -> None:
+        """Write the xmi:id, and make sure that no id is used twice."""
+        try:
+            identity = self.places.identity(element)
+        except UnusableId as error:
+            fix = "let ids begin with another character than '/'"
+            raise self.problem(element, None, f"has the id '{error}', which would be read as a path", fix) from None
+        if identity is None:
+            return
+        other = self.ids.setdefault(identity, element)
+        if other is not element:
+            fix = "give every element of a file an id of its own"
+            raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
+        if element._internal_id is not None:
+            append(f' xmi:id="{self.escape(identity, _IN_ATTRIBUTE, element)}"')
+
+    def nothing(
+        self, element: Any, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
+    ) -> list[Any] | None:
+        """A feature that holds nothing though its default is something, or that knows whether it was set."""
+        if column.is_unsettable:
+            if column.feature not in element._isset:
+                return later
+            if column.many and column.kind != VALUE:
+                append(f'{column.start}"')
+                return later
+            if value is not None:
+                text = self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE, element, column)
+                append(f'{column.start}{text}"')
+                return later
+        elif column.default is None or column.is_primitive:
+            return later
+        return self.more(later, self.nil(column, indent))
+
+    def nil(self, column: Column, indent: str) -> str:
+        """The element that says "nothing"."""
+        self.uses_xsi = True
+        return f'{indent}  <{column.name} xsi:nil="true"/>\n'
+
+    @staticmethod
+    def more(later: list[Any] | None, item: Any) -> list[Any]:
+        """What is written inside of the element, with one more."""
+        if later is None:
+            return [item]
+        later.append(item)
+        return later
+
+    def rarer(
+        self, element: Any, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
+    ) -> list[Any] | None:
+        """Many values, as elements; anything else is refused."""
+        if column.kind != VALUES:
+            if len(slot) if column.many else slot._value is not None:
+                raise self.problem(element, column, "is a feature map, which is not supported", "leave it empty")
+            return later
+        values = list(slot)
+        self.limit(element, column, values)
+        if not values and column.is_unsettable:
+            return self.nothing(element, column, None, append, indent, later)
+        for value in values:
+            if value is None:
+                later = self.more(later, self.nil(column, indent))
+                continue
+            text = self.escape(self.value_text(element, column, value), _IN_TEXT, element, column)
+            later = self.more(later, f"{indent}  <{column.name}>{text}</{column.name}>\n")
+        return later
+
+    def limit(self, element: Any, column: Column, values: Any) -> None:
+        """Refuse more values than the feature takes."""
+        if 1 < column.upper < len(values):
+            raise self.problem(element, column, f"takes {column.upper} values, not {len(values)}", "remove what is too much")
+
+    # --- references
+
+    def links(
+        self, element: Any, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
+    ) -> list[Any] | None:
+        """References: fragments in an attribute if all lead into this file, else elements with hrefs."""
+        targets = slot if column.many else () if slot._value is None else (slot._value,)
+        if column.upper > 1:
+            self.limit(element, column, targets)
+        local = self.local
+        fragments = []
+        for target in targets:
+            fragment = local.get(id(target))
+            if fragment is None:
+                file, fragment = self.place(element, column, real(target))
+                if file != self.name:
+                    break
+                fragment = local[id(target)] = self.escape(fragment, _IN_ATTRIBUTE, element, column)
+            fragments.append(fragment)
+        else:
+            if fragments:
+                append(f'{column.start}{" ".join(fragments)}"')
+            elif column.is_unsettable:
+                return self.nothing(element, column, None, append, indent, later)
+            return later
+        for target in map(real, targets):
+            file, fragment = self.place(element, column, target)
+            later = self.more(later, self.href(element, column, target, file, fragment, indent))
+        return later
+
+    def place(self, element: Any, column: Column, target: Any) -> tuple[str, str]:
+        """File and fragment of a target."""
+        try:
+            return self.places.find(target)
+        except UnusableId as error:
+            what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
+            raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
+        except Unplaced:
+            what = f"refers to {shown(target)}, which is in none of the models that are written"
+            fix = "add the target to a model that is saved with this one, or remove the reference"
+            raise self.problem(element, column, what, fix) from None
+
+    def href(self, element: Any, column: Column, target: Any, file: str, fragment: str, indent: str) -> str:
+        """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
+        kind = ""
+        eclass = target.eClass if isinstance(target, ecore.EObject) else type(target).eClass
+        if eclass is not column.declared and column.names_types:
+            self.uses_xsi = True
+            kind = f' xsi:type="{self.name_of(eclass)}"'
+        if not file:
+            link = fragment
+        elif file == self.name:
+            link = f"#{fragment}"
+        else:
+            if file not in self.hrefs:
+                self.hrefs[file] = relative(self.name, file)
+            link = f"{self.hrefs[file]}#{fragment}"
+        return f'{indent}  <{column.name}{kind} href="{self.escape(link, _IN_ATTRIBUTE, element, column)}"/>\n'
+
+    def child(self, element: Any, column: Column, child: Any, indent: str, later: list[Any] | None) -> list[Any]:
+        """A child of a class that is met for the first time here, or one that is the root of another file."""
+        child = real(child)
+        if child._container is not element:
+            what = f"contains {shown(child)}, whose container is {shown(child._container)}"
+            raise self.problem(element, column, what, "put the element into one container")
+        if id(child) not in self.places.nested:
+            eclass = child.eClass
+            kind = ""
+            if eclass is not column.declared:
+                self.uses_xsi = True
+                kind = f' xsi:type="{self.name_of(eclass)}"'
+            begun = column.rendered[child.__class__] = f"<{column.name}{kind}"
+            return self.more(later, (begun, column.name, child))
+        file, fragment = self.place(element, column, child)
+        if file == self.name:
+            fix = "take it out of the roots, or out of here"
+            raise self.problem(element, column, f"contains {shown(child)}, which is a root", fix)
+        return self.more(later, self.href(element, column, child, file, fragment, indent))

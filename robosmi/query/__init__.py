@@ -7,6 +7,7 @@ anything are functions in the modules of these names. Nothing here knows a metam
 
 from __future__ import annotations
 
+from robosmi.model.driver import UnknownTypeError
 from robosmi.query import anything, numbers, operators, strings
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
 from robosmi.query.extents import all_contents, all_of_kind, all_of_type, ancestor_of_kind, root_of
@@ -26,7 +27,7 @@ from robosmi.query.models import (
 from robosmi.query.numbers import integer_range
 from robosmi.query.operations import cached, call, call_built_in, operation
 from robosmi.query.operators import elvis, implies, xor
-from robosmi.query.problems import OperandError, UndefinedError, UnknownOperationError, UnknownPropertyError, UnknownTypeError
+from robosmi.query.problems import OperandError, UndefinedError, UnknownOperationError, UnknownPropertyError
 from robosmi.query.properties import get, get_safe, has_property
 from robosmi.query.run import Run, current_run, ext
 from robosmi.query.types import EolType, is_kind_of, is_type_of, type_named, type_of

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Callable
 from datetime import datetime
 from typing import Any, TypeVar
 
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
-from robosmi.query.operators import wrapped
+from robosmi.query.operators import is_long, wrapped
 from robosmi.query.problems import OperandError
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string
 
@@ -151,17 +152,61 @@ def as_date(value: Any, pattern: str) -> datetime:
         raise OperandError(f"'{as_string(value)}' is no date of the form {pattern}") from error
 
 
+_CONVERSION = re.compile(r"%(?P<flags>[-#+ 0,(]*)(?P<width>\d+)?(?:\.(?P<digits>\d+))?(?P<kind>[a-zA-Z%])")
+_TAKES: dict[str, Callable[[Any], bool]] = {
+    **dict.fromkeys("dxXo", lambda x: isinstance(x, int) and not isinstance(x, bool)),
+    **dict.fromkeys("feEgG", lambda x: isinstance(x, float)),
+    **dict.fromkeys("sSbB", lambda x: True),
+    "c": lambda x: (isinstance(x, int) and not isinstance(x, bool)) or (isinstance(x, str) and len(x) == 1),
+}
+
+
 def format_(value: Any, pattern: str) -> str:
-    """The value written by a pattern such as `%03d`.
+    """The value written by a pattern such as `%03d`, by the rules of Java's formatter: `%d` takes no Real, `%f` no Integer.
 
     Raises:
-        OperandError: the pattern does not take the value.
+        OperandError: the pattern does not take the value, or asks for a second one.
+
+    >>> format_(7, "%03d|"), format_(2.5, "%.2f"), format_(-1, "%x"), format_(1234567, "%,d"), format_(True, "%s")
+    ('007|', '2.50', 'ffffffff', '1,234,567', 'true')
     """
-    shown = as_string(value) if re.search(r"%[-0-9.]*s", pattern) else value
-    try:
-        return pattern.replace("%n", "\n") % (shown,)
-    except (TypeError, ValueError) as error:
-        raise OperandError(f"'{pattern}' does not take {as_string(value)}: {error}") from error
+    taken = 0
+
+    def written(match: re.Match[str]) -> str:
+        nonlocal taken
+        kind = match["kind"]
+        if kind in "n%":
+            return "\n" if kind == "n" else "%"
+        taken += 1
+        if kind not in _TAKES or taken > 1 or not (value is None or _TAKES[kind](value)):
+            raise OperandError(f"'{pattern}' does not take {as_string(value)}")
+        return _formatted(value, match)
+
+    made = _CONVERSION.sub(written, pattern)
+    if "%" in _CONVERSION.sub("", pattern):
+        raise OperandError(f"'{pattern}' is no format")
+    return made
+
+
+def _formatted(value: Any, match: re.Match[str]) -> str:
+    kind, flags, width, digits = match["kind"], match["flags"], match["width"] or "", match["digits"]
+    if kind in "bB":
+        text = "false" if value is None or value is False else "true"
+    elif value is None or kind in "sS":
+        text = "null" if value is None else as_string(value)
+    elif kind == "c":
+        text = chr(value) if isinstance(value, int) else value
+    else:
+        if kind in "xXo" and value < 0:
+            value += 2**64 if is_long(value) else 2**32
+        zero = "0" if "0" in flags and "-" not in flags else ""
+        sign = "+" if "+" in flags else " " if " " in flags else "-"
+        precision = f".{digits}" if digits is not None and kind in "feEgG" else ""
+        text = format(value, f"{sign}{zero}{width if zero else ''}{',' if ',' in flags else ''}{precision}{kind}")
+    if digits is not None and kind in "sSbB":
+        text = text[: int(digits)]
+    text = text.upper() if kind in "SBXEG" else text
+    return text.ljust(int(width)) if width and "-" in flags else text.rjust(int(width or 0))
 
 
 def print_(value: T, prefix: Any = "", suffix: Any = "") -> T:
@@ -245,6 +290,38 @@ def e_class(element: Any) -> Any:
 def e_containing_feature(element: Any) -> Any:
     """The feature of the container that holds the element, or None."""
     return element.eContainmentFeature()
+
+
+e_containment_feature = e_containing_feature
+
+
+def e_root_container(element: Any) -> Any:
+    """The outermost container, or the element itself."""
+    from robosmi.query.extents import root_of
+
+    return root_of(element)
+
+
+def e_resource(element: Any) -> Any:
+    """The resource of pyecore's that the element was loaded into, or None."""
+    return element.eResource
+
+
+def e_get(element: Any, feature: Any) -> Any:
+    """The value of a feature, given by name or as a feature."""
+    from robosmi.query.properties import get
+
+    return get(element, feature if isinstance(feature, str) else feature.name)
+
+
+def e_cross_references(element: Any) -> Q[Any]:
+    """What the element refers to without containing it, features in Ecore's order."""
+    found: list[Any] = []
+    for feature in element.eClass.eAllReferences():
+        if not (feature.containment or feature.derived or (feature.eOpposite is not None and feature.eOpposite.containment)):
+            value = getattr(element, feature.name)
+            found += list(value) if feature.many else [value] if value is not None else []
+    return Q(found)
 
 
 def e_is_set(element: Any, feature: Any) -> bool:

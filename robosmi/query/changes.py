@@ -3,11 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
-from robosmi.query.values import key, position
+from robosmi.query.problems import OperandError
+from robosmi.query.values import as_string, key, position
 
 T = TypeVar("T")
+
+
+def several(values: Any) -> Iterable[Any]:
+    """Values that an operation wants a collection of; a text is none.
+
+    Raises:
+        OperandError: it is no collection.
+    """
+    if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
+        raise OperandError(f"a collection is wanted, not {as_string(values)}")
+    return values
 
 
 class Changeable(Generic[T]):
@@ -15,6 +27,7 @@ class Changeable(Generic[T]):
 
     __slots__ = ()
     _items: list[T]
+    _indexed: ClassVar[bool]
 
     if TYPE_CHECKING:
 
@@ -28,7 +41,7 @@ class Changeable(Generic[T]):
 
     def add_all(self, values: Iterable[T]) -> bool:
         """Add items to this collection itself; whether that changed it."""
-        added = [self.add(v) for v in list(values)]  # all of them, not as many as the first success takes
+        added = [self.add(v) for v in list(several(values))]  # all of them, not as many as the first success takes
         return any(added)
 
     def remove(self, value: Any) -> bool:
@@ -41,9 +54,13 @@ class Changeable(Generic[T]):
     def remove_at(self, index: int) -> T | None:
         """Remove the item at an index from this collection itself, and give it.
 
+        Beyond the end a Sequence raises; the other kinds, which have no index in EOL, give their last item and keep it.
+
         Raises:
             OperandError: a Sequence has no such index.
         """
+        if not self._indexed and index >= len(self._items):
+            return self._items[-1] if self._items else None
         item = self.at(index)
         if 0 <= index < len(self._items):
             del self._items[index]
@@ -51,7 +68,7 @@ class Changeable(Generic[T]):
 
     def remove_all(self, values: Iterable[Any]) -> bool:
         """Remove the values, wherever they occur, from this collection itself; whether that changed it."""
-        unwanted = {key(v) for v in values}
+        unwanted = {key(v) for v in several(values)}
         kept = [x for x in self._items if key(x) not in unwanted]
         changed = len(kept) < len(self._items)
         self._items[:] = kept

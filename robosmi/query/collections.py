@@ -12,19 +12,18 @@ import builtins
 import random as _random
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, Self, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 
-from robosmi.query.changes import Changeable
+from robosmi.query.changes import Changeable, several
 from robosmi.query.first_order import FirstOrder
 from robosmi.query.problems import OperandError
+from robosmi.query.totals import Totals
 from robosmi.query.types import matching
 from robosmi.query.values import (
-    Long,
     as_string,
     collection_kind,
     equal,
     flattened,
-    is_number,
     key,
     position,
     unique,
@@ -36,10 +35,9 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 _MISSING: Any = object()
-_NUMBERS = frozenset({int, float, Long})
 
 
-class Q(FirstOrder[T], Changeable[T], Sequence[T]):
+class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
     """A Sequence to be queried; the other kinds of collection inherit from it.
 
     Args:
@@ -121,6 +119,11 @@ class Q(FirstOrder[T], Changeable[T], Sequence[T]):
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self._items!r})"
 
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import items_html
+
+        return items_html(self._items)
+
     def __add__(self, other: Iterable[Any]) -> Self:
         return self.including_all(other)
 
@@ -160,11 +163,11 @@ class Q(FirstOrder[T], Changeable[T], Sequence[T]):
 
     def includes_all(self, values: Iterable[Any]) -> bool:
         """Whether all the values are items."""
-        return {key(v) for v in values} <= set(map(key, self._items))
+        return {key(v) for v in several(values)} <= set(map(key, self._items))
 
     def excludes_all(self, values: Iterable[Any]) -> bool:
         """Whether none of the values is an item."""
-        return set(map(key, self._items)).isdisjoint(key(v) for v in values)
+        return set(map(key, self._items)).isdisjoint(key(v) for v in several(values))
 
     def index_of(self, value: Any) -> int:
         """The index of the first item that is the value, or -1."""
@@ -175,9 +178,15 @@ class Q(FirstOrder[T], Changeable[T], Sequence[T]):
     @overload
     def first(self, n: int) -> Q[T]: ...
     def first(self, n: int | None = None) -> T | Q[T] | None:
-        """The first item, or None when empty; with a number, a Sequence of so many first items, or fewer."""
+        """The first item, or None when empty; with a number, a Sequence of so many first items, or fewer.
+
+        Raises:
+            OperandError: the number is negative.
+        """
         if n is not None:
-            return Q._of(self._items[: max(n, 0)])
+            if n < 0:
+                raise OperandError(f"first({n}): there is no negative number of items")
+            return Q._of(self._items[:n])
         return self._items[0] if self._items else None
 
     def second(self) -> T | None:
@@ -227,7 +236,7 @@ class Q(FirstOrder[T], Changeable[T], Sequence[T]):
 
     def including_all(self, values: Iterable[Any]) -> Self:
         """This and more items (EOL also `+`)."""
-        return self._made([*self._items, *values])
+        return self._made([*self._items, *several(values)])
 
     def excluding(self, value: Any) -> Self:
         """This without the value, wherever it occurs."""
@@ -236,7 +245,7 @@ class Q(FirstOrder[T], Changeable[T], Sequence[T]):
 
     def excluding_all(self, values: Iterable[Any]) -> Self:
         """This without the values, wherever they occur (EOL also `-`)."""
-        wanted = {key(v) for v in values}
+        wanted = {key(v) for v in several(values)}
         return self._same([x for x in self._items if key(x) not in wanted])
 
     def invert(self) -> Q[T]:
@@ -246,30 +255,6 @@ class Q(FirstOrder[T], Changeable[T], Sequence[T]):
     def clone(self) -> Self:
         """A copy; the items are the same."""
         return self._of(list(self._items))
-
-    def _numbers(self) -> Iterator[Any]:
-        return (x for x in self._items if is_number(x))
-
-    def sum(self) -> Any:
-        """The sum of the numbers, 0 when there is none; other items are skipped. Exact: it does not overflow at 32 bits."""
-        if set(map(type, self._items)) <= _NUMBERS:
-            return builtins.sum(cast(Any, self._items))
-        return builtins.sum(self._numbers())
-
-    def product(self) -> Any:
-        """The product of the numbers; other items are skipped. 0.0 when empty, as EOL has it."""
-        result: Any = 1 if self._items else 0.0
-        for x in self._numbers():
-            result *= x
-        return result
-
-    def min(self, default: Any = 0) -> Any:
-        """The smallest number; the default when there is none."""
-        return builtins.min(self._numbers(), default=default)
-
-    def max(self, default: Any = 0) -> Any:
-        """The greatest number; the default when there is none."""
-        return builtins.max(self._numbers(), default=default)
 
     def concat(self, separator: str = "") -> str:
         """The items as texts in one text."""

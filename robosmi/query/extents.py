@@ -1,8 +1,8 @@
-"""Extents: which elements a model holds, in EMF's pre-order (an element before its contents, features in order).
+"""Extents: which elements a model or an element holds, in containment pre-order (an element before its contents).
 
-pyecore's own `eAllContents` gives all children before it descends, and its `allInstances` mixes all models of the
-process; neither is used. A root is any element, whose extent is the element itself and all it contains, or a model handle
-(anything with `all_contents`). Extents are walked anew each time, so they are never out of date. Nothing recurses.
+A root is any element, whose extent is the element itself and all it contains, or a model of any technology (a
+`robosmi.model.driver.Model`), which may keep its extents; those of an element are walked anew each time. Neither is ever out of
+date, and nothing recurses.
 """
 
 from __future__ import annotations
@@ -10,22 +10,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, TypeVar, overload
 
+from robosmi.model.driver import Model, contents_of, walk
 from robosmi.query.collections import Q
-from robosmi.query.types import matching
+from robosmi.query.types import matching, resolve
 
 T = TypeVar("T")
 
 
 def all_contents(root: Any) -> Iterator[Any]:
-    """The root and everything it contains, in containment pre-order; of a model handle all its elements."""
-    if hasattr(type(root), "all_contents"):
-        yield from root.all_contents()
-        return
-    stack = [root]
-    while stack:
-        element = stack.pop()
-        yield element
-        stack.extend(reversed(contents(element)))
+    """The root and everything it contains, in containment pre-order; of a model all its elements."""
+    return root.all_contents() if isinstance(root, Model) else walk(root)
 
 
 @overload
@@ -36,10 +30,10 @@ def all_of_kind(root: Any, kind: Any) -> Q[Any]:
     """The elements in the extent that are instances of the class or a subclass (EOL `T.all`, `T.allOfKind`).
 
     Args:
-        root: an element or a model handle.
+        root: an element or a model.
         kind: a class, an EClass, or a type's name.
     """
-    return Q._of(matching(all_contents(root), kind))
+    return _extent(root, kind, False)
 
 
 @overload
@@ -50,10 +44,16 @@ def all_of_type(root: Any, kind: Any) -> Q[Any]:
     """The elements in the extent that are instances of exactly that class (EOL `T.allOfType`).
 
     Args:
-        root: an element or a model handle.
+        root: an element or a model.
         kind: a class, an EClass, or a type's name.
     """
-    return Q._of(matching(all_contents(root), kind, exact=True))
+    return _extent(root, kind, True)
+
+
+def _extent(root: Any, kind: Any, exact: bool) -> Q[Any]:
+    if isinstance(root, Model) and isinstance(wanted := kind if isinstance(kind, str) else resolve(kind), (str, type)):
+        return Q._of(list(root.all_of_type(wanted) if exact else root.all_of_kind(wanted)))
+    return Q._of(matching(all_contents(root), kind, exact=exact))
 
 
 def ancestor_of_kind(element: Any, kind: type[T]) -> T | None:
@@ -71,29 +71,6 @@ def root_of(element: Any) -> Any:
     return element
 
 
-_CONTAINMENTS: dict[Any, list[tuple[str, bool]]] = {}
-
-
 def contents(element: Any) -> list[Any]:
     """What the element contains directly, features of supertypes first."""
-    eclass = element.eClass
-    features = _CONTAINMENTS.get(eclass)
-    if features is None:
-        features = _CONTAINMENTS[eclass] = [(f.name, f.many) for f in _ordered(eclass) if getattr(f, "containment", False)]
-    slots = element.__dict__
-    found: list[Any] = []
-    for name, many in features:
-        if name in slots:  # a slot that was never touched is empty
-            if many:
-                found.extend(slots[name])
-            elif (value := slots[name]._get()) is not None:
-                found.append(value)
-    return found
-
-
-def _ordered(eclass: Any) -> list[Any]:
-    """Features in Ecore's order: those of supertypes first, each once."""
-    result: list[Any] = []
-    for base in eclass.eSuperTypes:
-        result.extend(f for f in _ordered(base) if f not in result)
-    return result + list(eclass.eStructuralFeatures)
+    return contents_of(element)

@@ -13,13 +13,16 @@ from collections.abc import Callable
 from functools import cache, wraps
 from typing import Any, TypeVar
 
+from pyecore.ecore import EClass, EEnumLiteral
+
 from robosmi.errors import RobosmiError
-from robosmi.query import anything, maps, models, numbers, operators, properties, strings, types
+from robosmi.model.driver import Model, TypeHandle, is_element
+from robosmi.query import anything, maps, model_level, models, numbers, operators, properties, strings, types
 from robosmi.query.collections import Q, collection
 from robosmi.query.first_order import FIRST_ORDER
 from robosmi.query.problems import OperandError, unknown_operation
 from robosmi.query.run import current_run
-from robosmi.query.values import as_string, collection_kind, equal, is_element, key
+from robosmi.query.values import as_string, collection_kind, equal, key
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -59,7 +62,7 @@ _BOOLEAN: dict[str, Callable[..., Any]] = {
     "not": operators.negated,
 }
 _NUMBER = {
-    **_public(numbers, "to", "iota", "to_binary", "to_hex", "mod"),
+    **_public(numbers, "to", "iota", "to_binary", "to_hex", "mod", "integer_range"),
     "as_double": numbers.as_real,
     "as_float": numbers.as_real,
     "ln": numbers.ln,
@@ -99,6 +102,12 @@ def _tables(target: Any) -> list[dict[str, Callable[..., Any]]]:
         return [_INTEGER, _NUMBER, _ANY] if types.fits_integer(target) else [_NUMBER, _ANY]
     if isinstance(target, (maps.Map, dict)):
         return [_MAP, _ANY]
+    if isinstance(target, Model):
+        return [model_level.MODELS, _ANY]
+    if isinstance(target, (EClass, TypeHandle)):
+        return [model_level.TYPES, _ELEMENT, _ANY]
+    if isinstance(target, EEnumLiteral):
+        return [model_level.LITERALS, _ANY]
     return [_ELEMENT, _ANY] if is_element(target) else [_ANY]
 
 

@@ -1,7 +1,7 @@
 """The errors of queries: a name that does not exist, a value that is not there, an operand of the wrong kind.
 
 All are `ModelError`s (exit code 3), with the nearest known name where there is one. What a lambda raises by itself is
-not caught here. Errors of elements' own features come from `robosmi.model.strict`.
+not caught here. Errors of elements' own features come from `robosmi.model.strict`, those of types from `robosmi.model.driver`.
 """
 
 from __future__ import annotations
@@ -9,6 +9,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robosmi.errors import ModelError, did_you_mean
+from robosmi.model.driver import UnknownTypeError, unknown_type
+
+__all__ = [
+    "OperandError",
+    "UndefinedError",
+    "UnknownOperationError",
+    "UnknownPropertyError",
+    "UnknownTypeError",
+    "unknown_operation",
+    "unknown_property",
+    "unknown_type",
+]
 
 
 class UnknownPropertyError(ModelError, AttributeError):
@@ -17,10 +29,6 @@ class UnknownPropertyError(ModelError, AttributeError):
 
 class UnknownOperationError(ModelError, AttributeError):
     """An operation that the target does not have."""
-
-
-class UnknownTypeError(ModelError):
-    """A type name that neither EOL nor any model of the run knows."""
 
 
 class UndefinedError(ModelError):
@@ -44,10 +52,3 @@ def unknown_operation(target: str, name: str, known: Iterable[str]) -> UnknownOp
         f"{target} has no operation '{name}'{did_you_mean(name, sorted(set(known)))}",
         fix="see docs/reference/eol.md for the operations, or register one with @operation",
     )
-
-
-def unknown_type(name: str, known: Iterable[str]) -> UnknownTypeError:
-    """The error for a type that is not there, with the nearest that is."""
-    names = sorted(set(known))
-    fix = f"use one of: {', '.join(names[:40])}" if names else "query inside `with Run(model):`"
-    return UnknownTypeError(f"there is no type '{name}'{did_you_mean(name, names)}", fix=fix)

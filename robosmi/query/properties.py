@@ -2,19 +2,20 @@
 
 Of an element its feature; of a collection the property of every item; of a Tuple a field; of an enumeration literal `name`,
 `value`, `literal`; of anything an operation without arguments (`"robot".length`), as in the engine. None has no property:
-`get` raises, `get_safe` gives None (EOL `?.`). Elements of other technologies need only answer `getattr`.
+`get` raises, `get_safe` gives None (EOL `?.`). Functions, modules, generators and the like have no properties.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from operator import attrgetter
+from types import BuiltinFunctionType, CodeType, FrameType, FunctionType, GeneratorType, MethodType, ModuleType, TracebackType
 from typing import Any
 
 from pyecore.ecore import EClass, EEnumLiteral, EObject
 
-from robosmi.errors import ModelError
-from robosmi.query.collections import Q, collection
+from robosmi.model.driver import ModelElement
+from robosmi.query.collections import collection
 from robosmi.query.maps import Map, Tuple
 from robosmi.query.problems import UndefinedError, unknown_property
 from robosmi.query.run import ext
@@ -52,7 +53,7 @@ def get(target: Any, name: str) -> Any:
     elif (collection_kind(target) is None or isinstance(target, (EEnumLiteral, EolType))) and not isinstance(target, Map | dict):
         value = _own(target, name)
         if value is not _MISSING:
-            return value
+            return collection(value) if isinstance(target, ModelElement) and compares_itself(value.__class__) else value
     if has_plain_operation(target, name):
         return plain_operation(target, name)
     if collection_kind(target) is not None:
@@ -92,19 +93,22 @@ def get_all(items: Iterable[Any], name: str, default: Any = _MISSING) -> list[An
     classes = set(map(type, found))
     if default is not _MISSING and type(None) in classes:
         return [default if x is None else _of(x, name) for x in found]
-    if type(None) not in classes and not any(compares_itself(cls) or not issubclass(cls, EObject) for cls in classes):
+    if type(None) not in classes and not any(
+        compares_itself(cls) or not issubclass(cls, (EObject, ModelElement)) for cls in classes
+    ):
         try:
             values = list(map(attrgetter(name), found))
-        except ModelError:
-            raise
         except AttributeError:
-            values = [_of(x, name) for x in found]  # finds the one that has none, and says so
+            values = [_of(x, name) for x in found]  # an operation without arguments, or the one that has none, and says so
         if not any(compares_itself(cls) or issubclass(cls, _METHODS) for cls in set(map(type, values))):
             return values
     return [_of(x, name) for x in found]
 
 
-_METHODS = (type(Q.get), type(Q().get))
+_METHODS = (FunctionType, MethodType)
+_CLOSED = (
+    str, int, float, FunctionType, MethodType, BuiltinFunctionType, GeneratorType, FrameType, CodeType, TracebackType, ModuleType,
+)  # fmt: skip
 
 
 def _of(target: Any, name: str) -> Any:
@@ -113,9 +117,11 @@ def _of(target: Any, name: str) -> Any:
 
 def _own(target: Any, name: str) -> Any:
     """An attribute of a plain Python object; texts and numbers have methods only, and no method is a property."""
-    if name[0] == "_" or isinstance(target, (str, int, float)):
+    if name[:1] in ("_", "") or isinstance(target, _CLOSED):
         return _MISSING
     value = getattr(target, name, _MISSING)
+    if value is None and name == "literal" and isinstance(target, EEnumLiteral):
+        return target.name  # EMF: a literal without a text of its own is written by its name
     return _MISSING if isinstance(value, _METHODS) or (callable(value) and not isinstance(value, EObject)) else value
 
 
@@ -133,6 +139,8 @@ def property_names(target: Any) -> list[str]:
         return list(target)
     if isinstance(target, EEnumLiteral):
         return ["name", "value", "literal"]
+    if isinstance(target, ModelElement):
+        return target._features()
     if isinstance(target, EObject):
         return [feature.name for feature in target.eClass.eAllStructuralFeatures()]
     return ["name"] if isinstance(target, EolType) else [n for n in getattr(target, "__dict__", {}) if n[0] != "_"]

@@ -25,13 +25,24 @@ def sorted_by(items: list[T], body: Callable[[T], Any]) -> list[T]:
     Raises:
         OperandError: two values have no order between them.
     """
-    values = [body(x) for x in items]
+    values: list[Any] = []
+    note = values.append
+
+    def keyed(x: T) -> Any:
+        note(value := body(x))
+        return value
+
+    try:
+        made: list[T] | None = sorted(items, key=keyed)  # moves the items without touching them, twice as fast as by their places
+    except TypeError:
+        if len(values) < len(items):
+            raise  # of the body, not of a comparison
+        made = None
     classes = set(map(type, values))
-    if classes <= _NUMBERS or classes == {str} or classes == {bool}:
-        order = sorted(range(len(items)), key=values.__getitem__)
-    else:
-        by_value = cmp_to_key(_compare)
-        order = sorted(range(len(items)), key=[by_value(v) for v in values].__getitem__)
+    if made is not None and (classes <= _NUMBERS or classes in ({str}, {bool})):
+        return made
+    by_value = cmp_to_key(_compare)
+    order = sorted(range(len(items)), key=[by_value(v) for v in values].__getitem__)
     return [items[i] for i in order]
 
 
@@ -39,6 +50,8 @@ def _compare(left: Any, right: Any) -> int:
     if is_number(left) and is_number(right):
         return int(left > right) - int(left < right)
     if _comparable(left) and _comparable(right):
+        if isinstance(left, bool) != isinstance(right, bool):  # Python has an order between them, EOL has none
+            raise OperandError(f"sort_by: {left!r} and {right!r} have no order between them")
         try:
             return int(left > right) - int(left < right)
         except TypeError as error:

@@ -81,7 +81,7 @@ char_at = character_at
 
 def starts_with(text: str, prefix: str, offset: int = 0) -> bool:
     """Whether the text, from an offset, begins with the prefix."""
-    return text.startswith(_text(prefix, "startsWith"), offset)
+    return offset >= 0 and text.startswith(_text(prefix, "startsWith"), offset)
 
 
 def ends_with(text: str, suffix: str) -> bool:
@@ -90,13 +90,16 @@ def ends_with(text: str, suffix: str) -> bool:
 
 
 def index_of(text: str, part: Any, start: int = 0) -> int:
-    """Where the part first occurs, or -1."""
-    return text.find(chr(part) if fits_integer(part) else _text(part, "indexOf"), max(start, 0))
+    """Where the part first occurs, from a place on, or -1."""
+    return text.find(chr(part) if fits_integer(part) else _text(part, "indexOf"), min(max(start, 0), len(text)))
 
 
-def last_index_of(text: str, part: Any) -> int:
-    """Where the part last occurs, or -1."""
-    return text.rfind(chr(part) if fits_integer(part) else _text(part, "lastIndexOf"))
+def last_index_of(text: str, part: Any, start: int | None = None) -> int:
+    """Where the part last occurs, beginning not behind a place, or -1."""
+    wanted = chr(part) if fits_integer(part) else _text(part, "lastIndexOf")
+    if start is not None and start < 0:
+        return -1
+    return text.rfind(wanted) if start is None else text.rfind(wanted, 0, start + len(wanted))
 
 
 def contains(text: str, part: str) -> bool:
@@ -159,7 +162,14 @@ def replace(text: str, regex: str, replacement: str) -> str:
     >>> replace("a-b", "-", "+"), replace("x1", "([a-z])([0-9])", "$2$1")
     ('a+b', '1x')
     """
-    return _pattern(regex, "replace").sub(_replacement(_text(replacement, "replace")), text)
+    return _replaced(text, regex, replacement, 0, "replace")
+
+
+def _replaced(text: str, regex: str, replacement: str, count: int, name: str) -> str:
+    try:
+        return _pattern(regex, name).sub(_replacement(_text(replacement, name)), text, count=count)
+    except (re.error, IndexError) as error:
+        raise OperandError(f"{name}: '{replacement}' is no replacement for '{regex}': {error}") from error
 
 
 replace_all = replace
@@ -167,7 +177,7 @@ replace_all = replace
 
 def replace_first(text: str, regex: str, replacement: str) -> str:
     """The text with the first match of a regular expression replaced."""
-    return _pattern(regex, "replaceFirst").sub(_replacement(_text(replacement, "replaceFirst")), text, count=1)
+    return _replaced(text, regex, replacement, 1, "replaceFirst")
 
 
 def replace_literal(text: str, part: str, replacement: str) -> str:

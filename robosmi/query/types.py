@@ -1,7 +1,7 @@
-"""Types in queries: EOL's own (Integer, Collection, Any ...), Python classes and Ecore classes, all asked the same way.
+"""Types in queries: EOL's own (Integer, Collection, Any ...), and the types of models of any technology, all asked the same way.
 
-A type may be given as a Python class (generated ones too), an EClass, an `EolType`, or a name ("Integer", "Book",
-"library::Book", "M!Book"); names of model types are looked up in the models of the current run. Not here: extents.
+A type may be given as a Python class (generated ones too), an EClass, a model's `m.Book`, an `EolType`, or a name ("Integer",
+"Book", "library::Book", "M!Book"); names of model types are looked up in the models of the current run. Not here: extents.
 """
 
 from __future__ import annotations
@@ -11,9 +11,10 @@ from typing import Any
 
 from pyecore.ecore import EClass
 
-from robosmi.query.problems import unknown_type
+from robosmi.model import driver
+from robosmi.model.driver import TypeHandle, is_element, unknown_type
 from robosmi.query.run import current_run
-from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind, is_element
+from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind
 
 
 class EolType:
@@ -89,8 +90,8 @@ def type_named(name: str) -> Any:
     models = current_run().models
     wanted, _, type_name = name.rpartition("!")
     for model in models:
-        if (not wanted or model.name == wanted) and (eclass := model.find_type(type_name)) is not None:
-            return eclass
+        if (not wanted or model.name == wanted) and (kind := model.find_type(type_name)) is not None:
+            return kind
     raise unknown_type(name, [*_BUILT_IN, *(n for model in models for n in model.type_names())])
 
 
@@ -105,8 +106,8 @@ def resolve(kind: Any) -> Any:
         kind = type_named(kind)
     if isinstance(kind, EolType):
         return kind
-    if isinstance(kind, EClass):
-        return kind.python_class
+    if isinstance(kind, (EClass, TypeHandle)):
+        return driver.class_of(kind)
     if isinstance(kind, type):
         name = _OF_PYTHON.get(kind) or (kind.__dict__.get("_eol_kind") or kind.__dict__.get("_eol_map"))
         return _BUILT_IN[name] if name else kind
@@ -145,13 +146,13 @@ def matching(items: Iterable[Any], kind: Any, exact: bool = False) -> list[Any]:
 
 
 def type_of(value: Any) -> Any:
-    """The type of a value (EOL `type`): an `EolType`, an EClass for model elements, None for anything else.
+    """The type of a value (EOL `type`): an `EolType`, an EClass or a class for model elements, None for anything else.
 
     >>> type_of(1), type_of({1}), type_of(None)
     (Integer, Set, None)
     """
     if is_element(value):
-        return value.eClass
+        return driver.type_of(value)
     for name in ("String", "Boolean", "Real", "Integer", "Bag", "Sequence", "Set", "OrderedSet", "Tuple", "Map"):
         if _BUILT_IN[name].is_type(value):
             return _BUILT_IN[name]

@@ -15,7 +15,7 @@ from collections.abc import Set as AbstractSet
 from decimal import Decimal
 from typing import Any, cast
 
-from pyecore.ecore import EEnumLiteral, EObject
+from pyecore.ecore import EEnumLiteral
 from pyecore.valuecontainer import ECollection
 
 INT_MIN, INT_MAX = -(2**31), 2**31 - 1
@@ -43,11 +43,6 @@ def is_number(value: Any) -> bool:
     (True, False)
     """
     return isinstance(value, (int, float)) and value.__class__ is not bool
-
-
-def is_element(value: Any) -> bool:
-    """Whether the value is a model element; an enumeration literal is none."""
-    return isinstance(value, EObject) and not isinstance(value, EEnumLiteral)
 
 
 def collection_kind(value: Any) -> str | None:

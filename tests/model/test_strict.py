@@ -28,8 +28,8 @@ def make(**features: Any) -> Callable[[], Any]:
     [
         (make(nmae="f"), "Function has no feature 'nmae' (did you mean 'name'?)"),
         (assign("sigature", "f()"), "Function has no feature 'sigature' (did you mean 'signature'?)"),
-        (lambda: ccode.Function().sigature, "Function has no feature 'sigature' (did you mean 'signature'?)"),
-        (lambda: hardware.Net().conectors, "Net has no feature 'conectors' (did you mean 'connectors'?)"),
+        (lambda: ccode.Function().sigature, "Function has no feature 'sigature' (did you mean 'signature'?)"),  # type: ignore[attr-defined]
+        (lambda: hardware.Net().conectors, "Net has no feature 'conectors' (did you mean 'connectors'?)"),  # type: ignore[attr-defined]
     ],
 )
 def test_a_misspelt_feature_fails_and_names_the_nearest(attempt: Callable[[], Any], said: str) -> None:

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import operator
+
+import pytest
+
 from robosmi.metamodels import ccode
-from robosmi.query import Q, all_contents, all_of_kind, all_of_type, ancestor_of_kind, root_of
+from robosmi.query import Long, OperandError, Q, all_contents, all_of_kind, all_of_type, ancestor_of_kind, root_of
 
 
 def test_first_order_operations_keep_order_and_source() -> None:
@@ -70,3 +74,21 @@ def test_extents_are_in_containment_pre_order() -> None:
     assert ancestor_of_kind(inner, ccode.Block) is block
     assert ancestor_of_kind(block, ccode.Block) is None
     assert root_of(inner) is block
+
+
+def test_an_error_of_the_bodys_own_is_not_taken_for_one_of_the_order() -> None:
+    with pytest.raises(TypeError, match="concatenate"):
+        Q(["a", "b"]).sort_by(lambda x: operator.add(x, 1))
+    with pytest.raises(OperandError, match="no order"):
+        Q([1, "a"]).sort_by(lambda x: x)
+    seen: list[int] = []
+    assert Q([3, 1, 2]).sort_by(lambda x: seen.append(x) or x) == [1, 2, 3]  # type: ignore[func-returns-value]
+    assert seen == [3, 1, 2], "the body is called once for each item, in order"
+
+
+def test_sums_wrap_around_as_eols_and_pythons_own_is_exact() -> None:
+    numbers = Q([2**31 - 1, 1])
+    assert numbers.sum() == -(2**31)
+    assert sum(numbers) == 2**31
+    assert Q([2**31 - 1, Long(1)]).sum() == 2**31
+    assert Q([2**16, 2**16]).product() == 0

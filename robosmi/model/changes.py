@@ -1,0 +1,133 @@
+"""`Recording`: what is changed in EMF models while it is open can be undone.
+
+Before the first change of a value, the value is kept, with the container and back links of the elements concerned; undoing puts
+all of it back, in the old order. It costs as much as is changed, whatever the size of the models. pyecore reports changes when
+it is too late to know the old order, so its changing methods are wrapped while a recording is open, for the thread that opened
+it. Models that are no EMF models offer `recording()` of their own, or cannot be undone.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from typing import Any
+
+from pyecore.ecore import EObject
+from pyecore.valuecontainer import EAbstractSet, ECollection, EList, EOrderedSet, EValue
+
+from robosmi.model.emf import EmfModel
+
+_CHANGING: tuple[tuple[type, tuple[str, ...]], ...] = (
+    (EValue, ("_set",)),
+    (ECollection, ("remove", "insert", "pop", "clear")),
+    (EList, ("append", "extend", "update", "__setitem__", "__delitem__", "__imul__", "sort", "reverse")),
+    (EAbstractSet, ("add", "append", "update", "extend")),
+    (
+        EOrderedSet,
+        ("discard", "difference_update", "intersection_update", "symmetric_difference_update", "__delitem__", "__ior__"),
+    ),
+)
+"""pyecore's methods that change a value or a collection."""
+_OWN = {"_set", "append", "add", "insert", "remove", "discard"}
+"""Those that concern only what they are given and a value that they replace."""
+
+
+class Recording:
+    """Undo for what happens inside `with Recording(models) as recording:`.
+
+    Args:
+        models: the models whose roots are kept too; changes of other elements are recorded all the same.
+    """
+
+    def __init__(self, models: Iterable[EmfModel] = ()) -> None:
+        self._models = [(m, dict(m._roots)) for m in models]
+        self._values: dict[int, tuple[Any, Any]] = {}
+        self._elements: dict[int, tuple[Any, Any, Any, Any, Any, Any]] = {}
+        self._wrapped: list[tuple[type, str, Any]] = []
+        self._thread = threading.get_ident()
+
+    def __enter__(self) -> Recording:
+        from robosmi.model.strict import Element
+
+        places = [(cls, name) for cls, names in _CHANGING for name in names if hasattr(cls, name)]
+        for cls, name in [*places, (Element, "__init__")]:
+            self._wrapped.append((cls, name, cls.__dict__.get(name)))
+            setattr(cls, name, self._wrapper(getattr(cls, name), name in _OWN))
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for cls, name, original in reversed(self._wrapped):
+            if original is None:
+                delattr(cls, name)
+            else:
+                setattr(cls, name, original)
+        self._wrapped.clear()
+
+    def _wrapper(self, original: Callable[..., Any], only_given: bool) -> Callable[..., Any]:
+        def changing(holder: Any, *given: Any, **features: Any) -> Any:
+            if threading.get_ident() == self._thread:
+                given = tuple(list(x) if isinstance(x, Iterator) else x for x in given)
+                self._keep_holder(holder, only_given)
+                for value in (*given, *features.values()):
+                    for one in (value,) if isinstance(value, EObject) else value if isinstance(value, Iterable) else ():
+                        self._keep_element(one)
+            return original(holder, *given, **features)
+
+        return changing
+
+    def _keep_holder(self, holder: Any, only_given: bool) -> None:
+        if not isinstance(holder, (EValue, ECollection)):
+            return  # an element that is being made
+        if isinstance(holder, EValue):
+            self._values.setdefault(id(holder), (holder, holder._value))
+            self._keep_element(holder._value)
+        else:
+            if id(holder) not in self._values:
+                self._values[id(holder)] = (holder, list(holder))
+            if not only_given:
+                for one in list(holder):
+                    self._keep_element(one)
+        self._keep_element(holder.owner)
+
+    def _keep_element(self, element: Any) -> None:
+        if not isinstance(element, EObject) or id(element) in self._elements or not hasattr(element, "_inverse_rels"):
+            return
+        self._elements[id(element)] = (
+            element, element._container, element._containment_feature, set(element._inverse_rels), dict(element._isset),
+            element._eresource,
+        )  # fmt: skip
+        for holder in list(element.__dict__.values()):  # a constructor may put itself into collections without a word
+            if isinstance(holder, ECollection) and id(holder) not in self._values:
+                self._values[id(holder)] = (holder, list(holder))
+
+    def undo(self) -> None:
+        """Put everything back as it was when the recording was opened; elements made since are in no model any more."""
+        self.__exit__()
+        for holder, value in self._values.values():
+            if isinstance(holder, EValue):
+                holder._value = value
+            else:
+                _refill(holder, value)
+        for element, container, feature, links, isset, resource in self._elements.values():
+            element._container, element._containment_feature, element._eresource = container, feature, resource
+            element._inverse_rels.clear()
+            element._inverse_rels.update(links)
+            element._isset.clear()
+            element._isset.update(isset)
+        for model, roots in self._models:
+            for key, root in model._roots.items():
+                if key not in roots:
+                    root._eresource = None
+            model._roots = roots
+            model.refresh()
+
+
+def _refill(collection: Any, items: list[Any]) -> None:
+    if isinstance(collection, list):
+        list.__setitem__(collection, slice(None), items)
+        return
+    with suppress(AttributeError):
+        collection.items[:] = items
+        collection.map.clear()
+        collection.map.update({item: index for index, item in enumerate(items)})

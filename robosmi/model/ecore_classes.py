@@ -1,0 +1,236 @@
+"""Dynamic classes from descriptions of metamodels: pyecore packages whose elements are as strict as generated ones.
+
+Each call makes classes of its own. They derive from `strict.Element` and are fixed once made; pyecore's own way of making classes
+would take any misspelt name, and changes the method resolution of all classes of the process when supertypes cross. What a
+file says is `ecore_loader`'s business, Python source code `codegen`'s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import Any
+
+from pyecore import ecore
+
+from robosmi.errors import ModelError
+from robosmi.model.datatypes import literal_text
+from robosmi.model.ecore_description import Class, Classifier, DataType, Enumeration, Feature, Package
+from robosmi.model.python_names import MEMBER, python_name
+from robosmi.model.strict import Element
+
+_PRIMITIVE = {"boolean", "byte", "char", "double", "float", "int", "long", "short"}
+_XML_TYPES = {
+    "Boolean": "boolean", "BooleanObject": "java.lang.Boolean", "Byte": "byte", "Short": "short", "Int": "int", "Long": "long",
+    "IntObject": "java.lang.Integer", "LongObject": "java.lang.Long", "Double": "double", "DoubleObject": "java.lang.Double",
+    "Float": "float", "FloatObject": "java.lang.Float", "Decimal": "java.math.BigDecimal", "Integer": "java.math.BigInteger",
+}  # fmt: skip
+_PYTHON: dict[str, Any] = {"java.math.BigInteger": int, "java.math.BigDecimal": Decimal}
+
+
+def make_packages(packages: list[Package]) -> list[Any]:
+    """pyecore EPackages for described ones.
+
+    Args:
+        packages: the outermost packages, as `load_metamodels` gives them.
+
+    Raises:
+        ModelError: a class is its own supertype.
+    """
+    return _Maker().make(packages)
+
+
+class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
+    """The class of dynamic classes: refuses elements of abstract ones, and orders supertypes that Python's own rule refuses."""
+
+    def __call__(cls, *args: Any, **features: Any) -> Any:
+        """A new element."""
+        if cls.eClass.abstract or cls.eClass.interface:
+            raise ModelError(f"{cls.__name__} is abstract: it has no instances of its own", fix="create one of a subclass")
+        return super().__call__(*args, **features)
+
+    def mro(cls) -> list[type]:
+        """Python's order where there is one, else any with each class before its supertypes."""
+        try:
+            return type.mro(cls)
+        except TypeError:
+            return list(_linear(cls))
+
+
+def _linear(cls: type) -> list[type]:
+    done: list[type] = []
+    seen: set[type] = set()
+    pending: list[tuple[type, bool]] = [(cls, False)]
+    while pending:
+        one, ready = pending.pop()
+        if ready:
+            done.append(one)
+        elif one not in seen:
+            seen.add(one)
+            pending.append((one, True))
+            pending.extend((base, False) for base in one.__bases__)
+    return done[::-1]
+
+
+class _Maker:
+    def __init__(self) -> None:
+        self.made: dict[Classifier, Any] = {}
+        self.features: dict[Feature, Any] = {}
+
+    def make(self, packages: list[Package]) -> list[Any]:
+        classes: list[Class] = []
+        outermost = []
+        for root in packages:
+            epackages: dict[Package, Any] = {}
+            for package in root.walk():
+                epackage = epackages[package] = ecore.EPackage(package.name, package.uri, package.prefix)
+                if package.parent is not None:
+                    epackages[package.parent].eSubpackages.append(epackage)
+                for classifier in package.classifiers:
+                    if isinstance(classifier, Class):
+                        classes.append(classifier)
+                    else:
+                        self.made[classifier] = _datatype(classifier)
+            outermost.append((root, epackages))
+        for cls in _supertypes_first(classes):
+            self.made[cls] = self._class(cls)
+        for _, epackages in outermost:
+            for package, epackage in epackages.items():
+                epackage.eClassifiers.extend([self.made[c] for c in package.classifiers])
+        for cls in classes:
+            self._fill(cls)
+        for feature, made in self.features.items():
+            if feature.opposite is not None and made.eOpposite is None:
+                made.eOpposite = self.features[feature.opposite]
+        return [epackages[root] for root, epackages in outermost]
+
+    def _class(self, cls: Class) -> Any:
+        supertypes = [self._classifier(base) for base in cls.supertypes]
+        bases = [base.python_class for base in supertypes if base.python_class is not ecore.EObject]
+        bases = [b for b in bases if not any(b is not other and issubclass(other, b) for other in bases)]
+        if not any(issubclass(base, Element) for base in bases):
+            bases.insert(0, Element)
+        python: Any = DynamicClass(cls.name, tuple(bases), {"__doc__": cls.documentation or None, "__module__": cls.package.path})
+        eclass = ecore.EClass(cls.name, abstract=cls.abstract, metainstance=python)
+        eclass.interface = cls.interface
+        eclass.eSuperTypes.extend(supertypes)
+        python.eClass = eclass
+        return eclass
+
+    def _classifier(self, classifier: Classifier | None) -> Any:
+        """What was made for a classifier, or pyecore's own for one of Ecore's."""
+        if classifier is None:
+            return None
+        found = self.made.get(classifier)
+        if found is None:
+            found = self.made[classifier] = _known(classifier)
+        return found
+
+    def _fill(self, cls: Class) -> None:
+        eclass = self.made[cls]
+        for feature in cls.features:
+            made = self.features[feature] = self._feature(feature)
+            key = python_name(feature.name, MEMBER)
+            setattr(eclass.python_class, key, made)
+            if feature.name in MEMBER:  # every element needs that name for itself
+                made._name = key
+                eclass.python_class._renamed = {**eclass.python_class._renamed, feature.name: key}
+            else:
+                setattr(eclass.python_class, feature.name, made)
+            eclass.eStructuralFeatures.append(made)
+        for operation in cls.operations:
+            parameters = [ecore.EParameter(p.name, self._classifier(p.classifier)) for p in operation.parameters]
+            kind = self._classifier(operation.classifier)
+            eclass.eOperations.append(ecore.EOperation(operation.name, kind, parameters, upper=operation.upper))
+
+    def _feature(self, feature: Feature) -> Any:
+        common = {
+            "lower": feature.lower, "upper": feature.upper, "ordered": feature.ordered, "unique": feature.unique,
+            "changeable": feature.changeable, "volatile": feature.volatile, "transient": feature.transient,
+            "derived": feature.derived, "unsettable": feature.unsettable,
+        }  # fmt: skip
+        kind = self._classifier(feature.classifier)
+        if feature.is_reference:
+            if kind is None or isinstance(kind, ecore.EDataType):
+                kind = ecore.EObject.eClass
+            return ecore.EReference(feature.name, kind, containment=feature.containment, **common)
+        kind = kind if isinstance(kind, ecore.EDataType) else ecore.EJavaObject
+        return ecore.EAttribute(feature.name, kind, iD=feature.is_id, defaultValueLiteral=feature.default, **common)
+
+
+def _supertypes_first(classes: list[Class]) -> Iterator[Class]:
+    """The classes, each after its supertypes."""
+    wanted, done, open_ = set(classes), set[Class](), set[Class]()
+    for start in classes:
+        pending = [(start, False)]
+        while pending:
+            cls, ready = pending.pop()
+            if ready:
+                open_.discard(cls)
+                done.add(cls)
+                yield cls
+            elif cls in open_:
+                raise ModelError(f"the class '{cls.path}' is its own supertype", location=cls.location, fix="remove the cycle")
+            elif cls not in done:
+                open_.add(cls)
+                pending.append((cls, True))
+                pending.extend((base, False) for base in cls.supertypes if base in wanted and base not in done)
+
+
+def _datatype(described: Classifier) -> Any:
+    if isinstance(described, Enumeration):
+        return _enumeration(described)
+    assert isinstance(described, DataType)
+    return _plain(described.name, described.instance_class)
+
+
+def _plain(name: str, java: str) -> Any:
+    """A data type that stands for a Java class; pyecore's own table would make an object for every default."""
+    made = ecore.EDataType(name, instanceClassName=java or "java.lang.Object")
+    if java not in _PRIMITIVE:
+        made.type_as_factory = False
+        made.default_value = None
+        made.eType = _PYTHON.get(java, made.eType)
+    return made
+
+
+def _enumeration(described: Enumeration) -> Any:
+    made = ecore.EEnum(described.name)
+    collection = made.eLiterals
+    for literal in described.literals:
+        one = ecore.EEnumLiteral(literal.name, literal.value)
+        one.literal = literal.text
+        if hasattr(ecore.EEnum, literal.name) or literal.name in made.__dict__:  # pyecore makes an attribute of each literal
+            one._container, one._containment_feature = made, ecore.EEnum.eLiterals
+            collection.map[one] = len(collection.items)
+            collection.items.append(one)
+        else:
+            collection.append(one)
+    texts = {literal.name: literal for literal in collection} | {literal_text(literal): literal for literal in collection}
+    made.from_string = texts.get
+    made.to_string = literal_text
+    return made
+
+
+def _known(classifier: Classifier) -> Any:
+    """pyecore's classifier for one of Ecore's own or of XMLType."""
+    if classifier.package.name == "ecore":
+        found = getattr(ecore, classifier.name, None)
+        if isinstance(classifier, Class):
+            eclass = getattr(found, "eClass", None) if isinstance(found, type) else None
+            return eclass if eclass is not None else _map_entry() if "MapEntry" in classifier.name else ecore.EObject.eClass
+        return found if isinstance(found, ecore.EDataType) else ecore.EJavaObject
+    if isinstance(classifier, Class):
+        return ecore.EObject.eClass
+    return _plain(classifier.name, _XML_TYPES.get(classifier.name, "java.lang.String"))
+
+
+def _map_entry() -> Any:
+    """Ecore's EStringToStringMapEntry, which pyecore has as a dict."""
+    python: Any = DynamicClass("EStringToStringMapEntry", (Element,), {})
+    eclass = python.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=python)
+    for name in ("key", "value"):
+        feature = ecore.EAttribute(name, ecore.EString)
+        setattr(python, name, feature)
+        eclass.eStructuralFeatures.append(feature)
+    return eclass

@@ -1,0 +1,162 @@
+"""The .ecore files of one run: read once each, found by namespace, by relative path, or beside the files that were given.
+
+A reference from one metamodel to another may say a namespace, a relative path, or a place in an Eclipse workspace
+(`platform:/resource/...`). Tried in that order: the namespaces of the files read so far, the path, the file's place below a
+folder above the referring file, a file of that name beside it, and the namespaces of all .ecore files beside it. Nothing is
+fetched from anywhere. What a file says is `ecore_loader`'s business.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from urllib.parse import unquote
+
+from robosmi.errors import SourceError
+from robosmi.model.ecore_description import ECORE, KNOWN, XML_TYPES, Package
+from robosmi.model.ecore_xml import Node, read_nodes
+from robosmi.model.files import read_input
+
+_PLATFORM = re.compile(r"platform:/(?:resource|plugin)/(.+)")
+_OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES}
+
+
+@dataclass(eq=False)
+class EcoreFile:
+    """One .ecore file: its root packages and what has an `xmi:id`."""
+
+    path: Path
+    roots: list[Node]
+    idents: dict[str, Node] = field(default_factory=dict, repr=False)
+
+    def find(self, fragment: str, start: Node | None = None) -> Node | None:
+        """The node at an EMF fragment: `//Class/feature`, `/1/Class`, `//@eClassifiers.2` or an `xmi:id`.
+
+        Args:
+            fragment: the fragment, without `#`.
+            start: the node that `//` stands for; the first root if None.
+        """
+        if not fragment.startswith("/"):
+            return self.idents.get(fragment) or (start or self.roots[0] if not fragment else None)
+        first, *steps = fragment[1:].split("/")
+        node: Node | None = start or self.roots[0]
+        if first:
+            node = self.roots[int(first)] if first.isdecimal() and int(first) < len(self.roots) else None
+        for step in steps:
+            if node is None:
+                return None
+            node = _step(node, step)
+        return node
+
+
+def _step(node: Node, step: str) -> Node | None:
+    if step.startswith("@"):
+        tag, _, index = step[1:].partition(".")
+        children = node.tagged(tag)
+        position = int(index) if index.isdecimal() else 0
+        return children[position] if position < len(children) else None
+    return node.named(step) or node.named(unquote(step))
+
+
+class EcoreFiles:
+    """All files of a run."""
+
+    def __init__(self) -> None:
+        self._files: dict[Path, EcoreFile] = {}
+        self._by_uri: dict[str, tuple[EcoreFile, Node]] = {}
+        self._beside: dict[Path, dict[str, Path]] = {}
+
+    def load(self, path: Path) -> EcoreFile:
+        """Read a file, or give it again.
+
+        Raises:
+            SourceError: it cannot be read, is no XML, or holds no EPackage.
+        """
+        place = Path(os.path.realpath(path))
+        if place in self._files:
+            return self._files[place]
+        root = read_nodes(read_input(path, "metamodel"), path)
+        roots = [n for n in (root.children if root.tag == "XMI" else [root]) if n.tag == "EPackage"]
+        if not roots:
+            from robosmi.diagnostics import Location
+
+            raise SourceError(
+                f"the file holds a '{root.tag}', no EPackage",
+                location=Location(str(path), root.line),
+                fix="give an .ecore file",
+            )
+        file = self._files[place] = EcoreFile(path, roots)
+        for top in roots:
+            for node in top.walk():
+                if node.ident:
+                    file.idents.setdefault(node.ident, node)
+                if node.tag in ("EPackage", "eSubpackages") and node.get("nsURI"):
+                    self._by_uri.setdefault(node.get("nsURI"), (file, node))
+        return file
+
+    def find(self, uri: str, referrer: EcoreFile) -> tuple[EcoreFile, Node] | Package | None:
+        """Where a reference leads: a file with the package that `//` stands for in it, one of Ecore's own packages, or None.
+
+        Args:
+            uri: what stands before `#`.
+            referrer: the file with the reference.
+
+        Raises:
+            SourceError: the file that it leads to cannot be read.
+        """
+        if uri in KNOWN:
+            return KNOWN[uri]
+        if uri in self._by_uri:
+            return self._by_uri[uri]
+        name = unquote(uri.rpartition("/")[2])
+        own = _OWN_FILES.get(name)
+        for candidate in _candidates(uri, name, referrer.path):
+            if candidate.is_file():
+                file = self.load(candidate)
+                if own is not None and file.roots[0].get("nsURI") == own.uri:
+                    return own
+                return file, file.roots[0]
+        if own is not None:
+            return own
+        found = self._namespaces_beside(referrer.path.parent).get(uri)
+        if found is not None:
+            self.load(found)
+            return self._by_uri.get(uri)
+        return None
+
+    def _namespaces_beside(self, folder: Path) -> dict[str, Path]:
+        """The namespaces of the .ecore files in a folder; files that cannot be read have none."""
+        known = self._beside.get(folder)
+        if known is None:
+            known = self._beside[folder] = {}
+            for path in sorted(folder.glob("*.ecore")):
+                try:
+                    root = read_nodes(path.read_bytes(), path)
+                except (SourceError, OSError):
+                    continue
+                for node in root.walk():
+                    if node.tag in ("EPackage", "eSubpackages") and node.get("nsURI"):
+                        known.setdefault(node.get("nsURI"), path)
+        return known
+
+
+def _candidates(uri: str, name: str, referrer: Path) -> list[Path]:
+    """The places where a file may lie, best first."""
+    folder = referrer.parent
+    text = unquote(uri)
+    found = []
+    if platform := _PLATFORM.fullmatch(text):
+        place = Path(platform[1])
+        inner = Path(*place.parts[1:])
+        for parent in Path(os.path.abspath(folder)).parents:
+            found.append(parent / place)
+        found += [p / inner for p in (folder, *Path(os.path.abspath(folder)).parents) if p.name == place.parts[0]]
+    elif text.startswith("file:"):
+        found.append(Path(re.sub("^file:/+", "/", text)))
+    elif ":" not in text:
+        found.append(folder / text)
+    if name:
+        found.append(folder / name)
+    return found

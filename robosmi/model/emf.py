@@ -1,0 +1,262 @@
+"""EMF models as `Model`: root elements, the packages of their classes, extents in EMF's pre-order that are never out of date.
+
+An extent is built at the first question and thrown away when pyecore reports a change of containment anywhere in the model; so
+asking again costs nothing and no answer is old. Roots that belong to no resource get one of ours (`resource`), through which
+pyecore's own notifications reach the model; nothing is shared between two models. XMI itself is read and written by `xmi_reader`
+and `xmi_writer`, ids are `fragments`'.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from pyecore.ecore import EObject
+
+from robosmi.errors import ModelError
+from robosmi.model.fragments import fragment_of, own_id, resolve
+from robosmi.model.making import new as new
+from robosmi.model.making import unlink
+from robosmi.model.metamodel import Metamodel, TypedModel
+from robosmi.model.resource import Home, Watch
+from robosmi.model.structure import contents, root_of, walk
+
+
+class EmfModel(TypedModel):
+    """Elements of EMF: a strict handle on root elements and all they contain.
+
+    Args:
+        roots: its root element, or several.
+        metamodel: a `Metamodel`, EPackages or generated packages; the packages of the roots' classes if None.
+        name: what `M!Book` calls it.
+        path: the file it was read from.
+
+    Elements are what they were before, pyecore EObjects; a root may be in one model only, as in EMF.
+    """
+
+    def __init__(
+        self, roots: Any = (), metamodel: Metamodel | Iterable[Any] | None = None, name: str = "M", path: Path | None = None
+    ) -> None:
+        given: list[Any] = [roots] if isinstance(roots, EObject) else list(roots)
+        if metamodel is None:
+            metamodel = dict.fromkeys(_outermost(root.eClass.ePackage) for root in given)
+        super().__init__(Metamodel.of(metamodel), name, path)
+        self._watch = Watch()
+        self._home = Home(self._watch)
+        self._roots: dict[int, Any] = {}
+        self._all: list[Any] = []
+        self._extents: dict[tuple[type, bool], list[Any]] = {}
+        self._ids: dict[str, Any] | None = None
+        for root in given:
+            self.add(root)
+
+    @classmethod
+    def load(cls, path: str | Path, metamodel: Any = None, name: str | None = None) -> EmfModel:
+        """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
+
+        Args:
+            path: the file.
+            metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None.
+            name: what `M!Book` calls it; the file's name without its ending if None.
+
+        Raises:
+            SourceError: a file cannot be read as XMI.
+            ModelError: it contradicts its metamodel.
+        """
+        from robosmi.model.metamodels import built_in
+        from robosmi.model.xmi_reader import read_documents
+
+        file = Path(path)
+        if isinstance(metamodel, (str, Path)):
+            used = Metamodel.load(metamodel)
+        else:
+            used = Metamodel.of(built_in() if metamodel is None else metamodel)
+        roots = next(iter(read_documents(file, used).values())).roots
+        packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
+        return cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
+
+    def save(self, path: str | Path | None = None, others: dict[str, Any] | None = None) -> None:
+        """Write the model as XMI, whole or not at all.
+
+        Args:
+            path: the file; the one it was read from if None.
+            others: models in the same folder that it refers to, file name -> root or roots; they are not written.
+
+        Raises:
+            ModelError: there is no path, or a reference leads to none of these models.
+            SourceError: the file cannot be written.
+        """
+        from robosmi.model.files import write_atomic
+        from robosmi.model.xmi_writer import to_xmi
+
+        target = self._target(path)
+        roots = self.roots
+        content = roots[0] if len(roots) == 1 else roots
+        write_atomic(target, to_xmi({target.name: content, **(others or {})}, [target.name])[target.name])
+
+    @property
+    def packages(self) -> list[Any]:
+        """The outermost EPackages."""
+        return self.metamodel.epackages
+
+    # Extents
+
+    @property
+    def roots(self) -> list[Any]:
+        """The root elements, in order."""
+        self._check_roots()
+        return list(self._roots.values())
+
+    def _check_roots(self) -> None:
+        """Forget roots that were put into a container, and follow those that were put into another resource."""
+        home, watch = self._home, self._watch
+        for key, root in list(self._roots.items()):
+            resource = root._eresource
+            if resource is home and root._container is None:
+                continue
+            if resource is None or root._container is not None:
+                del self._roots[key]
+                watch.changed = True
+            elif watch not in resource.listeners:
+                resource.listeners.append(watch)
+                watch.changed = True
+
+    def _everything(self) -> list[Any]:
+        self._check_roots()
+        if self._watch.changed:
+            self._all = [element for root in self._roots.values() for element in walk(root)]
+            self._extents.clear()
+            self._ids = None
+            self._watch.changed = False
+        return self._all
+
+    def refresh(self) -> None:
+        """Forget the extents; only needed after a change that pyecore does not report (`discard` on a feature's collection)."""
+        self._watch.changed = True
+
+    def all_contents(self) -> Iterator[Any]:
+        """All elements in containment pre-order."""
+        return iter(list(self._everything()))
+
+    def all_of_kind(self, kind: Any) -> list[Any]:
+        """The instances of a type and its subtypes, in pre-order.
+
+        Raises:
+            UnknownTypeError: a name that the packages do not have.
+        """
+        return list(self._extent(self._class_of(kind), False))
+
+    def all_of_type(self, kind: Any) -> list[Any]:
+        """The instances of exactly a type, in pre-order.
+
+        Raises:
+            UnknownTypeError: a name that the packages do not have.
+        """
+        return list(self._extent(self._class_of(kind), True))
+
+    def _extent(self, cls: type, exact: bool) -> list[Any]:
+        everything = self._everything()
+        found = self._extents.get((cls, exact))
+        if found is None:
+            wanted = {cls} if exact else {c for c in set(map(type, everything)) if issubclass(c, cls)}
+            found = self._extents[cls, exact] = [x for x in everything if x.__class__ in wanted]
+        return found
+
+    # Identity
+
+    def element(self, identity: str) -> Any:
+        """The element of an id or fragment (`//@sections.0/@items.1`), or None.
+
+        Raises:
+            ModelError: the fragment names a feature that is none.
+        """
+        if identity.startswith("/"):
+            return resolve(identity, self.roots)
+        everything = self._everything()
+        if self._ids is None:
+            self._ids = {}
+            for x in everything:
+                if (own := own_id(x)) is not None:
+                    self._ids.setdefault(own, x)
+        found = self._ids.get(identity)
+        if found is not None and own_id(found) == identity:
+            return found
+        self._ids = None  # ids are attributes and may have changed since
+        return next((x for x in everything if own_id(x) == identity), None)
+
+    def id_of(self, element: Any) -> str:
+        """The id or fragment of an element, as EMF writes it."""
+        return fragment_of(element, self.roots)
+
+    def owns(self, element: Any) -> bool:
+        """Whether the element is in this model."""
+        if not isinstance(element, EObject):
+            return False
+        root: Any = root_of(element)
+        return id(root) in self._roots and root._eresource is not None
+
+    # Change
+
+    def add(self, root: Any) -> None:
+        """Make an element that is in no container a root of this model.
+
+        Raises:
+            ModelError: it is contained in another element.
+        """
+        if isinstance(root.eContainer(), EObject):
+            raise ModelError(
+                f"{root!r} is contained in {root.eContainer()!r}", fix="add its root, or take it out of its container"
+            )
+        if root._eresource is None:
+            root._eresource = self._home
+            self._home.contents.append(root)
+        elif self._watch not in root._eresource.listeners:
+            root._eresource.listeners.append(self._watch)
+        self._roots[id(root)] = root
+        self._watch.changed = True
+
+    def create(self, kind: Any, **features: Any) -> Any:
+        """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
+
+        Raises:
+            UnknownTypeError: there is no such type.
+            ModelError: it is abstract, or has no such feature.
+        """
+        made = new(self.type_named(kind) if isinstance(kind, str) else kind, **features)
+        current = not self._watch.changed
+        self.add(made)
+        if current and not contents(made):  # the common case: extents grow by one at the end
+            self._watch.changed = False
+            self._all.append(made)
+            for (cls, exact), extent in self._extents.items():
+                if made.__class__ is cls if exact else isinstance(made, cls):
+                    extent.append(made)
+        return made
+
+    def delete(self, element: Any) -> None:
+        """Take an element with all it contains out of this model and out of all references to it (EOL `delete`).
+
+        Raises:
+            ModelError: it is not in this model.
+        """
+        self._check_owned(element)
+        current = not self._watch.changed
+        doomed = {id(x) for x in unlink(element)}
+        self._roots.pop(id(element), None)
+        if current:  # nothing else has changed: the extents shrink
+            self._watch.changed = False
+            self._all = [x for x in self._all if id(x) not in doomed]
+            self._extents = {key: [x for x in extent if id(x) not in doomed] for key, extent in self._extents.items()}
+            self._ids = None
+
+
+def _outermost(package: Any) -> Any:
+    while package.eSuperPackage is not None:
+        package = package.eSuperPackage
+    return package
+
+
+def open_xmi(path: Path, name: str | None = None, metamodel: Any = None) -> EmfModel:
+    """Open an XMI file; see `EmfModel.load`."""
+    return EmfModel.load(path, metamodel, name)

@@ -1,0 +1,142 @@
+"""What EMF knows of a metamodel, asked of pyecore: all features in order, declared types, ID attributes, packages.
+
+Smooths over what pyecore leaves open: generic supertypes and types, proxies in the place of classifiers, Python classes
+in the place of EClasses, modules in the place of packages. Facts of metamodels only; no model element is touched.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pyecore import ecore
+
+from robosmi.model.datatypes import is_data_type, real
+
+
+def eclass_of(kind: Any) -> Any:
+    """The EClass of a class, be it given as EClass, as generated Python class or as proxy."""
+    kind = real(kind)
+    if isinstance(kind, ecore.EClass) or kind is None:
+        return kind
+    if kind is ecore.EObject:
+        return ecore.EObject.eClass
+    return getattr(kind, "eClass", kind) if isinstance(kind, type) else kind
+
+
+def supertypes(eclass: Any) -> list[Any]:
+    """The direct supertypes of an EClass, those given by generic types included, each once."""
+    generic = [g.eClassifier for g in eclass.eGenericSuperTypes if g.eClassifier is not None]
+    return list(dict.fromkeys(eclass_of(base) for base in [*eclass.eSuperTypes, *generic]))
+
+
+def all_features(eclass: Any) -> list[Any]:
+    """All structural features in Ecore's order: those of supertypes first, each once."""
+    found: dict[Any, None] = {}
+    for one in _bottom_up(eclass):
+        found.update(dict.fromkeys(one.eStructuralFeatures))
+    return list(found)
+
+
+def _bottom_up(eclass: Any) -> list[Any]:
+    ordered: list[Any] = []
+    seen: set[Any] = set()
+    pending = [(eclass, False)]
+    while pending:
+        one, ready = pending.pop()
+        if ready:
+            ordered.append(one)
+        elif one not in seen:
+            seen.add(one)
+            pending.append((one, True))
+            pending.extend((base, False) for base in reversed(supertypes(one)))
+    return ordered
+
+
+def declared_type(feature: Any) -> Any:
+    """The EClass or EDataType of a feature; for a type parameter its bound, or EObject (EJavaObject for attributes)."""
+    kind = real(feature._eType if feature._eType is not None else feature.eType)
+    if kind is None:
+        generic = getattr(feature, "eGenericType", None)
+        kind = _erased(generic) if generic is not None else None
+    if kind is None:
+        kind = ecore.EJavaObject if feature.is_attribute else ecore.EObject.eClass
+    return kind if is_data_type(kind) else eclass_of(kind)
+
+
+def _erased(generic: Any) -> Any:
+    seen = 0
+    while generic is not None and seen < 100:  # a bound may be a type parameter again
+        seen += 1
+        if generic.eClassifier is not None:
+            return real(generic.eClassifier)
+        bounds = list(generic.eTypeParameter.eBounds) if generic.eTypeParameter is not None else []
+        generic = bounds[0] if bounds else None
+    return None
+
+
+def has_type_parameter(feature: Any) -> bool:
+    """Whether the feature's type is a type parameter."""
+    generic = getattr(feature, "eGenericType", None)
+    return generic is not None and generic.eTypeParameter is not None
+
+
+def opposite(feature: Any) -> Any:
+    """The opposite of a reference, or None."""
+    return real(feature.eOpposite) if feature.is_reference else None
+
+
+def id_attribute(eclass: Any) -> Any:
+    """The attribute whose value identifies an element in its file, or None."""
+    return next((f for f in all_features(eclass) if f.is_attribute and f.iD), None)
+
+
+def is_abstract(eclass: Any) -> bool:
+    """Whether the class has no elements of its own; Ecore's EObject is not abstract, whatever pyecore says."""
+    return bool(eclass.abstract or getattr(eclass, "interface", False)) and eclass is not ecore.EObject.eClass
+
+
+def is_off(element: Any, name: str) -> bool:
+    """Whether a flag that is on by default was switched off; pyecore says False of what was never set as well."""
+    feature = type(element).__dict__.get(name) or getattr(type(element), name)
+    return feature in element._isset and not getattr(element, name)
+
+
+def root_package(package: Any) -> Any:
+    """The outermost package, as EPackage (generated packages are modules)."""
+    package = as_package(package)
+    while package.eSuperPackage is not None:
+        package = as_package(package.eSuperPackage)
+    return package
+
+
+def as_package(package: Any) -> Any:
+    """The EPackage of a generated module, or the package itself."""
+    return package if isinstance(type(package), type(ecore.EPackage)) else package.eClass
+
+
+def subpackages(package: Any) -> list[Any]:
+    """All packages below a package, given as EPackage or generated module."""
+    found: list[Any] = []
+    pending = list(getattr(package, "eSubpackages", ()))
+    while pending:
+        one = pending.pop(0)
+        found.append(one)
+        pending.extend(getattr(one, "eSubpackages", ()))
+    return found
+
+
+def class_in(package: Any, name: str) -> Any:
+    """The EClass of that name in a package (None, an EPackage or a generated module), or None."""
+    found = package.getEClassifier(name) if package is not None else None
+    return None if found is None or is_data_type(found) else eclass_of(found)
+
+
+def class_names(package: Any) -> list[str]:
+    """The names of a package's classes."""
+    return [str(c.name) for c in as_package(package).eClassifiers if not is_data_type(c)]
+
+
+def is_of_ecore(classifier: Any) -> bool:
+    """Whether the classifier is one of Ecore's own."""
+    package = classifier.ePackage
+    return package is None or getattr(package, "nsURI", None) == ecore.nsURI

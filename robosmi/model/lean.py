@@ -1,0 +1,172 @@
+"""Elements without ballast: how values lie inside a pyecore EObject, and how to put them there without its setters.
+
+pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are holders with
+what all share in their class, and descriptors that make the four containers when somebody asks. Elements stay pyecore
+EObjects: its own setters, collections and `delete` work on them. Only the XMI reader and `strict` use this module.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from pyecore.ecore import EEnum
+from pyecore.innerutils import InternalSet
+from pyecore.valuecontainer import ECollection, EOrderedSet, EValue
+
+from robosmi.model import datatypes
+from robosmi.model.strict import resource_of
+
+
+def _holder_class(name: str, is_ref: bool, is_cont: bool) -> Any:
+    shared = {
+        "is_ref": is_ref,
+        "is_cont": is_cont,
+        "generic_type": None,
+        "__doc__": "An EValue with what all share in its class.",
+    }
+    return type(name, (EValue,), shared)
+
+
+AttributeValue = _holder_class("AttributeValue", False, False)
+"""Holder of one attribute value; `owner`, `feature` and `_value` are its own, as in EValue."""
+ReferenceValue = _holder_class("ReferenceValue", True, False)
+"""Holder of one reference."""
+ContainedValue = _holder_class("ContainedValue", True, True)
+"""Holder of one contained element."""
+HOLDERS = (AttributeValue, ReferenceValue, ContainedValue)
+
+_new = object.__new__
+
+
+def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
+    """A holder of one of the classes above."""
+    made = _new(cls)
+    made.owner = owner
+    made.feature = feature
+    made._value = value
+    return made
+
+
+def collection(owner: Any, feature: Any) -> Any:
+    """An empty collection of the class that pyecore would take for that feature, which is not derived."""
+    if not (feature.unique and feature.ordered):
+        made = ECollection.create(owner, feature)
+        made.birth = None
+        return made
+    made = _new(EOrderedSet)
+    made.owner = owner
+    made.feature = feature
+    made.is_ref = feature.is_reference
+    made.is_cont = made.is_ref and feature.containment
+    made.generic_type = None
+    made._orderedset_update = False
+    made.items = []
+    made.map = {}
+    made.birth = (owner, feature) if made.is_cont and feature.eOpposite is None else None
+    return made
+
+
+def holders_of(element: Any) -> list[Any]:
+    """All holders and collections of an element, those made by a mere look included."""
+    return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
+
+
+class _Made:
+    """A container that is made when it is first asked for, and then is an ordinary attribute."""
+
+    def __init__(self, name: str, make: Any) -> None:
+        self.name = name
+        self.make = make
+
+    def __get__(self, element: Any, owner: Any = None) -> Any:
+        if element is None:
+            raise AttributeError(self.name)  # pyecore asks classes too, when one becomes the type of a reference
+        made = element.__dict__[self.name] = self.make(element)
+        return made
+
+
+def _set_features(element: Any) -> Any:
+    """The features that were given a value: those with a holder or collection of ours, and collections that hold something."""
+    found = InternalSet()
+    for value in holders_of(element):
+        if isinstance(value, HOLDERS) or (isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value))):
+            found[value.feature] = None
+    return found
+
+
+def _back_links(element: Any) -> Any:
+    """Who refers to the element by references without opposite, as the reader noted it."""
+    slots = element.__dict__
+    found = set(slots.pop("_linked", ()))
+    if (birth := slots.pop("_birth", None)) is not None:
+        found.add(birth)
+    return found
+
+
+class _Own:
+    """Says one thing of an element and another of its class, as pyecore does with a field of the same name in both."""
+
+    def __init__(self, of_class: Any, of_element: Any) -> None:
+        self.of_class = of_class
+        self.of_element = of_element
+
+    def __get__(self, element: Any, owner: Any = None) -> Any:
+        return self.of_class if element is None else self.of_element(element)
+
+
+LAZY: dict[str, Any] = {
+    "_isset": _Made("_isset", _set_features),
+    "_inverse_rels": _Made("_inverse_rels", _back_links),
+    "listeners": _Made("listeners", lambda element: []),
+    "_eternal_listener": _Made("_eternal_listener", lambda element: []),
+    "eResource": property(resource_of),
+    "_internal_id": None,
+    "_container": None,
+    "_containment_feature": None,
+    "_eresource": None,
+}
+
+
+def prepare(cls: Any) -> None:
+    """Make a class ready for elements without ballast: what pyecore would put into each is found in the class."""
+    if "_inverse_rels" in cls.__dict__:
+        return
+    for name, value in LAZY.items():
+        if not isinstance(getattr(type(cls), name, None), property):  # a metaclass may keep the name for itself
+            setattr(cls, name, value)
+    for name, of_element in (("dyn_inst", lambda element: element), ("_staticEClass", lambda element: False)):
+        setattr(cls, name, _Own(getattr(cls, name, None), of_element))
+
+
+def repair_default(feature: Any, datatype: Any) -> None:
+    """Make pyecore give an attribute EMF's default, where its own is wrong: literals by their text, zero of small types."""
+    literal = feature.defaultValueLiteral
+    if isinstance(datatype, EEnum):
+        if literal is not None and datatype.from_string(literal) is None:
+            datatype.from_string = _literal_of(datatype)
+    elif literal is None and feature.default_value is None and not feature.many:
+        wanted = datatypes.default(feature, datatype)
+        if wanted is not None and datatype.default_value is None:
+            feature.default_value = wanted
+
+
+def _literal_of(enum: Any) -> Any:
+    def find(text: str) -> Any:
+        return next((x for x in enum.eLiterals if text in (datatypes.literal_text(x), x.name)), None)
+
+    return find
+
+
+@contextmanager
+def collector_at_rest() -> Iterator[None]:
+    """Cyclic garbage collection rests meanwhile: elements are full of cycles, and none of them is garbage yet."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()

@@ -1,0 +1,68 @@
+"""EMF elements made and taken apart outside of any model: `new` and `unlink`. Extents are `emf`'s business."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.errors import ModelError, did_you_mean
+from robosmi.model.driver import class_of
+from robosmi.model.features import all_features
+from robosmi.model.structure import walk
+
+
+def new(kind: Any, **features: Any) -> Any:
+    """A new element of a class or EClass, in no model.
+
+    Raises:
+        ModelError: the class is abstract, or has no such feature.
+    """
+    from robosmi.model.strict import Element, UnknownFeatureError
+
+    cls = class_of(kind)
+    eclass = cls.eClass  # type: ignore[attr-defined]
+    if eclass.abstract or eclass.interface:
+        raise ModelError(f"{eclass.name} is abstract: it has no instances of its own", fix="create one of a subclass")
+    if issubclass(cls, Element):
+        return cls(**features)
+    known = {feature.name: feature for feature in eclass.eAllStructuralFeatures()}
+    for name in features:
+        if name not in known:
+            raise UnknownFeatureError(
+                f"{eclass.name} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(sorted(known))}"
+            )
+    made = cls()
+    for name, value in features.items():
+        if known[name].many:
+            getattr(made, name).extend(value)
+        elif value is not None:
+            setattr(made, name, value)
+    return made
+
+
+def unlink(element: Any) -> list[Any]:
+    """Take an element with all it contains out of its container, its resource and all references; all that was taken out."""
+    doomed = list(walk(element))
+    for one in reversed(doomed):
+        for owner, feature in list(one._inverse_rels):
+            _forget(owner, feature, one)
+        for feature in all_features(one.eClass):
+            slot = one.__dict__.get(feature._name) if feature.is_reference and not feature.derived else None
+            if slot is not None and feature.many:
+                slot._get().clear()
+            elif slot is not None and slot._get() is not None:
+                setattr(one, feature._name, None)
+        if (container := one.eContainer()) is not None:
+            _forget(container, one.eContainmentFeature(), one)
+    if element._eresource is not None:
+        element._eresource.remove(element)
+    return doomed
+
+
+def _forget(owner: Any, feature: Any, value: Any) -> None:
+    held = getattr(owner, feature._name)
+    if not feature.many:
+        if held is value:
+            setattr(owner, feature._name, None)
+        return
+    while value in held:
+        held.remove(value)

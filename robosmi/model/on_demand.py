@@ -1,0 +1,198 @@
+"""EMF elements that are built when somebody asks for them, and that nobody can change.
+
+A driver builds an element with stand-ins in the place of parts that are not wanted yet (`stand_ins`); `settle` turns these into
+promises, which pyecore's own attribute access keeps at the first look, once. Every slot is then read-only, with a clear error.
+Which parts can wait, and how they are built, is the driver's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cache
+from typing import Any
+
+from pyecore.ecore import EReference
+from pyecore.valuecontainer import EList, EOrderedSet, EValue
+
+from robosmi.errors import InternalError
+from robosmi.model.driver import ReadOnlyError
+from robosmi.model.features import all_features
+
+
+def refused(element: Any, name: str) -> ReadOnlyError:
+    """The error for a change of an element that is built on demand."""
+    return ReadOnlyError(
+        f"{type(element).__name__}.{name} cannot be changed: the model is a view of its source and read-only",
+        fix="read the source into a model of its own and change that",
+    )
+
+
+class Promise:
+    """A slot whose value is made when it is asked for.
+
+    Args:
+        element: whose slot it is.
+        feature: of that element.
+        make: gives the value; for a feature of many an iterable.
+        hint: whatever the driver needs to decide whether it must be kept.
+    """
+
+    __slots__ = ("element", "feature", "hint", "make")
+
+    def __init__(self, element: Any, feature: Any, make: Callable[[], Any], hint: Any = None) -> None:
+        self.element = element
+        self.feature = feature
+        self.make = make
+        self.hint = hint
+        element.__dict__[feature._name] = self
+
+    def _get(self) -> Any:
+        try:
+            value = self.make()
+        except AttributeError as error:  # pyecore would take the promise itself for the value
+            raise InternalError(f"{self.feature._name} cannot be built: {error}") from error
+        if self.element.__dict__[self.feature._name] is self:
+            fill(self.element, self.feature, value)
+        return self.element.__dict__[self.feature._name]._get()
+
+    def _set(self, value: Any, update_opposite: bool = True) -> None:
+        raise refused(self.element, self.feature._name)
+
+
+class ReadOnlyValue(EValue):  # type: ignore[misc]
+    """A holder of one value that nobody can change."""
+
+    def _set(self, value: Any, update_opposite: bool = True) -> None:
+        raise refused(self.owner, self.feature._name)
+
+
+def _refuse(self: Any, *_: Any, **__: Any) -> Any:
+    raise refused(self.owner, self.feature._name)
+
+
+_CHANGES = (
+    "append", "extend", "insert", "pop", "remove", "clear", "update", "__setitem__", "__delitem__", "__iadd__", "__imul__",
+    "sort", "reverse", "add", "discard", "difference_update", "intersection_update", "symmetric_difference_update", "__ior__",
+    "__iand__", "__isub__", "__ixor__", "remove_or_unset",
+)  # fmt: skip
+ReadOnlySet: Any = type("ReadOnlySet", (EOrderedSet,), {"__doc__": "Unique values.", **dict.fromkeys(_CHANGES, _refuse)})
+ReadOnlyList: Any = type("ReadOnlyList", (EList,), {"__doc__": "Values.", **dict.fromkeys(_CHANGES, _refuse)})
+
+
+def _collection(owner: Any, feature: Any, values: Iterable[Any]) -> Any:
+    if not feature.unique:
+        made = ReadOnlyList(owner, feature)
+        list.extend(made, values)
+        return made
+    made = ReadOnlySet(owner, feature)
+    made.items = list(values)
+    made.map = {value: place for place, value in enumerate(made.items)}
+    return made
+
+
+def fill(element: Any, feature: Any, value: Any) -> None:
+    """Put a value into a slot for good; contained elements learn of their container."""
+    values = list(value) if feature.many else [] if value is None else [value]
+    if feature.is_reference and feature.containment:
+        for child in values:
+            child._container = element
+            child._containment_feature = feature
+    if feature.many:
+        element.__dict__[feature._name] = _collection(element, feature, values)
+    else:
+        holder = ReadOnlyValue(element, feature)
+        holder._value = value
+        element.__dict__[feature._name] = holder
+    if values:
+        element._isset[feature] = None
+
+
+@cache
+def stand_ins(cls: Any) -> Any:
+    """A class whose elements stand for parts that are built later; `cls` is a class that every place for such a part takes."""
+    quiet: Any = type("Quiet", (type(cls),), {"__init__": type.__init__})  # it becomes part of no metamodel
+    return quiet(f"Later{cls.__name__}", (cls,), {})
+
+
+def stand_in(cls: type, make: Callable[[], Any], hint: Any) -> Any:
+    """A stand-in for a part."""
+    made = stand_ins(cls)()
+    made._make, made._hint = make, hint
+    return made
+
+
+def settle(element: Any, links: Callable[[Any, Any], Callable[[], Any]] | None = None) -> Any:
+    """Make an element that was just built, with all it contains already, read-only, its stand-ins into promises.
+
+    Args:
+        element: the element.
+        links: for an element and a cross reference how to make its value; None if they have their values.
+
+    Returns:
+        The element.
+    """
+    pending = [element]
+    while pending:
+        one = pending.pop()
+        slots, cls = one.__dict__, one.__class__
+        assert one._isset is not None  # it may be worked out from the holders, which now change their classes
+        for feature in all_features(one.eClass):
+            name = feature._name
+            slot = slots.get(name)
+            if isinstance(slot, (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)):
+                pending.extend(_parts(slot, feature))
+            elif links is not None and _is_link(feature):
+                Promise(one, feature, links(one, feature))
+            elif slot is None:
+                slots[name] = _empty(cls, name, feature)
+            elif (built := _promised(one, feature, slot)) is not None:
+                pending.extend(built)
+            else:
+                slot.__class__ = (
+                    ReadOnlyValue if isinstance(slot, EValue) else ReadOnlyList if isinstance(slot, EList) else ReadOnlySet
+                )
+                pending.extend(_parts(slot, feature))
+    return element
+
+
+def _is_link(feature: Any) -> bool:
+    return (
+        isinstance(feature, EReference) and not feature.containment and not (feature.eOpposite and feature.eOpposite.containment)
+    )
+
+
+def _parts(slot: Any, feature: Any) -> list[Any]:
+    """The elements that a slot contains already."""
+    if isinstance(slot, Promise) or not (feature.is_reference and feature.containment):
+        return []
+    return list(slot) if feature.many else [] if slot._value is None else [slot._value]
+
+
+def _promised(element: Any, feature: Any, slot: Any) -> list[Any] | None:
+    """Turn a slot with stand-ins into a promise; the elements in it that are built already, or None if there was no stand-in."""
+    if not (feature.is_reference and feature.containment):
+        return None
+    parts = list(slot) if feature.many else [slot._value]
+    if not any(part is not None and "_make" in part.__dict__ for part in parts):
+        return None
+    if not feature.many:
+        Promise(element, feature, parts[0]._make, [parts[0]._hint])
+        return []
+    built = [part for part in parts if "_make" not in part.__dict__]
+    makes = [part._make if "_make" in part.__dict__ else lambda part=part: part for part in parts]
+    hints = [part.__dict__.get("_hint") for part in parts]
+    Promise(element, feature, lambda: [make() for make in makes], hints)
+    return built
+
+
+@cache
+def _empty(cls: Any, name: str, feature: Any) -> Any:
+    """The slot of a feature without a value; all elements of a class share it."""
+    if feature.many:
+        return _collection(_Anyone(cls), feature, ())
+    return ReadOnlyValue(_Anyone(cls), feature)
+
+
+def _Anyone(cls: type) -> Any:
+    """Stands for the owner of shared slots in messages."""
+    return object.__new__(type(cls.__name__, (), {}))

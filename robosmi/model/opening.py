@@ -1,0 +1,84 @@
+"""Any model file by its ending: `open_model("x.xmi")`, `open_model("parts.csv")`, `open_model("robot.c")`.
+
+Drivers of the framework are listed here; others are offered through the registry (`robosmi.plugins`) as kind "driver", under a
+name and under each ending they take (`.c`): a function of a path and a name that gives a `Model`. The registry's come first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.model.driver import Model
+from robosmi.plugins import load, registry
+
+_DRIVERS = {
+    "emf": "robosmi.model.emf:open_xmi",
+    "xml": "robosmi.model.plain_xml:open_xml",
+    "rows": "robosmi.model.table:open_rows",
+}
+_ENDINGS = {".xmi": "emf", ".ecore": "emf", ".xml": "xml", ".csv": "rows", ".tsv": "rows"}
+
+
+def drivers() -> list[str]:
+    """The names of all drivers, sorted."""
+    return sorted({*_DRIVERS, *(name for name in registry().names("driver") if not name.startswith("."))})
+
+
+def endings() -> dict[str, str]:
+    """The file endings that are known -> the `module:attribute` that opens such files."""
+    offered = registry().entries.get("driver", {})
+    own = {ending: _DRIVERS[name] for ending, name in _ENDINGS.items()}
+    return own | {name: target for name, target in offered.items() if name.startswith(".")}
+
+
+def open_model(path: str | Path, driver: str | None = None, name: str | None = None, **options: Any) -> Model:
+    """Open a model of any technology.
+
+    Args:
+        path: the file, or the folder with tables.
+        driver: the driver's name; found by the file's ending, else by its first bytes, if None.
+        name: what `M!Book` calls the model; the file's name without its ending if None.
+        options: what the driver takes besides, as `metamodel` for XMI.
+
+    Raises:
+        UsageError: there is no such driver.
+        SourceError: no driver takes the file, or it cannot be read.
+        ModelError: it contradicts its metamodel.
+    """
+    file = Path(path)
+    return _driver(file, driver)(file, name, **options)
+
+
+def _driver(file: Path, driver: str | None) -> Callable[..., Model]:
+    offered = registry().entries.get("driver", {})
+    if driver is not None:
+        target = offered.get(driver) or _DRIVERS.get(driver)
+        if target is None or driver.startswith("."):
+            raise UsageError(
+                f"no driver is called '{driver}'{did_you_mean(driver, drivers())}", fix=f"use one of: {', '.join(drivers())}"
+            )
+        return load(target)  # type: ignore[no-any-return]
+    if file.is_dir():
+        return load(_DRIVERS["rows"])  # type: ignore[no-any-return]
+    known = endings()
+    target = known.get(file.suffix.lower()) or _by_content(file)
+    if target is None:
+        raise SourceError(
+            f"no driver takes a '{file.suffix or file.name}' file",
+            location=Location(str(file)),
+            fix=f"name a driver ({', '.join(drivers())}), or give one of: {', '.join(sorted(known))}",
+        )
+    return load(target)  # type: ignore[no-any-return]
+
+
+def _by_content(file: Path) -> str | None:
+    from robosmi.model.files import read_input
+
+    start = read_input(file, "model")[:2000]
+    if b"http://www.omg.org/XMI" in start:
+        return _DRIVERS["emf"]
+    return _DRIVERS["xml"] if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else None

@@ -1,0 +1,226 @@
+"""What the template of a generated package shows: a package as texts, all decisions made.
+
+One `PackageView` for one EPackage. Names come from `package_names`, types from `package_types`, who waits for whom from
+`package_cycles`; here they become the lines of a module. No file is read or written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from robosmi.diagnostics import Severity
+from robosmi.model.ecore_description import Class, DataType, Element, Enumeration, Package, is_known
+from robosmi.model.linearise import topological
+from robosmi.model.package_cycles import Cycles
+from robosmi.model.package_links import Links
+from robosmi.model.package_members import ClassMembers
+from robosmi.model.package_names import Names, Scope
+from robosmi.model.package_types import PARTS, STRICT, Notes
+from robosmi.model.source_text import assignment, call, docstring, imports, string
+
+Mixins = Mapping[str, Mapping[str, frozenset[str]]]
+"""Module path with slashes -> name of a class -> names that the person's `mixins.py` defines for it."""
+
+
+@dataclass
+class ClassView:
+    """A class as texts: the lines before it, `class X(Y):`, its docstring, what it holds."""
+
+    decorators: list[str]
+    header: str
+    documentation: str
+    members: ClassMembers
+
+
+@dataclass
+class EnumerationView:
+    """An enumeration as texts: its name, literals and the call that makes it."""
+
+    name: str
+    documentation: str
+    base: str
+    literals: list[tuple[str, str]]
+    made: str
+
+
+@dataclass
+class PackageView:
+    """A package as texts, made by `view_of`."""
+
+    constants: list[str]
+    documentation: str
+    package_call: str
+    enumerations: list[EnumerationView]
+    datatypes: list[str]
+    classes: list[ClassView]
+    links: Links
+    standard_imports: list[str] = field(default_factory=list)
+    own_imports: list[str] = field(default_factory=list)
+    package_imports: list[str] = field(default_factory=list)
+    typing_imports: list[str] = field(default_factory=list)
+    later: list[str] = field(default_factory=list)
+    data_aliases: list[str] = field(default_factory=list)
+    class_aliases: list[str] = field(default_factory=list)
+    symbols: dict[str, str] = field(default_factory=dict)
+
+
+def view_of(
+    package: Package, names: Names, bases: Mapping[Class, list[Class]], cycles: Cycles, mixins: Mixins, notes: Notes
+) -> PackageView:
+    """The view of one package.
+
+    Args:
+        package: the package.
+        names: the Python names of the run.
+        bases: Python's bases of each class (`linearise`).
+        cycles: who waits for whom.
+        mixins: what persons wrote beside generated packages.
+        notes: takes what a person should know.
+    """
+    scope = Scope(package, names)
+    own_mixins = mixins.get("/".join(names.module(package)), {})
+    symbols = {"Any": scope.symbol("typing", "Any")}
+    symbols["package"] = scope.symbol(PARTS, "package")
+    symbols["find_classifier"] = scope.symbol(PARTS, "find_classifier")
+    links = Links(package, names, scope, cycles)
+    enumerations = [_enumeration(e, scope, names) for e in package.classifiers if isinstance(e, Enumeration)]
+    datatypes = [
+        _data_type(d, scope, names) for d in package.classifiers if isinstance(d, DataType) and not isinstance(d, Enumeration)
+    ]
+    if any(e.literals for e in enumerations):
+        symbols["ClassVar"] = scope.symbol("typing", "ClassVar")
+    ordered = [c for c in topological([c for c in package.classifiers if isinstance(c, Class)])[0] if c.package is package]
+    classes = []
+    for cls in ordered:
+        mixin = own_mixins.get(f"{names[cls]}Mixin")
+        late = any(cycles.supertype_is_late(package, base.package) for base in bases[cls])
+        members = ClassMembers(cls, scope, names, cycles, mixin or frozenset(), notes)
+        header = _header(cls, bases[cls], late, mixin is not None, scope, names)
+        classes.append(
+            ClassView(
+                _decorators(cls, bases[cls], late, scope, names),
+                header,
+                docstring(cls.documentation or cls.name, "    "),
+                members,
+            )
+        )
+        links.add_class(cls, bases[cls] if late else None, mixin is not None, members)
+    _note_names(package, names, notes)
+    links.finish([*(e for e in package.classifiers if isinstance(e, DataType))])
+    origin = f"Generated from {package.source.name} by robosmi metamodels generate. Do not edit."
+    if enumerations or classes or links.statements or links.decorator:
+        symbols["TYPE_CHECKING"] = scope.symbol("typing", "TYPE_CHECKING")
+    return PackageView(
+        constants=[
+            assignment("name", string(package.name), ""),
+            assignment("nsURI", string(package.uri), ""),
+            assignment("nsPrefix", string(package.prefix), ""),
+        ],
+        documentation=docstring(f"{package.documentation or package.name}\n\n{origin}", ""),
+        package_call=f"{symbols['package']}(name, nsURI, nsPrefix)",
+        enumerations=enumerations,
+        datatypes=datatypes,
+        classes=classes,
+        links=links,
+        symbols=symbols,
+        data_aliases=[f"{alias} = {names[c]}" for c, alias in scope.aliases.items() if isinstance(c, DataType)],
+        class_aliases=[f"{alias} = {names[c]}" for c, alias in scope.aliases.items() if isinstance(c, Class)],
+        **_imports(scope, bases, ordered, cycles),
+    )
+
+
+def _header(cls: Class, bases: list[Class], late: bool, mixin: bool, scope: Scope, names: Names) -> str:
+    arguments = [scope.symbol(".mixins", f"{names[cls]}Mixin")] if mixin else []
+    own = [base for base in bases if not is_known(base)]
+    when = "typing" if late else "run"
+    arguments += [scope.classifier(base, when, inside=False) for base in own] or [scope.symbol(STRICT, "Element")]
+    if late or not own:
+        arguments.append(f"metaclass={scope.symbol(PARTS, 'MetaEClass')}")
+    return call(f"class {names[cls]}", arguments, "", ":")
+
+
+def _decorators(cls: Class, bases: list[Class], late: bool, scope: Scope, names: Names) -> list[str]:
+    found = []
+    if cls.interface:
+        found.append(f"@{scope.symbol(PARTS, 'interface')}")
+    elif cls.abstract:
+        found.append(f"@{scope.symbol(PARTS, 'abstract')}")
+    if names[cls] != cls.name:
+        found.append(f"@{scope.symbol(PARTS, 'named')}({string(cls.name)})")
+    own = [base for base in cls.supertypes if not is_known(base)]
+    if not late and own != [base for base in bases if not is_known(base)]:
+        arguments = [scope.classifier(base, inside=False) for base in own]
+        found.append(call(f"@{scope.symbol(PARTS, 'supertypes')}", arguments, ""))
+    return found
+
+
+def _enumeration(kind: Enumeration, scope: Scope, names: Names) -> EnumerationView:
+    arguments = [string(kind.name), _mapping([(x.name, str(x.value)) for x in kind.literals])]
+    texts = [(x.name, string(x.text)) for x in kind.literals if x.text != x.name]
+    renamed = [(x.name, string(names[x])) for x in kind.literals if names[x] != x.name]
+    if texts:
+        arguments.append(f"texts={_mapping(texts)}")
+    if renamed:
+        arguments.append(f"names={_mapping(renamed)}")
+    made = call(f"{names[kind]} = {scope.symbol(PARTS, 'enumeration')}", arguments, "    ")
+    base = scope.symbol(STRICT, "EnumLiteral", "typing")
+    literal = scope.classifier(kind) if kind.literals else ""
+    return EnumerationView(
+        names[kind],
+        docstring(kind.documentation or kind.name, "        "),
+        base,
+        [(names[x], literal) for x in kind.literals],
+        made,
+    )
+
+
+def _mapping(pairs: list[tuple[str, str]]) -> str:
+    line = "{" + ", ".join(f"{string(key)}: {value}" for key, value in pairs) + "}"
+    if len(line) <= 70:
+        return line
+    return "{\n" + "".join(f"            {string(key)}: {value},\n" for key, value in pairs) + "        }"
+
+
+def _data_type(kind: DataType, scope: Scope, names: Names) -> str:
+    arguments = [string(kind.name)] + ([string(kind.instance_class)] if kind.instance_class else [])
+    return call(f"{names[kind]}: {scope.symbol('typing', 'Any')} = {scope.symbol(PARTS, 'datatype')}", arguments, "")
+
+
+def _imports(scope: Scope, bases: Mapping[Class, list[Class]], classes: list[Class], cycles: Cycles) -> dict[str, list[str]]:
+    run, typing = dict(scope.used("run")), dict(scope.used("typing"))
+    late = {
+        scope.classifier(base, "typing", inside=False)
+        for cls in classes
+        if any(cycles.supertype_is_late(scope.package, base.package) for base in bases[cls])
+        for base in bases[cls]
+        if base.package is not scope.package and not is_known(base)
+    }
+    only_typing = {module: found - run.get(module, set()) for module, found in typing.items()}
+    standard = {m: f for m, f in run.items() if not m.startswith((".", "robosmi"))}
+    for module in [m for m in only_typing if not m.startswith((".", "robosmi"))]:
+        standard[module] = standard.get(module, set()) | only_typing.pop(module)
+    return {
+        "standard_imports": imports({m: f for m, f in standard.items() if f}),
+        "own_imports": imports({m: f for m, f in run.items() if m.startswith("robosmi") and f}),
+        "package_imports": imports({m: f for m, f in run.items() if m.startswith(".") and f}),
+        "typing_imports": imports({m: f for m, f in only_typing.items() if f}, "    "),
+        "later": sorted(late),
+    }
+
+
+def _note_names(package: Package, names: Names, notes: Notes) -> None:
+    """Note each name that has another form in Python."""
+    elements: list[tuple[Element, str]] = [(package, package.path)]
+    for classifier in package.classifiers:
+        elements.append((classifier, classifier.path))
+        inner: list[Element] = []
+        if isinstance(classifier, Enumeration):
+            inner += classifier.literals
+        elif isinstance(classifier, Class):
+            inner += [*classifier.features, *classifier.operations]
+        elements += [(element, f"{classifier.path}.{element.name}") for element in inner]
+    for element, path in elements:
+        if names[element] != element.name:
+            message, fix = f"'{path}' is called '{names[element]}' in Python", "use that name in Python code"
+            notes.add("RS602", Severity.info, element, path, message, fix)

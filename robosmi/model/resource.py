@@ -1,0 +1,69 @@
+"""What stands in the place of a pyecore resource for the roots of a model, so that pyecore's notifications reach it.
+
+`Home` is asked by pyecore for listeners and roots; `Watch` listens, also in pyecore's own resources. Neither knows the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+
+class Watch:
+    """Hears of changes; `changed` says whether one of them was about containment."""
+
+    __slots__ = ("changed",)
+
+    def __init__(self) -> None:
+        self.changed = True
+
+    def notifyChanged(self, notification: Any) -> None:
+        """Called by pyecore."""
+        if not self.changed:
+            feature = notification.feature
+            self.changed = feature is None or bool(getattr(feature, "containment", False))
+
+
+class Home:
+    """What pyecore asks of a resource: who listens, and what its roots are."""
+
+    def __init__(self, watch: Watch) -> None:
+        self.listeners: list[Any] = [watch]
+        self._eternal_listener: list[Any] = []
+        self.contents = _Roots()
+
+    def remove(self, root: Any) -> None:
+        """Called by pyecore when a root is put into a container."""
+        self.contents.remove(root)
+        root._eresource = None
+        for listener in self.listeners:
+            if isinstance(listener, Watch):
+                listener.changed = True
+
+
+class _Roots:
+    """The roots of a home, in order; asking for one does not search."""
+
+    def __init__(self) -> None:
+        self._items: dict[int, Any] = {}
+
+    def __contains__(self, root: Any) -> bool:
+        return id(root) in self._items
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(list(self._items.values()))
+
+    def index(self, root: Any) -> int:
+        """The position of a root."""
+        return list(self._items).index(id(root))
+
+    def append(self, root: Any) -> None:
+        """A new root."""
+        self._items[id(root)] = root
+
+    def remove(self, root: Any) -> None:
+        """A root less."""
+        self._items.pop(id(root), None)

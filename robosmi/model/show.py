@@ -1,0 +1,127 @@
+"""Models and elements for people to look at: a tree as text, rows for tables and pandas, HTML for notebooks.
+
+Any technology's, through `driver`. Nothing is written and nothing recurses; long outputs are cut and say so. Diagrams are
+`plantuml`'s.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from html import escape
+from typing import Any
+
+from pyecore.ecore import EEnumLiteral
+
+from robosmi.model.driver import Model, contents_of, features_of, is_element, name_of, type_of
+
+LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
+"""The features that tell one element from another, the best first."""
+
+
+def label(element: Any) -> str:
+    """An element in a few words: its type, and what it is called."""
+    kind = name_of(type_of(element))
+    known = set(features_of(element))
+    for feature in LABELS:
+        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
+            return f"{kind} {value}"
+    return kind
+
+
+def tree(root: Any, limit: int = 200) -> str:
+    """A model or an element with all it contains, one line each, indented by what contains it.
+
+    Args:
+        root: a model or an element.
+        limit: the number of lines after which it is cut; the last line says how many are left out.
+    """
+    tops = [x for x in root.all_contents() if x.eContainer() is None] if isinstance(root, Model) else [root]
+    pending = [(top, 0) for top in reversed(tops)]
+    lines: list[str] = []
+    left = 0
+    while pending:
+        element, depth = pending.pop()
+        if len(lines) < limit:
+            lines.append(f"{'  ' * depth}{label(element)}")
+        else:
+            left += 1
+        pending.extend((child, depth + 1) for child in reversed(contents_of(element)))
+    return "\n".join([*lines, f"... and {left} more"] if left else lines)
+
+
+def rows(source: Any, kind: Any = None) -> list[dict[str, Any]]:
+    """Elements as dicts, ready for `pandas.DataFrame`: `id`, `type`, and every feature, with elements by their ids.
+
+    Args:
+        source: a model, or elements of one.
+        kind: with a model, the type whose instances are wanted (also by name); all elements if None.
+    """
+    if isinstance(source, Model):
+        elements: Iterable[Any] = source.all_contents() if kind is None else source.all_of_kind(kind)
+        identity = source.id_of
+    else:
+        elements, identity = source, _reference
+    found = []
+    for element in elements:
+        row = {"id": identity(element), "type": name_of(type_of(element))}
+        for feature in features_of(element):
+            row[feature] = plain(getattr(element, feature))
+        found.append(row)
+    return found
+
+
+def _reference(element: Any) -> str:
+    from robosmi.model.fragments import fragment_of
+
+    return fragment_of(element, []) if hasattr(element, "eClass") else label(element)
+
+
+def plain(value: Any) -> Any:
+    """A feature's value as numbers, texts and lists: elements by their ids, literals by their names."""
+    if isinstance(value, EEnumLiteral):
+        return str(value.name)
+    if is_element(value):
+        return _reference(value)
+    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, (Sequence, Iterable)):
+        return value
+    return [x.name if isinstance(x, EEnumLiteral) else _reference(x) if is_element(x) else x for x in value]
+
+
+def _table(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
+    def cells(tag: str, values: Iterable[Any]) -> str:
+        return "<tr>" + "".join(f"<{tag}>{escape(str(value))}</{tag}>" for value in values) + "</tr>"
+
+    return f"<table><thead>{cells('th', head)}</thead><tbody>{''.join(cells('td', line) for line in lines)}</tbody></table>"
+
+
+def model_html(model: Model) -> str:
+    """How many elements of each type a model holds, as HTML."""
+    counted = Counter(name_of(type_of(element)) for element in model.all_contents())
+    return f"<p>{escape(repr(model))}</p>{_table(('type', 'elements'), counted.most_common())}"
+
+
+def metamodel_html(metamodel: Any) -> str:
+    """The classes and enumerations of a metamodel, as HTML."""
+    lines = []
+    for path, classifier in metamodel.classifiers():
+        inner: Any = getattr(classifier, "eStructuralFeatures", None) or getattr(classifier, "eLiterals", ())
+        lines.append((path, ", ".join(str(x.name) for x in inner)))
+    return _table(("type", "features"), lines)
+
+
+def element_html(element: Any) -> str:
+    """The features of an element that say something, as HTML."""
+    values = ((name, plain(getattr(element, name))) for name in features_of(element))
+    return f"<p>{escape(label(element))}</p>{_table(('feature', 'value'), [x for x in values if x[1] not in (None, '', [])])}"
+
+
+def items_html(items: Sequence[Any], limit: int = 50) -> str:
+    """A collection as HTML: elements with the features of the first, other values one a line."""
+    shown = list(items[:limit])
+    left = f"<p>... and {len(items) - limit} more</p>" if len(items) > limit else ""
+    if not shown or not all(is_element(x) for x in shown):
+        return _table((f"{len(items)} items",), [[x] for x in shown]) + left
+    names = [n for n in features_of(shown[0]) if not isinstance(plain(getattr(shown[0], n)), list)]
+    lines = [[label(x), *(plain(getattr(x, n, "")) for n in names)] for x in shown]
+    return _table((f"{len(items)} elements", *names), lines) + left

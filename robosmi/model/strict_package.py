@@ -1,0 +1,298 @@
+"""What generated packages are made of, beside `strict.Element`: typed names for pyecore's parts, and what runs at import.
+
+To type checkers pyecore is untyped, so generated code takes everything from here and passes `mypy --strict` by itself. At run
+time this adds what pyecore lacks: names that are no Python names, literals with texts, data types for Java classes, and links
+between packages that refer to each other in a circle. No model and no metamodel is known here.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Callable
+from datetime import datetime
+from decimal import Decimal
+from importlib.util import resolve_name
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from pyecore import ecore
+
+from robosmi.model.python_names import MEMBER
+from robosmi.model.strict import Element
+
+_Type = TypeVar("_Type", bound=type)
+
+
+if TYPE_CHECKING:
+
+    class MetaEClass(type):
+        """The metaclass of generated classes."""
+
+    def EAttribute(**arguments: Any) -> Any:
+        """An attribute of a generated class."""
+
+    def EReference(**arguments: Any) -> Any:
+        """A reference of a generated class."""
+
+    class EStringToStringMapEntry(Element):
+        """Ecore's own class of pairs of texts, which pyecore has as a dict."""
+
+        key: str | None
+        value: str | None
+
+        def __init__(self, *, key: str | None = None, value: str | None = None) -> None: ...
+
+else:
+    EAttribute, EReference = ecore.EAttribute, ecore.EReference
+
+    class MetaEClass(ecore.MetaEClass):
+        """pyecore's metaclass, with features whose name in Python is not their name in the metamodel.
+
+        Such a feature has both names: the Python one for people, its own for pyecore, which asks for it by that name. A
+        name that something else has (`delete`, `__init__`, the Python name of another feature) is not set over it.
+        """
+
+        def __init__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> None:
+            super().__init__(name, bases, namespace)
+            if Element in bases:
+                cls.eClass.eSuperTypes.remove(ecore.EObject.eClass)  # no class of Ecore has it unless the metamodel says so
+            for key, feature in namespace.items():
+                if not isinstance(feature, ecore.EStructuralFeature) or feature.name == key:
+                    continue
+                other = getattr(cls, feature.name, None)
+                hidden = other is not None and getattr(other, "name", None) != feature.name
+                if feature.name in MEMBER or feature.name.startswith("__") or hidden:
+                    feature._name = key
+                    cls._renamed = {**cls._renamed, feature.name: key}
+                else:
+                    setattr(cls, feature.name, feature)
+            for mixin in bases:
+                if not issubclass(mixin, ecore.EObject):
+                    for key in {*namespace} & {*vars(mixin)}:
+                        if isinstance(namespace[key], ecore.EStructuralFeature):
+                            setattr(cls, key, vars(mixin)[key])  # the person's own code computes a derived feature
+
+    EStringToStringMapEntry = type(ecore.EObject)("EStringToStringMapEntry", (Element,), {})
+    EStringToStringMapEntry.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=EStringToStringMapEntry)
+    for _name in ("key", "value"):
+        setattr(EStringToStringMapEntry, _name, EAttribute(name=_name, eType=ecore.EString))
+        EStringToStringMapEntry.eClass.eStructuralFeatures.append(getattr(EStringToStringMapEntry, _name))
+
+
+def __getattr__(name: str) -> Any:
+    """pyecore's data types and classes by name."""
+    if name.startswith("E") and hasattr(ecore, name):
+        return getattr(ecore, name)
+    raise AttributeError(name)
+
+
+def find_classifier(classifiers: dict[str, Any]) -> Callable[[str], Any]:
+    """The function of a generated module that finds a classifier by its name in the metamodel."""
+    return classifiers.get
+
+
+def package(name: str, uri: str, prefix: str) -> Any:
+    """The EPackage of a generated module."""
+    return ecore.EPackage(name=name, nsURI=uri, nsPrefix=prefix)
+
+
+def abstract(cls: _Type) -> _Type:
+    """Class decorator: an abstract EClass."""
+    cls.eClass.abstract = True  # type: ignore[attr-defined]
+    return cls
+
+
+def interface(cls: _Type) -> _Type:
+    """Class decorator: an EClass that is an interface, and abstract."""
+    cls.eClass.interface = True  # type: ignore[attr-defined]
+    return abstract(cls)
+
+
+def named(name: str) -> Callable[[_Type], _Type]:
+    """Class decorator: the EClass's name where it is no Python name."""
+
+    def rename(cls: _Type) -> _Type:
+        classifiers = sys.modules[cls.__module__].eClassifiers
+        classifiers[name] = classifiers.pop(cls.__name__)
+        cls.eClass.name = name  # type: ignore[attr-defined]
+        return cls
+
+    return rename
+
+
+def supertypes(*bases: Any) -> Callable[[_Type], _Type]:
+    """Class decorator: the supertypes in the metamodel's order, where Python needs another."""
+
+    def reorder(cls: _Type) -> _Type:
+        _inherit(cls, bases)
+        return cls
+
+    return reorder
+
+
+def _inherit(cls: Any, bases: tuple[Any, ...]) -> None:
+    cls.eClass.eSuperTypes.clear()
+    cls.eClass.eSuperTypes.extend(base.eClass for base in bases)
+
+
+def enumeration(
+    name: str, literals: dict[str, int], texts: dict[str, str] | None = None, names: dict[str, str] | None = None
+) -> Any:
+    """An Ecore enumeration.
+
+    Args:
+        name: its name in the metamodel.
+        literals: name -> value, in order.
+        texts: name -> text in model files, where that is not the name.
+        names: name -> Python attribute, where the name is none.
+    """
+    result = ecore.EEnum(name)
+    listeners, result._eternal_listener = result._eternal_listener, []  # pyecore would set each literal over its own attributes
+    by_text = {}
+    for literal, value in literals.items():
+        made = ecore.EEnumLiteral(name=literal, value=value)
+        text = (texts or {}).get(literal, literal)
+        if text != literal:
+            made.literal = text
+        by_text[text] = made
+        result.eLiterals.append(made)
+        result.__dict__[(names or {}).get(literal, literal)] = made
+    result._eternal_listener = listeners
+    result.from_string = lambda text: by_text.get(text) or result.getEEnumLiteral(name=text)
+    return result
+
+
+def _truth(text: str) -> bool:
+    return text == "true"
+
+
+_JAVA: dict[str, tuple[type, Any, Callable[[str], Any] | None]] = {
+    **dict.fromkeys(("int", "short", "long", "byte"), (int, 0, int)),
+    **dict.fromkeys(("java.lang.Integer", "java.lang.Short", "java.lang.Long", "java.lang.Byte"), (int, None, int)),
+    **dict.fromkeys(("float", "double"), (float, 0.0, float)),
+    **dict.fromkeys(("java.lang.Float", "java.lang.Double"), (float, None, float)),
+    **dict.fromkeys(("java.lang.String", "java.lang.Character", "char", "java.lang.CharSequence"), (str, None, None)),
+    "java.math.BigInteger": (int, None, int),
+    "boolean": (bool, False, _truth),
+    "java.lang.Boolean": (bool, None, _truth),
+    "java.math.BigDecimal": (Decimal, None, Decimal),
+    "java.util.Date": (datetime, None, ecore.EDate.from_string),
+}
+"""Java class -> Python type, default value, conversion from text. Values of any other class are whatever they are."""
+
+
+def python_type(java: str) -> type | None:
+    """The Python type for a Java class, or None where any value does."""
+    return _JAVA[java][0] if java in _JAVA else None
+
+
+def datatype(name: str, java: str = "") -> Any:
+    """An Ecore data type that stands for a Java class; a value of an unknown class is any value, in model files its text."""
+    kind, default, convert = _JAVA.get(java, (object, None, None))
+    result = ecore.EDataType(name, eType=kind, default_value=default, from_string=convert)
+    result.instanceClassName_ = java or None
+    if kind is bool:
+        result.to_string = lambda value: "true" if value else "false"
+    return result
+
+
+_XML = {
+    "boolean": "Boolean",
+    "java.lang.Boolean": "BooleanObject",
+    "double": "Double",
+    "java.lang.Double": "DoubleObject",
+    "float": "Float",
+    "java.lang.Float": "FloatObject",
+    "int": "Int UnsignedShort",
+    "java.lang.Integer": "IntObject UnsignedShortObject",
+    "long": "Long UnsignedInt",
+    "java.lang.Long": "LongObject UnsignedIntObject",
+    "short": "Short UnsignedByte",
+    "java.lang.Short": "ShortObject UnsignedByteObject",
+    "byte": "Byte",
+    "java.lang.Byte": "ByteObject",
+    "java.math.BigInteger": "Integer NegativeInteger NonNegativeInteger NonPositiveInteger PositiveInteger UnsignedLong",
+    "java.math.BigDecimal": "Decimal",
+    "java.lang.Object": "AnySimpleType",
+}
+XML_JAVA = {name: java for java, names in _XML.items() for name in names.split()}
+"""Data type of XML Schema -> Java class; all others are texts (XMLType.ecore of EMF)."""
+_XML_TYPES: dict[str, Any] = {}
+
+
+def xml_type(name: str) -> Any:
+    """A data type of XML Schema, the same object for the same name."""
+    if name not in _XML_TYPES:
+        _XML_TYPES[name] = datatype(name, XML_JAVA.get(name, "java.lang.String"))
+    return _XML_TYPES[name]
+
+
+def classifier(module: str, made: Any) -> None:
+    """Put an enumeration or a data type into its package."""
+    owner = sys.modules[module]
+    owner.eClassifiers[made.name] = made
+    owner.eClass.eClassifiers.append(made)
+
+
+def operations(cls: Any, *made: Any) -> None:
+    """The EOperations of a class, in place of those that pyecore guesses from its methods."""
+    cls.eClass.eOperations.clear()
+    cls.eClass.eOperations.extend(made)
+
+
+class Later:
+    """Stands for a base class of a package that is not there yet: the two inherit from each other."""
+
+    def __mro_entries__(self, bases: tuple[Any, ...]) -> tuple[type, ...]:
+        real = any(not isinstance(base, Later) for base in bases)
+        return () if real or bases[0] is not self else (Element,)
+
+
+def inherit(cls: Any, *bases: Any) -> None:
+    """Give a class its bases, now that they are there."""
+    cls.__bases__ = bases
+    _inherit(cls, bases)
+
+
+def _is_defined(module: str) -> bool:
+    """Whether the classes of a module are there, be it still importing."""
+    return getattr(sys.modules.get(module), "_defined", False)
+
+
+_WAITING: list[tuple[ModuleType, list[str], Callable[[], None]]] = []
+
+
+def linked(module: str, *needs: str) -> Callable[[Callable[[], None]], Callable[[], None]]:
+    """Function decorator: run it as soon as the classes of this module and of those that it needs are defined.
+
+    Packages that refer to each other cannot all be complete when the first of them links its references; whichever is
+    imported first, the last one to be defined runs what waits.
+    """
+
+    def register(function: Callable[[], None]) -> Callable[[], None]:
+        own = sys.modules[module]
+        own._defined = True  # type: ignore[attr-defined]
+        names = [resolve_name(name, module) for name in needs]
+        _WAITING[:] = [entry for entry in _WAITING if sys.modules.get(entry[0].__name__) is entry[0]]  # failed imports left some
+        _WAITING.append((own, names, function))
+        if all(name not in sys.modules or _is_defined(name) for name in names):  # else one of them goes on after this import
+            for name in names:
+                importlib.import_module(name)
+        ready = [entry for entry in _WAITING if all(_is_defined(name) for name in entry[1])]
+        for entry in ready:
+            if entry in _WAITING:  # linking may import, and importing may link
+                _WAITING.remove(entry)
+                entry[2]()
+        return function
+
+    return register
+
+
+def subpackages(module: str, *inner: ModuleType) -> None:
+    """Put sub-packages into their package."""
+    owner: Any = sys.modules[module]
+    owner.eSubpackages.extend(inner)
+    for package_module in inner:
+        package_module.eSuperPackage = owner  # type: ignore[attr-defined]
+        owner.eClass.eSubpackages.append(package_module.eClass)

@@ -1,0 +1,70 @@
+"""The containment tree of EMF elements: contents, roots, places, all in EMF's order, and nothing recurses.
+
+EMF's order is pre-order: an element before its contents, features of supertypes before the class's own. pyecore's `eAllContents`
+gives all children before it descends, and its `allInstances` mixes all models of the process; neither is used here. Which
+elements make up a model is `emf`'s business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.model.features import all_features
+
+
+def feature_names(eclass: Any) -> list[str]:
+    """The names by which all features of an EClass are read from an element, those of supertypes first."""
+    return [str(feature._name) for feature in all_features(eclass)]
+
+
+def containments(element: Any) -> list[tuple[str, bool]]:
+    """The containment features of an element's class: name, and whether it holds many."""
+    cls = element.__class__
+    known: list[tuple[str, bool]] | None = cls.__dict__.get("_robosmi_containments")
+    if known is None:
+        features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not f.derived]
+        known = [(f._name, f.many) for f in features]
+        if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
+            cls._robosmi_containments = known
+    return known
+
+
+def contents(element: Any) -> list[Any]:
+    """What an element contains directly."""
+    slots = element.__dict__
+    found: list[Any] = []
+    for name, many in containments(element):
+        if (slot := slots.get(name)) is None:
+            continue  # a slot that was never touched is empty
+        value = slot._get()
+        if many:
+            found.extend(value)
+        elif value is not None:
+            found.append(value)
+    return found
+
+
+def walk(root: Any) -> Iterator[Any]:
+    """An element and everything it contains, in pre-order."""
+    stack = [root]
+    while stack:
+        element = stack.pop()
+        yield element
+        stack.extend(reversed(contents(element)))
+
+
+def root_of(element: Any) -> Any:
+    """The outermost container of an element, or the element itself."""
+    while (container := element.eContainer()) is not None:
+        element = container
+    return element
+
+
+def place_in(collection: Any, element: Any) -> int:
+    """The position of an element in a many-valued feature, by identity; -1 if it is not there."""
+    positions = getattr(collection, "map", None)
+    guess = positions.get(element, -1) if positions is not None else -1
+    if 0 <= guess < len(collection) and collection[guess] is element:
+        return int(guess)
+    return next((i for i, x in enumerate(collection) if x is element), -1)

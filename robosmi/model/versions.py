@@ -1,0 +1,77 @@
+"""Models of older versions of a metamodel: they are migrated when they are read, so that all else sees the current version.
+
+A step from one version to the next is content, found in the registry (kind "model migration", name = the old namespace URI): an
+object with `packages()`, the old metamodel, and a call that gives the new root for an old one. Current files cost nothing: the
+steps are looked at only when a file names a namespace that nobody knows. What a step does is `robosmi.transform.migration`'s
+business.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import ModelError
+from robosmi.model.metamodels import Metamodels
+from robosmi.model.xmi_reader import UnreadableModelError, read_models
+from robosmi.plugins import load, registry
+
+KIND = "model migration"
+
+
+def read_current(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
+    """As `read_models`, but roots of older versions are migrated to the current one.
+
+    Args:
+        path: the .xmi file.
+        metamodels: the metamodels in their current version.
+
+    Returns:
+        Absolute path -> root element; the given file comes first.
+
+    Raises:
+        SourceError: a file cannot be read, or a rule of a migration raises.
+        ModelError: a file contradicts its metamodel, or another model refers into one that must be migrated.
+    """
+    try:
+        return read_models(path, metamodels)
+    except UnreadableModelError:
+        steps = {uri: load(target) for uri, target in registry().entries.get(KIND, {}).items()}
+        if not steps:
+            raise
+        older = [package for step in steps.values() for package in step.packages()]
+        roots = read_models(path, Metamodels([*metamodels.packages, *older]))
+    migrated = {file: _current(root, steps) for file, root in roots.items()}
+    changed = [root for file, root in roots.items() if migrated[file] is not root]
+    for file, root in roots.items():
+        if migrated[file] is root and (wrong := _reference_into(root, changed)) is not None:
+            raise ModelError(
+                f"{wrong!r} refers into a model of an older version of its metamodel",
+                location=Location(str(file)),
+                fix="make the models again with the tool that wrote them",
+            )
+    return migrated
+
+
+def _current(root: Any, steps: dict[str, Any]) -> Any:
+    seen: set[str] = set()
+    while (uri := str(root.eClass.ePackage.nsURI)) in steps and uri not in seen:
+        seen.add(uri)
+        root = steps[uri](root)
+    return root
+
+
+def _reference_into(root: Any, changed: list[Any]) -> Any:
+    """An element of a model that refers to one of the migrated ones, or None."""
+    from robosmi.model.features import all_features
+    from robosmi.model.structure import root_of, walk
+
+    for element in walk(root):
+        for feature in all_features(element.eClass):
+            if feature.is_reference and not feature.containment and not feature.derived:
+                value = getattr(element, feature.name)
+                targets = list(value) if feature.many else [value] if value is not None else []
+                if any(root_of(target) is one for target in targets for one in changed):
+                    return element
+    return None

@@ -1,0 +1,183 @@
+"""The rarer things that happen while an XMI file is read: named types, ids, values in elements, what is wrong with them.
+
+`Builder` is what `xmi_parser` calls when its straight way through a file ends; it knows plans and documents, and nothing of
+how expat hands out a file but the current line.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import did_you_mean
+from robosmi.model.features import class_in, class_names
+from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder
+from robosmi.model.xmi_document import Document, PackageOf, Problem
+from robosmi.model.xmi_plan import CHILD, CHILDREN, IGNORED, REFUSED, VALUE, VALUES, XMI, XMI_ID, XSI, ClassPlan, Entry, Plans
+
+XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
+"""The namespaces that XMI itself has had."""
+
+
+class Builder:
+    """What a pass over one file knows, and how it deals with what is rare.
+
+    Args:
+        path: the file.
+        plans: the plans of this load.
+        package_of: finds a package by its namespace.
+        problem: is told line and text of every problem.
+    """
+
+    def __init__(self, path: Path, plans: Plans, package_of: PackageOf, problem: Problem) -> None:
+        self.document = Document(path)
+        self.plans = plans
+        self.package_of = package_of
+        self.problem = problem
+        self.expat: Any = None
+        self.prefixes: dict[str, list[str]] = {}
+        self.types: dict[str, ClassPlan | None] = {}
+        self.xmi = XMI
+
+    def skip(self) -> None:
+        """Pass over everything up to the end of the current element."""
+        raise NotImplementedError
+
+    def contain(self, element: Any, slots: dict[str, Any], entry: Entry, child: Any, child_slots: dict[str, Any]) -> None:
+        """Put a child into a feature that takes one."""
+        feature = entry.feature
+        if entry.many:
+            if entry.key not in slots:
+                slots[entry.key] = collection(element, feature)
+            list.append(slots[entry.key], child)
+        elif entry.key in slots:
+            self.here(f"{type(element).__name__}.{feature.name} takes one element, not two")
+            return
+        else:
+            slots[entry.key] = holder(ContainedValue, element, feature, child)
+        child_slots["_container"] = element
+        child_slots["_containment_feature"] = feature
+        if entry.back is None:
+            child_slots["_birth"] = (element, feature)
+        else:
+            child_slots[entry.back._name] = holder(ReferenceValue, child, entry.back, element)
+
+    def here(self, text: str) -> None:
+        """Note a problem at the current line."""
+        self.problem(self.expat.CurrentLineNumber, text)
+
+    def child_plan(self, entry: Entry, attributes: dict[str, str]) -> ClassPlan | None:
+        """The plan of a contained element: of the type that the file names, else of the declared one."""
+        named = attributes.pop(f"{XSI}}}type", None) or attributes.pop(f"{self.xmi}}}type", None)
+        if named is None:
+            plan = self.plans.of(entry.declared)
+        else:
+            found = self.type_named(named)
+            if found is None:
+                self.skip()
+                return None
+            plan = found
+            if not entry.takes(plan.cls):
+                self.here(f"{named} is no {entry.declared.name}, which '{entry.feature.name}' takes")
+                self.skip()
+                return None
+        if not self.usable(plan):
+            return None
+        if named is None:
+            entry.plan = plan
+        return plan
+
+    def usable(self, plan: ClassPlan) -> bool:
+        """Whether elements of the class can be made; if not the problem is noted and the element skipped."""
+        if plan.abstract:
+            self.here(f"{plan.name} is abstract: the element needs an xsi:type")
+        elif plan.refused:
+            self.here(plan.refused)
+        else:
+            return True
+        self.skip()
+        return False
+
+    def type_named(self, qualified: str) -> ClassPlan | None:
+        """The plan of the class with a qualified name, or None with the problem noted."""
+        if qualified in self.types:
+            return self.types[qualified]
+        prefix, _, name = qualified.strip().rpartition(":")
+        uris = self.prefixes.get(prefix)
+        package = self.package_of(uris[-1]) if uris else None
+        eclass = class_in(package, name)
+        if eclass is None:
+            near = did_you_mean(name, class_names(package)) if package is not None else ""
+            self.here(f"'{qualified}' is no class of a metamodel known here{near}")
+            return None
+        plan = self.types[qualified] = self.plans.of(eclass)
+        return plan
+
+    def other_attribute(self, plan: ClassPlan, entries: dict[str, Entry], name: str, text: str) -> str | None:
+        """An attribute that is no feature under its full name. Gives the URI of an element that lies elsewhere."""
+        if name == "href":
+            return text
+        namespace, _, local = name.rpartition("}")
+        if namespace == XSI or XMI_NAMESPACES.fullmatch(namespace):
+            if local == "id" and namespace != XSI:
+                self.here(f"the id '{text}' is in the namespace {namespace}, which is not supported: use {XMI}")
+            elif local == "idref":
+                return f"#{text}"
+            return None
+        near = did_you_mean(local, [n for n in entries if "}" not in n])
+        self.here(f"{plan.name} has no feature '{local}'{near}")
+        return None
+
+    def rare_attribute(self, child: Any, slots: dict[str, Any], plan: ClassPlan, entry: Entry, name: str, text: str) -> None:
+        """Attributes other than single values and references."""
+        if entry.kind == XMI_ID:
+            slots["_internal_id"] = text
+            self.identify(text, child)
+        elif entry.kind == VALUES:
+            for part in text.split():
+                self.add_value(child, slots, plan.name, entry, part)
+        elif entry.kind == REFUSED:
+            self.here(entry.message)
+        elif entry.kind != IGNORED:
+            self.here(f"{plan.name}.{name} contains elements: it cannot be an attribute")
+
+    def identify(self, text: str, child: Any) -> None:
+        """Note an element's id."""
+        if self.document.ids.setdefault(text, child) is not child:
+            self.here(f"the id '{text}' is used twice")
+
+    def add_value(self, element: Any, slots: dict[str, Any], owner: str, entry: Entry, text: str | None) -> None:
+        """Set a value, or add one to many; None is xsi:nil."""
+        try:
+            value = text if text is None or entry.convert is None else entry.convert(text)
+        except ValueError as error:
+            self.here(f"{owner}.{entry.feature.name}: {error}")
+            return
+        if entry.kind == VALUE:
+            if entry.key in slots:
+                self.here(f"{owner}.{entry.feature.name} takes one value, not two")
+            slots[entry.key] = holder(AttributeValue, element, entry.feature, value)
+            if entry.is_id and text:
+                self.identify(text, element)
+            return
+        many = slots.get(entry.key)
+        if many is None:
+            many = slots[entry.key] = collection(element, entry.feature)
+        if isinstance(many, list):
+            list.append(many, value)
+        elif value in many.map:
+            self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
+        else:
+            many.map[value] = len(many.items)
+            many.items.append(value)
+
+    def part_elsewhere(self, element: Any, entry: Entry, link: str) -> None:
+        """Note a contained element that lies in another file."""
+        if element is None or entry.kind not in (CHILD, CHILDREN):
+            self.here("a root cannot lie in another file")
+            return
+        held = element.__dict__.get(entry.key)
+        place = len(held) if held is not None and entry.many else 0
+        place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
+        self.document.parts.append((element, entry, link, self.expat.CurrentLineNumber, place))

@@ -1,0 +1,56 @@
+"""What the parts of the XMI reader hand to each other: documents, and why a file is no document.
+
+A document holds the elements of one file and what is still to be done about them. Nothing is read or resolved here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.model.xmi_plan import ClassPlan, Entry
+
+Problem = Callable[[int, str], None]
+PackageOf = Callable[[str], Any]
+"""Namespace URI -> EPackage or generated module, or None."""
+
+
+class Unreadable(Exception):
+    """The file cannot be read as a model at all."""
+
+    def __init__(self, text: str, line: int, fix: str = "give a model in XMI") -> None:
+        super().__init__(text)
+        self.text = text
+        self.line = line
+        self.fix = fix
+
+
+class UnknownEncoding(Unreadable):
+    """The file says an encoding that the XML parser does not know."""
+
+
+class ForeignRoot(Exception):
+    """The file's root is no model element of the user's: it is an Ecore metamodel."""
+
+
+@dataclass
+class Document:
+    """One file as it was read.
+
+    Attributes:
+        path: absolute.
+        roots: the root elements.
+        ids: xmi:id or value of the ID attribute -> element.
+        references: element, entry, URIs, line, whether the text is one URI: what is still to be linked.
+        parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
+        counted: elements whose class bounds the number of values, with their lines.
+    """
+
+    path: Path
+    roots: list[Any] = field(default_factory=list)
+    ids: dict[str, Any] = field(default_factory=dict)
+    references: list[tuple[Any, Entry, str, int, bool]] = field(default_factory=list)
+    parts: list[tuple[Any, Entry, str, int, int]] = field(default_factory=list)
+    counted: list[tuple[Any, ClassPlan, int]] = field(default_factory=list)

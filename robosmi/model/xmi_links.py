@@ -1,0 +1,291 @@
+"""References of files that were just read: URIs to elements, both sides of opposites, parts that lie in other files.
+
+Works on documents of `xmi_parser` when all elements exist. Values go straight into pyecore's slots; where a file gives only
+one side of an opposite, the other is completed, and where its two sides contradict each other that is a problem. Opening
+files is the caller's part.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+from urllib.parse import unquote
+
+from pyecore import ecore
+
+from robosmi.model import lean
+from robosmi.model.features import as_package
+from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder
+from robosmi.model.xmi_document import Document
+from robosmi.model.xmi_places import shown
+from robosmi.model.xmi_plan import Entry
+
+Problem = Callable[[Document, int, str], None]
+Open = Callable[[Document, str, int], Any]
+"""Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
+
+_KEYS = re.compile(r"@([^\[]+)\[(.*)\]")
+_KEY = re.compile(r"([^=,]+)='([^']*)'")
+_TYPE = re.compile(r"[^\s:#/]+:[^\s:#/]+")
+
+
+class Linker:
+    """Resolves what the documents of one load refer to.
+
+    Args:
+        open_file: finds the document or package that a URI's file part names.
+        problem: is told document, line and text of every problem.
+    """
+
+    def __init__(self, open_file: Open, problem: Problem) -> None:
+        self.open_file = open_file
+        self.problem = problem
+        self._found: dict[int, dict[str, Any]] = {}
+        self._two_sided: list[tuple[Document, int, Any, Entry, list[Any]]] = []
+
+    def link(self, document: Document) -> None:
+        """Resolve the references of a document; `finish` must follow when all documents are linked."""
+        found = self._found.setdefault(id(document), {})
+        for owner, entry, link, line, place in document.parts:
+            self._contain(document, owner, entry, link, line, place)
+        for owner, entry, text, line, whole in document.references:
+            if not entry.many:
+                target = found.get(text)
+                if target is None:
+                    links = [text] if whole else self._one(document, text)
+                    if len(links) > 1:
+                        self._wrong(document, line, owner, entry, f"takes one element, not {len(links)}")
+                    target = self.target(document, links[0], line, owner, entry) if links else None
+                    if target is None:
+                        continue
+                if not entry.takes(target.__class__):
+                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
+                    continue
+                self._set(document, line, owner, entry, target)
+                continue
+            targets = []
+            for link in [text] if whole else self._several(document, text):
+                target = found.get(link)
+                if target is None and (target := self.target(document, link, line, owner, entry)) is None:
+                    continue
+                if not entry.takes(target.__class__):
+                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
+                else:
+                    targets.append(target)
+            self._add(document, line, owner, entry, targets)
+
+    def _wrong(self, document: Document, line: int, owner: Any, entry: Entry, text: str) -> None:
+        self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name} {text}")
+
+    def _one(self, document: Document, text: str) -> list[str]:
+        """The URI of a single reference: an id may hold spaces, a type may stand before a URI of another file."""
+        if text in document.ids:
+            return [text]
+        return _without_types(text.split())
+
+    def _several(self, document: Document, text: str) -> list[str]:
+        parts = text.split()
+        return parts if ":" not in text else [p for p in parts if p in document.ids or not _TYPE.fullmatch(p)]
+
+    # --- URIs
+
+    def target(self, document: Document, link: str, line: int, owner: Any, entry: Entry) -> Any:
+        """The element that a URI leads to, or None with the problem noted."""
+        found: Any = None
+        if link in document.ids:
+            found = document.ids[link]
+        elif "#" in link and not link.startswith("#"):
+            file, _, fragment = link.partition("#")
+            where = self.open_file(document, file, line)
+            if where is None:
+                return None
+            found = resolve(where, fragment)
+        else:
+            found = resolve(document, link.removeprefix("#"))
+        if found is None:
+            self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
+        elif "#" not in link:
+            self._found[id(document)][link] = found
+        return found
+
+    # --- values
+
+    def _set(self, document: Document, line: int, owner: Any, entry: Entry, target: Any) -> None:
+        slots = owner.__dict__
+        slot = slots.get(entry.key)
+        if slot is not None and slot._value is not None and slot._value is not target:
+            self._wrong(document, line, owner, entry, "takes one element, not two")
+            return
+        slots[entry.key] = holder(ReferenceValue, owner, entry.feature, target)
+        if entry.back is None:
+            _note(target, (owner, entry.feature))
+        else:
+            self._two_sided.append((document, line, owner, entry, [target]))
+
+    def _add(self, document: Document, line: int, owner: Any, entry: Entry, targets: list[Any]) -> None:
+        slots = owner.__dict__
+        many = slots.get(entry.key)
+        if many is None:
+            many = slots[entry.key] = collection(owner, entry.feature)
+        for target in targets:
+            if _put(many, target) and entry.back is None:
+                _note(target, (owner, entry.feature))
+        if entry.back is not None:
+            self._two_sided.append((document, line, owner, entry, targets))
+
+    def finish(self) -> None:
+        """Make both sides of all opposites agree."""
+        for document, line, owner, entry, targets in self._two_sided:
+            back = entry.back
+            key = back._name
+            for target in targets:
+                slot = target.__dict__.get(key)
+                if back.many:
+                    if slot is None:
+                        slot = target.__dict__[key] = collection(target, back)
+                    _put(slot, owner)
+                elif slot is None or slot._value is None:
+                    target.__dict__[key] = holder(ReferenceValue, target, back, owner)
+                elif slot._value is not owner:
+                    other = shown(slot._value)
+                    self._wrong(
+                        document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
+                    )
+
+    def _contain(self, document: Document, owner: Any, entry: Entry, link: str, line: int, place: int) -> None:
+        """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
+        part = self.target(document, link, line, owner, entry)
+        if part is None:
+            return
+        if not entry.takes(part.__class__):
+            self._wrong(document, line, owner, entry, f"does not take {shown(part)}")
+            return
+        container = owner
+        while container is not None:
+            if container is part:
+                self._wrong(document, line, owner, entry, f"would make {shown(part)} contain itself")
+                return
+            container = container._container
+        if part._container is not None:
+            self._wrong(document, line, owner, entry, f"takes {shown(part)}, which is contained elsewhere already")
+            return
+        slots = owner.__dict__
+        if not entry.many:
+            if entry.key in slots:
+                self._wrong(document, line, owner, entry, "takes one element, not two")
+                return
+            slots[entry.key] = holder(ContainedValue, owner, entry.feature, part)
+        else:
+            if entry.key not in slots:
+                slots[entry.key] = collection(owner, entry.feature)
+            _put(slots[entry.key], part)
+            _move(slots[entry.key], place)
+        part._container, part._containment_feature = owner, entry.feature
+        if entry.back is None:
+            _note(part, (owner, entry.feature))
+        else:
+            part.__dict__[entry.back._name] = holder(ReferenceValue, part, entry.back, owner)
+
+
+def _put(many: Any, value: Any) -> bool:
+    """Add to a collection, without a word to anybody; False if it is there and may be there once."""
+    if isinstance(many, list):
+        list.append(many, value)
+        return True
+    positions = many.map
+    if value in positions:
+        return False
+    positions[value] = len(many.items)
+    many.items.append(value)
+    return True
+
+
+def _move(many: Any, place: int) -> None:
+    """Put the last of a collection at its place."""
+    items = many if isinstance(many, list) else many.items
+    list.insert(items, place, list.pop(items))
+    if not isinstance(many, list):
+        many.map.update((item, index) for index, item in enumerate(items[place:], place))
+
+
+def _note(target: Any, link: tuple[Any, Any]) -> None:
+    """Let the target know who refers to it."""
+    slots = target.__dict__
+    if "_inverse_rels" in slots:
+        slots["_inverse_rels"].add(link)
+    elif "_linked" in slots:
+        slots["_linked"].append(link)
+    elif hasattr(type(target), "_inverse_rels"):
+        slots["_linked"] = [link]
+    else:
+        target._inverse_rels.add(link)
+
+
+def _without_types(parts: list[str]) -> list[str]:
+    return [part for part in parts if not _TYPE.fullmatch(part)] if len(parts) > 1 else parts
+
+
+# --- fragments
+
+
+def resolve(where: Any, fragment: str) -> Any:
+    """The element at an EMF fragment of a document, a package or a model with one root, or None.
+
+    Fragments are ids (`_x1`), paths (`//@units.0/@body`, `/1/@units.0`) or, in metamodels, names (`//Class/feature`).
+    """
+    if isinstance(where, Document):
+        if fragment in where.ids:
+            return where.ids[fragment]
+        if not fragment.startswith("/"):
+            return where.ids.get(unquote(fragment))
+        roots = where.roots
+    else:
+        roots = [where if isinstance(where, ecore.EObject) else as_package(where)]
+    first, *steps = fragment[1:].split("/")
+    if first.startswith("?") and isinstance(where, Document):
+        element = where.ids.get(first[1:])
+    elif first and not (first.isascii() and first.isdecimal()):
+        return None
+    else:
+        index = int(first or 0)
+        element = roots[index] if index < len(roots) else None
+    for step in steps:
+        if element is None:
+            return None
+        element = _step(element, step)
+    return element
+
+
+def _step(element: Any, step: str) -> Any:
+    if step[:1] != "@":
+        return _by_name(element, step) if isinstance(element, ecore.EModelElement) else None
+    name, _, index = step[1:].partition(".")
+    slot = element.__dict__.get(name)
+    if slot is not None and not isinstance(slot, lean.AttributeValue) and index.isascii() and index.isdecimal():
+        try:
+            items = slot if isinstance(slot, list) else slot.items
+            return items[int(index)]
+        except (AttributeError, IndexError):
+            return None
+    if slot is None and (keys := _KEYS.fullmatch(step)):
+        return _by_keys(element, keys[1], dict(_KEY.findall(keys[2])))
+    value = getattr(slot, "_value", None) if not index else None
+    return value if isinstance(value, ecore.EObject) else None
+
+
+def _by_keys(element: Any, name: str, wanted: dict[str, str]) -> Any:
+    """The element of a collection whose key attributes have these texts (`@items[name='a']`)."""
+    for one in element.__dict__.get(name, ()):
+        if wanted and all(str(getattr(one, key, None)) == unquote(text) for key, text in wanted.items()):
+            return one
+    return None
+
+
+def _by_name(element: Any, name: str) -> Any:
+    """The part of a metamodel element with that name."""
+    parts: list[Any] = []
+    for feature in ("eClassifiers", "eSubpackages", "eStructuralFeatures", "eOperations", "eLiterals", "eParameters"):
+        parts.extend(getattr(element, feature, ()))
+    texts = (name, unquote(name))
+    return next((part for part in parts if part.name in texts), None)

@@ -1,0 +1,326 @@
+"""One XMI file to elements: a single pass with expat, a stack of our own, and no setter of pyecore's.
+
+What the file contains is built at once; what it refers to is noted for `xmi_links`. Problems are noted with their lines
+and the rest of the file is read on. DOCTYPE is refused, and with it every entity; comments and processing instructions
+are passed over. Which packages exist is asked of the caller.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+from xml.parsers import expat
+
+from robosmi.errors import did_you_mean
+from robosmi.model.features import class_in
+from robosmi.model.lean import AttributeValue, ReferenceValue, collection, holder
+from robosmi.model.xmi_builder import XMI_NAMESPACES, Builder
+from robosmi.model.xmi_document import Document, ForeignRoot, PackageOf, Problem, UnknownEncoding, Unreadable
+from robosmi.model.xmi_plan import (
+    CHILD,
+    CHILDREN,
+    IGNORED,
+    REFERENCE,
+    REFUSED,
+    ROOT,
+    VALUE,
+    XMI,
+    XMI_ID,
+    XSI,
+    ClassPlan,
+    Entry,
+    Plans,
+)
+
+_DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
+
+
+def parse(
+    path: Path, data: bytes, plans: Plans, package_of: PackageOf, locations: Callable[[str], None], problem: Problem
+) -> Document:
+    """Build the elements of one file.
+
+    Args:
+        path: the file, for the document.
+        data: its bytes.
+        plans: the plans of this load.
+        package_of: finds a package by its namespace.
+        locations: is told the value of xsi:schemaLocation before any package is asked for.
+        problem: is told line and text of every problem.
+
+    Raises:
+        Unreadable: it is no XML, or no element of it is a model's.
+        ForeignRoot: its root is an Ecore package.
+    """
+    try:
+        return _Parser(path, plans, package_of, locations, problem).run(data, None)
+    except UnknownEncoding as error:  # Python knows more of them
+        declared = _DECLARED.match(data)
+        try:
+            text = data.decode(declared[1].decode("ascii")) if declared else ""
+        except (LookupError, UnicodeDecodeError):
+            raise error from None
+        return _Parser(path, plans, package_of, locations, problem).run(text.encode(), "utf-8")
+
+
+class _Parser(Builder):
+    """The state of one pass; the two handlers that are called for every element are closures in `run`."""
+
+    def __init__(
+        self, path: Path, plans: Plans, package_of: PackageOf, locations: Callable[[str], None], problem: Problem
+    ) -> None:
+        super().__init__(path, plans, package_of, problem)
+        self.locations = locations
+        self.depth = 0  # inside an element that is skipped, or inside the text of a feature
+        self.texts: list[str] = []
+        self.several = False
+
+    def run(self, data: bytes, encoding: str | None) -> Document:
+        """Parse.
+
+        Raises:
+            Unreadable, ForeignRoot: as `parse`.
+        """
+        self.expat = parser = expat.ParserCreate(encoding, namespace_separator="}")
+        parser.buffer_text = True
+        parser.StartNamespaceDeclHandler = self.declare
+        parser.EndNamespaceDeclHandler = self.undeclare
+        parser.StartDoctypeDeclHandler = self.doctype
+        self.start, self.end = parser.StartElementHandler, parser.EndElementHandler = self.handlers()
+        parser.CharacterDataHandler = self.stray
+        try:
+            parser.Parse(data, True)
+        except expat.ExpatError as error:
+            if not data.strip():
+                raise Unreadable("the file is empty", 1) from None
+            cause = expat.errors.messages.get(error.code, str(error))
+            raise Unreadable(f"not well-formed XML: {cause}", error.lineno) from None
+        except (LookupError, ValueError) as error:  # pyexpat on encodings that Python does not know, or that have no table
+            if parser.StartElementHandler is not self.start or self.document.roots:
+                raise
+            raise UnknownEncoding(f"not well-formed XML: {error}", parser.CurrentLineNumber) from None
+        return self.document
+
+    def handlers(self) -> tuple[Callable[[str, dict[str, str]], None], Callable[[str], None]]:
+        """What is called at the start and the end of every element; made for speed, so all names are local."""
+        parser, references, counted = self.expat, self.document.references, self.document.counted
+        new = object.__new__
+        other_child, child_plan, other_attribute = self.other_child, self.child_plan, self.other_attribute
+        xsi_type, xmi_type = f"{XSI}}}type", f"{XMI}}}type"
+        roots = self.document.roots
+        stack: list[tuple[Any, Any, Any]] = []
+        push, pop = stack.append, stack.pop
+        element: Any = None
+        slots: Any = None
+        entries: dict[str, Entry] = {}
+
+        def start(tag: str, attributes: dict[str, str]) -> None:
+            nonlocal element, slots, entries
+            entry = entries.get(tag)
+            if entry is None or ((kind := entry.kind) != CHILDREN and kind != CHILD):
+                plan, entry = other_child(element, slots, entries, tag, attributes)
+                if plan is None:
+                    if entry is not None:  # the element around all roots
+                        push((element, slots, entries))
+                    return
+                kind = entry.kind
+            elif (plan := entry.plan) is None or xsi_type in attributes or xmi_type in attributes:
+                plan = child_plan(entry, attributes)
+                if plan is None:
+                    return
+            child = new(plan.cls)
+            child_slots = child.__dict__
+            child_entries = plan.entries
+            elsewhere = None
+            for name, text in attributes.items():
+                attribute = child_entries.get(name)
+                if attribute is None:
+                    elsewhere = other_attribute(plan, child_entries, name, text) or elsewhere
+                elif (what := attribute.kind) == VALUE:
+                    convert = attribute.convert
+                    try:
+                        value = text if convert is None else convert(text)
+                    except ValueError as error:
+                        self.problem(parser.CurrentLineNumber, f"{plan.name}.{name}: {error}")
+                        continue
+                    made = new(AttributeValue)
+                    made.owner = child
+                    made.feature = attribute.feature
+                    made._value = value
+                    child_slots[attribute.key] = made
+                    if attribute.is_id:
+                        self.identify(text, child)
+                elif what == REFERENCE:
+                    references.append((child, attribute, text, parser.CurrentLineNumber, False))
+                else:
+                    self.rare_attribute(child, child_slots, plan, attribute, name, text)
+            if kind == CHILDREN and elsewhere is None:
+                feature = entry.feature
+                many = slots.get(entry.key)
+                if many is None:
+                    many = slots[entry.key] = collection(element, feature)
+                items = many.items
+                many.map[child] = len(items)
+                items.append(child)
+                child_slots["_container"] = element
+                child_slots["_containment_feature"] = feature
+                back = entry.back
+                if back is None:
+                    child_slots["_birth"] = many.birth
+                else:
+                    made = new(ReferenceValue)
+                    made.owner = child
+                    made.feature = back
+                    made._value = element
+                    child_slots[back._name] = made
+            elif elsewhere is not None:
+                self.part_elsewhere(element, entry, elsewhere)
+            elif kind == CHILD:
+                self.contain(element, slots, entry, child, child_slots)
+            else:
+                roots.append(child)
+            if plan.bounds and elsewhere is None:
+                counted.append((child, plan, parser.CurrentLineNumber))
+            push((element, slots, entries))
+            element, slots, entries = child, child_slots, child_entries
+
+        def end(tag: str) -> None:
+            nonlocal element, slots, entries
+            element, slots, entries = pop()
+
+        return start, end
+
+    def other_child(
+        self, element: Any, slots: Any, entries: dict[str, Entry], tag: str, attributes: dict[str, str]
+    ) -> tuple[ClassPlan | None, Any]:
+        """A root, a value or reference in an element of its own, or a name that is no feature.
+
+        Returns:
+            The plan of the element to be built with its entry, or no plan: then the element is being passed over; with an
+            entry all the same for the element around all roots.
+        """
+        if element is None:
+            return self.root(tag, attributes)
+        local = tag.rpartition("}")[2]
+        entry = entries.get(local)
+        owner = type(element).__name__
+        if entry is None or entry.kind == XMI_ID:
+            if local == "Extension" and XMI_NAMESPACES.fullmatch(tag.rpartition("}")[0]):
+                self.skip()
+                return None, None
+            self.here(f"{owner} has no feature '{local}'{did_you_mean(local, [n for n in entries if '}' not in n])}")
+            self.skip()
+        elif entry.kind in (CHILD, CHILDREN):
+            plan = self.child_plan(entry, attributes)
+            return plan, entry if plan is not None else None
+        elif entry.kind in (IGNORED, REFUSED):
+            if entry.message:
+                self.here(entry.message)
+            self.skip()
+        elif attributes.get(f"{XSI}}}nil") in ("true", "1"):
+            if entry.kind == REFERENCE:
+                if not entry.many:
+                    slots[entry.key] = holder(ReferenceValue, element, entry.feature, None)
+            else:
+                self.add_value(element, slots, owner, entry, None)
+            self.skip()
+        else:
+            self.text_of(element, slots, entry, attributes)
+        return None, None
+
+    def text_of(self, element: Any, slots: Any, entry: Entry, attributes: dict[str, str]) -> None:
+        """Take the text up to the end of the current element as a value or a reference."""
+        line = self.expat.CurrentLineNumber
+        owner = type(element).__name__
+        self.depth = 1
+        self.texts.clear()
+
+        def start(tag: str, _: dict[str, str]) -> None:
+            self.here(f"{owner}.{entry.feature.name} takes text, not an element '{tag.rpartition('}')[2]}'")
+            self.depth += 1
+
+        def end(_: str) -> None:
+            self.depth -= 1
+            if self.depth:
+                return
+            self.expat.StartElementHandler, self.expat.EndElementHandler = self.start, self.end
+            self.expat.CharacterDataHandler = self.stray
+            text = "".join(self.texts)
+            if entry.kind != REFERENCE:
+                self.add_value(element, slots, owner, entry, text)
+                return
+            link = attributes.get("href") or attributes.get(f"{self.xmi}}}idref") or text.strip()
+            if link:
+                self.document.references.append((element, entry, link, line, "href" in attributes))
+            else:
+                self.problem(line, f"{owner}.{entry.feature.name} has no href")
+
+        self.expat.StartElementHandler, self.expat.EndElementHandler = start, end
+        self.expat.CharacterDataHandler = self.texts.append
+
+    def root(self, tag: str, attributes: dict[str, str]) -> tuple[ClassPlan | None, Any]:
+        """The outermost element, or a root in the element around all."""
+        uri, _, name = tag.rpartition("}")
+        if self.document.roots and not self.several:
+            raise Unreadable("there is a second root", self.expat.CurrentLineNumber)
+        if not self.several:
+            if text := attributes.pop(f"{XSI}}}schemaLocation", None):
+                self.locations(text)
+            if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
+                self.several = True
+                return None, Entry(ROOT)
+            if uri == "http://www.eclipse.org/emf/2002/Ecore":
+                raise ForeignRoot
+        package = self.package_of(uri)
+        eclass = class_in(package, name)
+        if eclass is None:
+            raise Unreadable(
+                f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here",
+                self.expat.CurrentLineNumber,
+                "",
+            )
+        plan = self.plans.of(eclass)
+        if not self.usable(plan):
+            return None, None
+        return plan, Entry(ROOT)
+
+    def skip(self) -> None:
+        """Pass over everything up to the end of the current element."""
+        self.depth = 1
+
+        def start(_: str, __: dict[str, str]) -> None:
+            self.depth += 1
+
+        def end(_: str) -> None:
+            self.depth -= 1
+            if not self.depth:
+                self.expat.StartElementHandler, self.expat.EndElementHandler = self.start, self.end
+                self.expat.CharacterDataHandler = self.stray
+
+        self.expat.StartElementHandler, self.expat.EndElementHandler = start, end
+        self.expat.CharacterDataHandler = None
+
+    # --- namespaces, and what a model has not
+
+    def declare(self, prefix: str | None, uri: str | None) -> None:
+        """A prefix gets a namespace."""
+        self.prefixes.setdefault(prefix or "", []).append(uri or "")
+        self.types.clear()
+        if uri and XMI_NAMESPACES.fullmatch(uri):
+            self.xmi = uri
+
+    def undeclare(self, prefix: str | None) -> None:
+        """A prefix loses its latest namespace."""
+        self.prefixes[prefix or ""].pop()
+        self.types.clear()
+
+    def doctype(self, *_: Any) -> None:
+        """A DOCTYPE could define entities that grow without end, or that read other files."""
+        raise Unreadable("a model with a DOCTYPE is refused", self.expat.CurrentLineNumber, "remove the DOCTYPE")
+
+    def stray(self, text: str) -> None:
+        """Text where elements are."""
+        if not text.isspace():
+            self.here(f"the text '{text.strip()[:40]}' belongs to no feature")

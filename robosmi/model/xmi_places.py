@@ -1,0 +1,213 @@
+"""Where elements are, as files say it: fragments (`//@units.0`), ids, hrefs to other files and to metamodels.
+
+Follows EMF's rules: an xmi:id or the value of the ID attribute where there is one, else the way from the root. An id that
+EMF could not read back in a reference (it holds a space, `#` or `:`, or begins with `/`) is passed over for the way. Elements in
+no file are told apart here; what is done about them is the writer's part.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from pathlib import PurePosixPath
+from typing import Any
+from urllib.parse import quote
+
+from pyecore import ecore
+
+from robosmi.errors import ModelError
+from robosmi.model import datatypes
+from robosmi.model.features import as_package, id_attribute, root_package
+
+_ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
+_NOT_IN_PATHS = re.compile(r"[^A-Za-z0-9/_.!~*'()@=+$,;\u00a0-\U0010ffff-]")  # as EMF's URI.createFileURI, but for & and :
+_SAFE = "/!$&'()*+,;=@~-._:"
+
+
+class Unplaced(Exception):
+    """An element that is in no file that is written, or not where its container says."""
+
+
+class UnusableId(ValueError):
+    """An id that begins with `/`: EMF takes it for a way from the root."""
+
+
+class Places:
+    """Finds the place of any element of a set of models.
+
+    Args:
+        models: file name, relative to a common folder -> roots.
+    """
+
+    def __init__(self, models: Mapping[str, list[Any]]) -> None:
+        self._known: dict[int, tuple[str, str]] = {}
+        self.roots: dict[int, str] = {}
+        self._ids: dict[Any, Any] = {}
+        self._steps: dict[Any, _Step] = {}
+        self.nested = {id(root) for roots in models.values() for root in roots if getattr(root, "_container", None) is not None}
+        for name, roots in models.items():
+            for index, root in enumerate(roots):
+                if id(root) in self.roots:
+                    raise ModelError(
+                        f"{shown(root)} is a root of '{self.roots[id(root)]}' and of '{name}'",
+                        fix="keep it in one of these models",
+                    )
+                self.roots[id(root)] = name
+                self._known[id(root)] = (name, f"/{index}" if len(roots) > 1 else "/")
+
+    def find(self, target: Any) -> tuple[str, str]:
+        """File and fragment of an element; the file is empty for what has a URI of its own, which is then the fragment.
+
+        Raises:
+            Unplaced: it is nowhere.
+            UnusableId: its id cannot be one.
+        """
+        file, way = self._known.get(id(target)) or self._way(target)
+        identity = self.identity(target) if file else None
+        return file, way if identity is None or _ODD_ID.search(identity) else identity
+
+    def identity(self, element: Any) -> str | None:
+        """The xmi:id of an element or the value of its ID attribute, or None."""
+        own = element._internal_id
+        if own is not None:
+            return str(own)
+        known = self._ids.get(element.__class__)
+        if known is None:
+            attribute = id_attribute(element.eClass)
+            if attribute is None:
+                known = (None, None, None)
+            else:
+                kind = attribute.eType
+                known = (attribute._name, datatypes.to_text(kind), datatypes.default(attribute, kind))
+            self._ids[element.__class__] = known
+        key, convert, default = known
+        slot = element.__dict__.get(key) if key is not None else None
+        if slot is None or convert is None or slot._value is None or slot._value == default:
+            return None
+        identity = str(convert(slot._value))
+        if identity[:1] == "/":
+            raise UnusableId(identity)
+        return identity
+
+    def _way(self, target: Any) -> tuple[str, str]:
+        """Climb to the nearest element whose place is known, and note the places of all on the way down again."""
+        climbed = []
+        one = target
+        while id(one) not in self._known:
+            if isinstance(one, (ecore.EModelElement, type)):
+                return "", metamodel_uri(one)
+            climbed.append(one)
+            container = one._container
+            if container is None or len(climbed) > 10_000_000:
+                raise Unplaced
+            one = container
+        known = self._known
+        file, way = known[id(one)]
+        for child in reversed(climbed):
+            feature = child._containment_feature
+            step = self._steps.get(feature) or self._step_of(feature)
+            slot = one.__dict__.get(step.key)
+            if step.is_plain and slot is not None:
+                index = slot.map.get(child, -1)
+                items = slot.items
+                if not 0 <= index < len(items) or items[index] is not child:  # pyecore's own map goes wrong after pop()
+                    index = _index(items, child)
+                way = f"{way}{step.text}{index}"
+            else:
+                way = f"{way}{step.text}{_rest(step, slot, child)}"
+            known[id(child)] = (file, way)
+            one = child
+        return file, way
+
+    def _step_of(self, feature: Any) -> _Step:
+        step = self._steps[feature] = _Step(feature)
+        return step
+
+
+class _Step:
+    """How a containment feature stands in a fragment: `/@units.` before the index."""
+
+    __slots__ = ("is_plain", "key", "keys", "many", "text")
+
+    def __init__(self, feature: Any) -> None:
+        self.key = feature._name
+        self.many = feature.many
+        self.keys = list(getattr(feature, "eKeys", None) or ())
+        self.is_plain = self.many and feature.unique and feature.ordered and not self.keys
+        self.text = f"/@{feature.name}{'.' if self.many and not self.keys else ''}"
+
+
+def shown(element: Any) -> str:
+    """An element as errors name it; pyecore's own classes only say where in memory it is."""
+    text = repr(element)
+    if " object at 0x" not in text:
+        return text
+    name = element.__dict__.get("name")
+    value = getattr(name, "_value", None)
+    return f"<{type(element).__name__}{f' name={value!r}' if value is not None else ''}>"
+
+
+def _rest(step: _Step, slot: Any, child: Any) -> str:
+    """What follows the feature's name in a fragment, where it is no index of an ordered set."""
+    if not step.many:
+        if slot is None or slot._value is not child:
+            raise Unplaced
+        return ""
+    index = _index([] if slot is None else list(slot), child)
+    if not step.keys:
+        return str(index)
+    pairs = [f"{key.name}='{quote(str(child.eGet(key)), safe='')}'" for key in step.keys]
+    return f"[{','.join(pairs)}]"
+
+
+def _index(items: list[Any], child: Any) -> int:
+    """The place of a child among its siblings.
+
+    Raises:
+        Unplaced: it is not among them.
+    """
+    for index, one in enumerate(items):
+        if one is child:
+            return index
+    raise Unplaced
+
+
+def metamodel_uri(element: Any) -> str:
+    """The URI of an element of a metamodel, by the namespace of its outermost package: `http://lab/m#//Class/feature`.
+
+    Raises:
+        Unplaced: it is in no package, or its package has no namespace.
+    """
+    package, fragment = metamodel_place(element)
+    if not package.nsURI:
+        raise Unplaced
+    return f"{package.nsURI}#{fragment}"
+
+
+def metamodel_place(element: Any) -> tuple[Any, str]:
+    """The outermost package of an element of a metamodel, and its fragment in there: `//Class/feature`.
+
+    Raises:
+        Unplaced: it is in no package.
+    """
+    one: Any = getattr(element, "eClass", None) if isinstance(element, type) else element
+    steps: list[str] = []
+    while not isinstance(one, ecore.EPackage):
+        container = one.eContainer()
+        if container is None:
+            raise Unplaced
+        steps.append(quote(str(one.name), safe=_SAFE))
+        one = container
+    package, root = as_package(one), root_package(one)
+    while package is not root:
+        steps.append(quote(str(package.name), safe=_SAFE))
+        package = as_package(package.eSuperPackage)
+    return root, f"/{''.join(f'/{step}' for step in reversed(steps))}"
+
+
+def relative(source: str, target: str) -> str:
+    """The URI of one file seen from another, both relative to the same folder."""
+    folder = PurePosixPath(source).parent
+    path = target if folder == PurePosixPath(".") else os.path.relpath(target, folder)
+    return _NOT_IN_PATHS.sub(lambda m: quote(m.group(), safe=""), path)

@@ -1,0 +1,149 @@
+"""How the XMI reader treats each class: for every name in a file, which feature it is and what to do with it.
+
+A plan is worked out once per class and load; those of generated classes, which cannot change, are kept. The reader
+follows plans blindly, so all questions about a metamodel (what is unsupported, abstract, required) are settled here.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pyecore import ecore
+
+from robosmi.model import datatypes, features, lean
+from robosmi.model.strict import Element
+
+VALUE, REFERENCE, CHILDREN, CHILD, VALUES, XMI_ID, IGNORED, REFUSED, ROOT = range(9)
+"""What a name in a file stands for: a value, reference(s), contained elements (each once), contained element(s) of the rarer
+kind, values, an id, nothing to be done, nothing allowed, a root."""
+
+XMI = "http://www.omg.org/XMI"
+XSI = "http://www.w3.org/2001/XMLSchema-instance"
+
+
+class Entry:
+    """One name of one class.
+
+    Attributes:
+        kind: one of the numbers above.
+        key: where pyecore keeps the value in the element's `__dict__`.
+        feature: pyecore's feature.
+        many: whether it takes more than one value.
+        convert: text -> value, or None if the text is the value.
+        is_id: whether the value identifies the element.
+        declared: the EClass that contained or referred elements must have.
+        plan: the plan of `declared`, once it was needed.
+        accepted: plans and Python classes already seen to conform to `declared`.
+        back: the opposite's entry, or None.
+        message: why the name is refused.
+    """
+
+    __slots__ = ("accepted", "back", "convert", "declared", "feature", "is_id", "key", "kind", "many", "message", "plan")
+
+    def __init__(self, kind: int, feature: Any = None, message: str = "") -> None:
+        self.kind = kind
+        self.feature = feature
+        self.key: str = feature._name if feature is not None else ""
+        self.many = feature is not None and feature.many
+        self.convert: Any = None
+        self.is_id = False
+        self.declared: Any = None
+        self.plan: ClassPlan | None = None
+        self.accepted: set[Any] = set()
+        self.back: Any = None
+        self.message = message
+
+    def takes(self, cls: Any) -> bool:
+        """Whether elements of that Python class may be contained or referred to."""
+        if cls in self.accepted:
+            return True
+        declared = self.declared
+        if declared is ecore.EObject.eClass or issubclass(cls, declared.python_class):
+            self.accepted.add(cls)
+            return True
+        return False
+
+
+class ClassPlan:
+    """What the reader knows of one class.
+
+    Attributes:
+        eclass: the EClass.
+        cls: the Python class of its elements.
+        name: its name.
+        abstract: whether it has no elements of its own.
+        entries: name in a file -> what to do.
+        bounds: key, name, lower and upper bound of the features whose number of values is limited.
+        refused: why no element of the class can be read, or None.
+    """
+
+    __slots__ = ("abstract", "bounds", "cls", "eclass", "entries", "name", "refused")
+
+    def __init__(self, eclass: Any) -> None:
+        self.eclass = eclass
+        self.cls = eclass.python_class
+        self.name = str(eclass.name)
+        self.abstract = features.is_abstract(eclass)
+        self.entries: dict[str, Entry] = {f"{XMI}}}id": Entry(XMI_ID)}
+        self.bounds: list[tuple[str, str, int, int]] = []
+        self.refused: str | None = None
+        lean.prepare(self.cls)
+        for feature in features.all_features(eclass):
+            self._add(feature)
+
+    def _add(self, feature: Any) -> None:
+        name = str(feature.name)
+        kind = features.declared_type(feature)
+        if feature.is_attribute:
+            entry = self._attribute(feature, kind)
+        else:
+            entry = self._reference(feature, kind)
+        self.entries[name] = entry
+        if entry.kind in (VALUE, VALUES, REFERENCE, CHILD, CHILDREN) and not (feature.derived or feature.transient):
+            upper = feature.upperBound
+            lower = 0 if entry.kind == VALUE and datatypes.default(feature, kind) is not None else feature.lowerBound
+            if lower > 0 or upper > 1:
+                self.bounds.append((entry.key, name, lower, upper))
+
+    def _attribute(self, feature: Any, kind: Any) -> Entry:
+        if getattr(kind, "name", "") == datatypes.FEATURE_MAP:
+            self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
+            return Entry(REFUSED, feature, self.refused)
+        if feature.derived_class is not ecore.ECollection or (feature.derived and feature.many):
+            return Entry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
+        lean.repair_default(feature, kind)
+        entry = Entry(VALUES if feature.many else VALUE, feature)
+        entry.convert = datatypes.from_text(kind)
+        entry.is_id = bool(feature.iD)
+        return entry
+
+    def _reference(self, feature: Any, kind: Any) -> Entry:
+        if feature.derived and (feature.many or feature.derived_class is not ecore.ECollection):
+            return Entry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
+        back = features.opposite(feature)
+        if back is not None and back.containment:
+            return Entry(IGNORED, feature)  # the containment itself says it
+        kept_once = feature.many and feature.unique
+        entry = Entry((CHILDREN if kept_once else CHILD) if feature.containment else REFERENCE, feature)
+        entry.declared = kind
+        entry.back = back
+        return entry
+
+
+_GENERATED: dict[Any, ClassPlan] = {}
+
+
+class Plans:
+    """The plans of one load."""
+
+    def __init__(self) -> None:
+        self._plans: dict[Any, ClassPlan] = {}
+
+    def of(self, eclass: Any) -> ClassPlan:
+        """The plan of an EClass."""
+        plan = self._plans.get(eclass) or _GENERATED.get(eclass)
+        if plan is None:
+            plan = ClassPlan(eclass)
+            kept = _GENERATED if issubclass(plan.cls, Element) else self._plans
+            kept[eclass] = plan
+        return plan

@@ -1,0 +1,231 @@
+"""What the rule languages share (Epsilon's ERL): the types that rules are about, pre and post blocks, rules that raise.
+
+A type is given as a type of a model (`m.Book`), as a class, or by name ("Book", "M!Book"), and is bound to the models of a run.
+Whatever a rule raises becomes a `RuleError` that names the rule, the element, the line and the cause. Not here: when which rule
+runs, which is the business of `robosmi.validate`, `robosmi.transform` and `robosmi.generate`.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import Any, TypeVar
+
+from robosmi.diagnostics import Location
+from robosmi.errors import RobosmiError, RuleError, UsageError
+from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
+from robosmi.query.models import ModelView
+from robosmi.query.problems import unknown_type
+from robosmi.query.run import Run, current_run
+from robosmi.query.types import EolType, resolve, type_named
+from robosmi.query.values import as_string
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def as_model(given: Any) -> Model:
+    """A model: the one given, or one around root elements."""
+    return given if isinstance(given, Model) else ModelView(given)
+
+
+def run_over(models: Sequence[Model]) -> AbstractContextManager[Any]:
+    """The query run of a module's run: the open one if it knows the models, else one of its own (types by name, `ext`)."""
+    known = current_run().models
+    return nullcontext() if models and all(m in known for m in models) else Run(*models)
+
+
+def technology(model: Model) -> Model:
+    """The model of a technology below the views of it."""
+    while isinstance(model, ModelView):
+        model = model.model
+    return model
+
+
+def owner_of(element: Any, models: Iterable[Model]) -> Model | None:
+    """The model that holds the element, or None."""
+    return next((m for m in models if m.owns(element)), None)
+
+
+def place_in_model(element: Any, models: Iterable[Model]) -> str | None:
+    """An element as reports name it, `M!Book //@items.0`; None for no element, the text of a value that is no element."""
+    if element is None:
+        return None
+    model = owner_of(element, models)
+    if model is not None:
+        return f"{model.name}!{name_of(model.type_of(element))} {model.id_of(element)}"
+    return f"{name_of(type_of(element))} (not in a resource)" if is_element(element) else as_string(element)
+
+
+class RuleType:
+    """The type that a rule is about, bound to the models of a run.
+
+    Args:
+        given: a type of a model (`m.Book`), a class, an EClass, a name, or a primitive type (`str`, "String").
+        models: the models of the run. A class is looked for in all of them, a name is that of the first model that has it.
+
+    Raises:
+        UnknownTypeError: no model has a type of that name.
+        UsageError: it is no type.
+    """
+
+    def __init__(self, given: Any, models: Sequence[Model]) -> None:
+        self.name = type_name(given)
+        self.primitive: EolType | None = None
+        self.models: Sequence[Model] = models
+        if isinstance(given, TypeHandle):
+            self.kind, self.models = given.kind, [given.model]
+        elif isinstance(given, str) and (found := _named(given, models)) is not None:
+            self.kind, self.models = found
+        else:
+            try:
+                resolved = resolve(given)
+            except TypeError as error:
+                raise UsageError(f"{given!r} is no type", fix="give a type of a model (m.Book), a class or a name") from error
+            if isinstance(resolved, EolType):
+                self.primitive = resolved
+            self.kind = resolved
+        if self.primitive is None:
+            self.cls = class_of(self.kind)
+
+    def instances(self, exact: bool) -> list[Any]:
+        """All elements of the type and its subtypes, or of exactly the type; a primitive type has none to enumerate."""
+        if self.primitive is not None:
+            return []
+        if len(self.models) == 1:
+            model = self.models[0]
+            return list(model.all_of_type(self.kind) if exact else model.all_of_kind(self.kind))
+        return [x for m in self.models for x in (m.all_of_type(self.kind) if exact else m.all_of_kind(self.kind))]
+
+    def has(self, value: Any, exact: bool = False) -> bool:
+        """Whether the value is of the type or a subtype, or of exactly the type."""
+        if self.primitive is not None:
+            return bool(self.primitive.is_type(value) if exact else self.primitive.is_kind(value))
+        return value.__class__ is self.cls if exact else isinstance(value, self.cls)
+
+    def maker(self, default: Model | None) -> Callable[[], Any]:
+        """A function that makes an element of the type, in its model if it was given as that model's, else in the default one."""
+        model = self.models[0] if len(self.models) == 1 else default
+        if model is None:
+            from robosmi.model.emf import new
+
+            return lambda: new(self.kind)
+        kind = self.kind
+        return lambda: model.create(kind)
+
+
+def _named(name: str, models: Sequence[Model]) -> tuple[Any, list[Model]] | None:
+    wanted, _, plain = name.rpartition("!")
+    for model in models:
+        if wanted in ("", model.name) and (kind := model.find_type(plain)) is not None:
+            return kind, [model]
+    try:
+        type_named(name)
+    except RobosmiError:
+        raise unknown_type(name, [n for m in models if wanted in ("", m.name) for n in m.type_names()]) from None
+    return None
+
+
+def type_name(given: Any) -> str:
+    """A type as reports name it: a name as it was written, else its simple name."""
+    if isinstance(given, str):
+        return given
+    try:
+        return given.name if isinstance(given, (TypeHandle, EolType)) else name_of(given)
+    except AttributeError:
+        return repr(given)
+
+
+class Blocks(list[Callable[[], Any]]):
+    """The pre or post blocks of a module in order; also a decorator that adds one."""
+
+    def __call__(self, block: F) -> F:
+        """Add a block; the function stays what it is."""
+        self.append(block)
+        return block
+
+    def run(self, what: str) -> None:
+        """Run all blocks.
+
+        Args:
+            what: "pre" or "post", for messages.
+
+        Raises:
+            RuleError: one of them raises.
+        """
+        for block in self:
+            try:
+                block()
+            except Exception as error:
+                raise failed(error, f"the {what} block", block) from error
+
+
+def failed(
+    error: BaseException, what: str, function: Callable[..., Any], element: Any = None, models: Iterable[Model] = ()
+) -> RuleError:
+    """The error of a rule that raises: which one, for which element, at which line, why.
+
+    Args:
+        error: what it raised; a `RuleError` of a rule that was asked for inside is passed on as it is.
+        what: the rule, "the check of Known".
+        function: the function that is the rule.
+        element: the element it was run for, None for none.
+        models: the models of the run.
+    """
+    if isinstance(error, RuleError):
+        return error
+    cause = error.message if isinstance(error, RobosmiError) else f"{type(error).__name__}: {error}"
+    about = "" if element is None else f" for {_shown(element, models)}"
+    fix = (error.fix if isinstance(error, RobosmiError) else None) or "correct the function at this line, or guard it"
+    return RuleError(f"{what} fails{about}: {cause}", location=_place(error, function), fix=fix)
+
+
+def _shown(element: Any, models: Iterable[Model]) -> str:
+    text = repr(element)
+    try:
+        model = owner_of(element, models)
+        return f"{text} at {model.id_of(element)} of {model.name}" if model is not None else text
+    except Exception:  # a model that is half changed may not know the place
+        return text
+
+
+def place_of(function: Callable[..., Any]) -> Location | None:
+    """Where a function is defined; None for what has no Python source."""
+    code = getattr(inspect.unwrap(function), "__code__", None)
+    return Location(_relative(code.co_filename), code.co_firstlineno) if code is not None else None
+
+
+def _place(error: BaseException, function: Callable[..., Any]) -> Location | None:
+    """The line of the function's file where the error left it."""
+    code = getattr(inspect.unwrap(function), "__code__", None)
+    found, step = place_of(function), error.__traceback__
+    while step is not None:
+        if code is not None and step.tb_frame.f_code.co_filename == code.co_filename:
+            found = Location(_relative(code.co_filename), step.tb_lineno)
+        step = step.tb_next
+    return found
+
+
+def _relative(path: str) -> str:
+    try:
+        return str(Path(path).relative_to(Path.cwd()))
+    except ValueError:
+        return path
+
+
+def arity(function: Callable[..., Any]) -> int:
+    """How many parameters without a default a function takes; 0 where that cannot be known."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return 0
+    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    return sum(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
+
+
+def told(given: Any, element: Any) -> Any:
+    """What is said about an element: a value, or what a function gives, called with the element if it takes one."""
+    if not callable(given):
+        return given
+    return given(element) if arity(given) else given()

@@ -1,0 +1,168 @@
+"""Queries given as text: a Python expression over models' types and this package's functions, and nothing else of Python.
+
+`evaluate` takes expressions only, with lambdas and comprehensions. Names are the types, the models and `NAMES`; there are no
+builtins. No attribute starts with an underscore, and attributes are read from values of queries alone: elements, collections,
+texts, numbers, models (to look, not to change or store). So no function, frame, module, class or file is within reach, by format
+strings neither. It keeps nobody from asking for much time or memory. How a value is shown is `answers`' business.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Mapping, Set
+from datetime import date
+from decimal import Decimal
+from typing import Any
+
+from pyecore.ecore import EObject
+from pyecore.valuecontainer import ECollection
+
+from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean
+from robosmi.model.driver import Model, ModelElement, TypeHandle
+from robosmi.query import anything, collections, extents, maps, models, numbers, operations, operators, properties, strings, types
+from robosmi.query.lazy import Lazy
+from robosmi.query.run import Extended, Run, ext
+from robosmi.query.values import Long, as_string, equal
+
+_ALLOWED: tuple[type[ast.AST], ...] = (
+    ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Attribute, ast.Subscript, ast.Slice, ast.Call, ast.keyword, ast.Starred,
+    ast.BinOp, ast.operator, ast.UnaryOp, ast.unaryop, ast.BoolOp, ast.boolop, ast.Compare, ast.cmpop, ast.IfExp, ast.Lambda,
+    ast.arguments, ast.arg, ast.List, ast.Tuple, ast.Set, ast.Dict, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp,
+    ast.comprehension, ast.Store, ast.JoinedStr, ast.FormattedValue,
+)  # fmt: skip
+_READABLE = (
+    str, int, float, list, tuple, dict, date, Decimal, Mapping, Set, collections.Q, Lazy, EObject, ModelElement, ECollection,
+    Extended, TypeHandle, types.EolType,
+)  # fmt: skip
+_OF_MODELS = frozenset(
+    {"all", "all_contents", "all_of_kind", "all_of_type", "element", "id_of", "literal", "name", "owns", "type_names"}
+)
+_HIDDEN = frozenset(
+    {"dyn_inst", "eResource", "format", "format_map", "listeners", "maketrans", "model", "notify", "python_class"}
+)
+_NAMED = frozenset({"as_string", "equal"})
+
+
+def _functions(module: Any, *without: str) -> dict[str, Any]:
+    found = {name: value for name, value in vars(module).items() if name[0] != "_" and callable(value)}
+    return {n: f for n, f in found.items() if getattr(f, "__module__", "") == module.__name__ and n not in without}
+
+
+NAMES: dict[str, Any] = {
+    "Q": collections.Q, "Bag": collections.Bag, "Set": collections.Set, "OrderedSet": collections.OrderedSet, "Map": maps.Map,
+    "Tuple": maps.Tuple, "Lazy": Lazy, "Long": Long, "None": None, "as_string": as_string, "equal": equal, "ext": ext,
+    "call": operations.call, "call_built_in": operations.call_built_in, "collection": collections.collection,
+    **_functions(extents), **_functions(properties, "describe", "property_names"), **_functions(operators, "wrapped"),
+    **_functions(types, "EolType", "resolve", "matching"), **_functions(numbers), **_functions(strings), **_functions(anything),
+    "all_instances": models.all_instances, "id_of": models.id_of, "literal_named": models.literal_named,
+}  # fmt: skip
+"""What an expression may call besides the types of its models."""
+
+
+def evaluate(expression: str, given: Iterable[Model]) -> Any:
+    """The value of an expression.
+
+    Args:
+        expression: as `Book.all.select(lambda b: b.year > 2000).name`.
+        given: the models, known by their names; their types by simple names, the first model's first. A type comes before a
+            function of the same name.
+
+    Raises:
+        UsageError: it is no expression, uses what is not allowed, or fails.
+        ModelError: it names a type, property or operation that there is not.
+    """
+    views = [model if isinstance(model, models.ModelView) else models.ModelView(model) for model in given]
+    tree = _checked(expression)
+    known = NAMES | {view.name: view for view in views}
+    bound = {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)} | {
+        node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    }
+    for name in sorted(
+        {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - {"Q", *(view.name for view in views)}
+    ):
+        handle = next((found for view in views if (found := _type(view, name)) is not None), None)
+        if handle is not None:
+            known[name] = handle
+        elif name not in known and name not in bound:
+            of_models = [n for view in views for n in view.type_names()]
+            near = did_you_mean(name, [*known, *of_models])
+            raise UsageError(
+                f"the name '{name}' is unknown{near}", fix=f"use a type ({_few(of_models)}) or a function of robosmi.query"
+            )
+    code = compile(_guarded(tree), "<expression>", "eval")
+    try:
+        with Run(*views):
+            return eval(code, {"__builtins__": {}, _GET: _attribute, **known})
+    except RobosmiError:
+        raise
+    except RecursionError as error:
+        raise UsageError("the expression calls itself too often", fix="use closure") from error
+    except Exception as error:  # whatever the expression does wrong
+        raise UsageError(f"the expression fails: {type(error).__name__}: {error}", fix="see docs/reference/eol.md") from error
+
+
+def _few(names: list[str]) -> str:
+    return ", ".join(sorted(set(names))[:20]) or "there is none"
+
+
+def _type(view: models.ModelView, name: str) -> TypeHandle | None:
+    try:
+        return view[name]
+    except ModelError:
+        return None
+
+
+_GET = "an attribute"
+"""The name of the function that reads attributes; no expression can say it."""
+
+
+def _checked(expression: str) -> ast.Expression:
+    try:
+        tree = ast.parse(expression.strip(), mode="eval")
+        for node in ast.walk(tree):
+            _check(node)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        said = error.msg if isinstance(error, SyntaxError) else str(error) or "it is nested too deep"
+        raise UsageError(f"this is no expression: {said}", fix="write one as Book.all.select(lambda b: b.year > 2000)") from error
+    return tree
+
+
+def _check(node: ast.AST) -> None:
+    name = getattr(node, "attr", None) or getattr(node, "id", None) or getattr(node, "arg", None) or ""
+    if not isinstance(node, _ALLOWED):
+        what = type(node).__name__
+        raise UsageError(
+            f"an expression may not use {what}", fix="use names, attributes, calls, operators, lambdas and comprehensions"
+        )
+    if isinstance(name, str) and (name.startswith("__") or (isinstance(node, ast.Attribute) and name.startswith("_"))):
+        raise UsageError(f"an expression may not use '{name}'", fix="names with underscores in front belong to Python itself")
+
+
+class _Guard(ast.NodeTransformer):
+    """Turns `a.b` into a call of `_attribute`."""
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
+        self.generic_visit(node)
+        read = ast.Call(ast.Name(_GET, ast.Load()), [node.value, ast.Constant(node.attr)], [])
+        return ast.copy_location(read, node)
+
+
+def _guarded(tree: ast.Expression) -> ast.Expression:
+    try:
+        guarded: ast.Expression = _Guard().visit(tree)
+        return ast.fix_missing_locations(guarded)
+    except RecursionError as error:
+        raise UsageError("the expression is nested too deep", fix="shorten it") from error
+
+
+def _attribute(target: Any, name: str) -> Any:
+    """What `target.name` means in an expression."""
+    if isinstance(target, Model):
+        if name in _OF_MODELS:
+            return getattr(target, name)
+        return target[name]
+    if target is not None and not isinstance(target, _READABLE):
+        raise UsageError(f"an expression may not look into a {type(target).__name__}", fix="use the functions of robosmi.query")
+    if name in _HIDDEN and not isinstance(target, (collections.Q, Extended)):
+        raise UsageError(f"an expression may not use '{name}'", fix="use the functions of robosmi.query")
+    return getattr(target, name)

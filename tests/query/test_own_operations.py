@@ -1,0 +1,151 @@
+"""Operations of one's own (`@operation`, cached ones too), extended properties, and the two ways to call."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
+from robosmi.query import (
+    ModelView,
+    OperandError,
+    Q,
+    Run,
+    UnknownOperationError,
+    cached,
+    call,
+    call_built_in,
+    ext,
+    get,
+    operation,
+)
+from robosmi.query import operations as registered
+
+FOLDER = Path(__file__).parent / "eol"
+
+
+@pytest.fixture(autouse=True)
+def _own_registrations(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a test registers is forgotten after it."""
+    monkeypatch.setattr(registered, "_REGISTERED", {})
+
+
+@pytest.fixture
+def library() -> Iterator[Any]:
+    """The library model, in a run."""
+    view = ModelView(EmfModel.load(FOLDER / "library.xmi", Metamodel.load(FOLDER / "library.ecore"), "L"))
+    with Run(view):
+        yield view
+
+
+def test_an_operation_is_called_by_name_on_every_element_of_its_type(library: Any) -> None:
+    @operation(library.type_named("Item"))
+    def age(self: Any, now: int = 2020) -> int:
+        return now - int(self.year)
+
+    first = library.all("Book").first()
+    assert call(first, "age") == 4
+    assert call(first, "age", 2026) == age(first, 2026) == 10
+    assert call(library.all("Book"), "collect", lambda b: call(b, "age")) == [4, 4, 21, 19, 170]
+    with pytest.raises(UnknownOperationError, match="age"):
+        call(library.all("Author").first(), "age")
+    with pytest.raises(UnknownOperationError):
+        age(library.all("Author").first())
+
+
+def test_the_most_specific_context_type_counts_whatever_the_order(library: Any) -> None:
+    for kind in ("Comic", "Item", "Book"):
+        operation(library.type_named(kind), name="label")(lambda self, kind=kind: kind)
+    assert library.all("Item").collect(lambda i: call(i, "label")) == ["Book", "Item", "Book", "Book", "Comic", "Book"]
+
+
+def test_a_second_registration_for_a_type_replaces_the_first(library: Any) -> None:
+    for answer in (1, 2):
+        operation(library.type_named("Book"), name="answer")(lambda self, answer=answer: answer)
+    assert call(library.all("Book").first(), "answer") == 2
+
+
+def test_an_own_operation_hides_a_built_in_one_but_for_the_arrow(library: Any) -> None:
+    operation("String", name="length")(lambda self: -1)
+    assert call("robot", "length") == -1
+    assert call_built_in("robot", "length") == 5
+    assert call([1], "size") == 1
+
+
+def test_an_operation_on_any_is_the_last_resort(library: Any) -> None:
+    operation("Any", name="what")(lambda self: "any")
+    operation(int, name="what")(lambda self: "Integer")
+    assert [call(x, "what") for x in (1, "a", None, library.all("Book").first())] == ["Integer", "any", "any", "any"]
+
+
+def test_an_operation_without_arguments_can_be_read_as_a_property(library: Any) -> None:
+    operation(library.type_named("Book"), name="shortName")(lambda self: self.name[:2])
+    assert get(library.all("Book"), "shortName") == ["Pr", "Bo", "An", "Za", "Mi"]
+
+
+def test_a_cached_operation_runs_once_for_each_element_and_arguments_in_a_run(library: Any) -> None:
+    seen: list[tuple[str, int]] = []
+
+    @operation(library.type_named("Book"))
+    @cached
+    def scored(self: Any, factor: int = 1) -> int:
+        seen.append((self.name, factor))
+        return len(self.name) * factor
+
+    first, second = library.all("Book")[:2]
+    assert [call(first, "scored"), call(first, "scored"), call(first, "scored", 2), call(second, "scored")] == [10, 10, 20, 6]
+    assert seen == [("Propellers", 1), ("Propellers", 2), ("Boards", 1)]
+    with Run(library):
+        assert call(first, "scored") == 10
+    assert len(seen) == 4, "another run remembers nothing of this one"
+    call(first, "scored")
+    assert len(seen) == 4
+
+
+def test_a_cached_result_of_none_is_kept_too(library: Any) -> None:
+    seen = []
+
+    @operation(library.type_named("Book"))
+    @cached
+    def nothing(self: Any) -> None:
+        seen.append(self)
+
+    first = library.all("Book").first()
+    assert call(first, "nothing") is call(first, "nothing") is None
+    assert len(seen) == 1
+
+
+def test_a_wrong_number_of_arguments_is_said(library: Any) -> None:
+    with pytest.raises(OperandError, match="pad"):
+        call("a", "pad", 3)
+    with pytest.raises(UnknownOperationError, match="substring"):
+        call("a", "subsrting", 1)
+
+
+def test_extended_properties_last_for_the_run_and_never_reach_the_file(library: Any, tmp_path: Path) -> None:
+    before = tmp_path / "before.xmi"
+    library.save(before)
+    first = library.all("Book").first()
+    assert ext(first).mark is None
+    ext(first).mark = 3
+    ext(first).seen = Q([1])
+    assert get(first, "~mark") == 3
+    assert library.all("Book").collect(lambda b: get(b, "~mark")) == [3, None, None, None, None]
+    library.save(tmp_path / "after.xmi")
+    assert (tmp_path / "after.xmi").read_bytes() == before.read_bytes()
+    with Run(library):
+        assert ext(first).mark is None
+    assert ext(first).mark == 3
+    assert not first.eClass.findEStructuralFeature("mark")
+
+
+def test_extended_properties_of_equal_elements_are_apart(library: Any) -> None:
+    one, other = library.all("Author")[:2]
+    ext(one).mark = 1
+    assert ext(other).mark is None
+    ext("text").mark = 2
+    assert ext("text").mark == 2
