@@ -1,5 +1,34 @@
-"""Model to text: the template environment, generated files with their traces, and the manifest that guards a person's edits.
+"""Model to text: the mirror of EGL and EGX on Jinja2, with protected regions, three-way merge and files written all or none.
 
-A first part of the EGL/EGX mirror (its own issue completes it). Templates hold no logic; what they show is prepared by
-the model-to-text transformations. Nothing here knows what is generated.
+`Gen` holds rules and runs them; `region_id` derives ids of regions from the model; `formatters` indent. The application's own
+templates go through `environment` and `manifest` as well. Nothing here knows what is generated.
+docs/reference/egl.md sets EGL and EGX beside it, construct by construct.
 """
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robosmi.generate.gen import Gen
+    from robosmi.generate.identity import region_id
+    from robosmi.generate.result import FileChange, Generation, TextLink, TextTrace
+
+_PLACES = {
+    "Gen": "gen",
+    "region_id": "identity",
+    "FileChange": "result",
+    "Generation": "result",
+    "TextLink": "result",
+    "TextTrace": "result",
+}
+
+__all__ = ["FileChange", "Gen", "Generation", "TextLink", "TextTrace", "region_id"]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _PLACES:
+        from importlib import import_module
+
+        return getattr(import_module(f"robosmi.generate.{_PLACES[name]}"), name)
+    raise AttributeError(f"module 'robosmi.generate' has no attribute '{name}'")

@@ -1,11 +1,16 @@
-"""Model to model: the record of what was made from what.
+"""Model to model: ETL and Flock of Epsilon in Python, and the trace of what was made from what.
 
-A first part of the ETL mirror (its own issue completes it): the trace that rules write. Rules themselves are functions
-in `robosmi.transformations.m2m`. Nothing here knows a metamodel but `trace`.
+`ETL` is a module of transformation rules, `Flock` a migration from one version of a metamodel to the next, `Trace` a trace that
+can be looked up both ways and stored as a model. Rules themselves are content. docs/reference/etl.md and flock.md set the
+languages beside it.
 """
 
 from __future__ import annotations
 
-from robosmi.transform.trace import TraceRecorder
+from robosmi.transform.etl import ETL
+from robosmi.transform.flock import Flock
+from robosmi.transform.migration import ModelMigration
+from robosmi.transform.rule import Rule
+from robosmi.transform.trace import Link, Trace
 
-__all__ = ["TraceRecorder"]
+__all__ = ["ETL", "Flock", "Link", "ModelMigration", "Rule", "Trace"]

@@ -1,49 +1,145 @@
-"""`TraceRecorder` collects trace links while rules run, and turns them into a trace model at the end.
+"""`Trace`: what a transformation made from what, looked up both ways at once, in memory or as a model of metamodels/trace.ecore.
 
-Links can be looked up both ways at once, so a rule can ask for the equivalent of a source that another rule made.
+Looking up costs the same however long the trace is. Links of generated text are the generator's. Nothing here runs a rule.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
-from robosmi.metamodels import trace
+from robosmi.model.driver import is_element
+from robosmi.query.values import key
+
+if TYPE_CHECKING:
+    from robosmi.metamodels import trace
+
+_BY_VALUE = (int, float, bool)
 
 
-class TraceRecorder:
-    """Trace links of one run, indexed both ways."""
+class Link:
+    """One application of a rule.
+
+    Attributes:
+        rule: name of the rule.
+        sources: what it read; in ETL one element or value.
+        targets: what it made, in the order of the rule's targets.
+        step: step of a method, or "".
+    """
+
+    __slots__ = ("rule", "sources", "step", "targets")
+
+    def __init__(self, rule: str, sources: tuple[Any, ...], targets: list[Any], step: str = "") -> None:
+        self.rule = rule
+        self.sources = sources
+        self.targets = targets
+        self.step = step
+
+    @property
+    def source(self) -> Any:
+        """The first source, in ETL the only one; None if there is none."""
+        return self.sources[0] if self.sources else None
+
+    def __repr__(self) -> str:
+        return f"<{self.rule}: {', '.join(map(repr, self.sources))} -> {', '.join(map(repr, self.targets))}>"
+
+
+class Trace:
+    """The links of one run.
+
+    Attributes:
+        links: all links in the order in which they were made.
+    """
 
     def __init__(self) -> None:
-        self._links: list[tuple[str, str, list[Any], list[Any]]] = []
-        self._targets: dict[int, list[Any]] = {}
-        self._sources: dict[int, list[Any]] = {}
+        self.links: list[Link] = []
+        self._by_source: dict[Any, list[Link]] = {}
+        self._by_target: dict[int, list[Link]] = {}
+        self._indexed = 0
+
+    def add(self, rule: str, source: Any, targets: list[Any]) -> Link:
+        """Record that a rule made the targets from the one source."""
+        made = Link(rule, (source,), targets)
+        self.links.append(made)
+        if source.__class__ in _BY_VALUE:
+            source = key(source)
+        row = self._by_source.get(source)
+        if row is None:
+            self._by_source[source] = [made]
+        else:
+            row.append(made)
+        return made
 
     def link(self, rule: str, step: str, sources: Iterable[Any], targets: Iterable[Any]) -> None:
-        """Record that a rule made the targets from the sources.
+        """Record that a rule made the targets from several sources.
 
         Args:
             rule: its name.
-            step: the step of the method (code, hardware, libraries, generation).
+            step: the step of the method.
             sources: what was read; sources that are None are left out.
             targets: what was made.
         """
-        found = [s for s in sources if s is not None]
-        made = list(targets)
-        self._links.append((rule, step, found, made))
-        for source in found:
-            self._targets.setdefault(id(source), []).extend(made)
-        for target in made:
-            self._sources.setdefault(id(target), []).extend(found)
+        made = Link(rule, tuple(s for s in sources if s is not None), list(targets), step)
+        self.links.append(made)
+        for source in made.sources:
+            self._by_source.setdefault(key(source) if source.__class__ in _BY_VALUE else source, []).append(made)
+
+    def links_from(self, source: Any) -> list[Link]:
+        """The links of a source, in order; do not change the list."""
+        return self._by_source.get(key(source) if source.__class__ in _BY_VALUE else source, [])
+
+    def links_to(self, target: Any) -> list[Link]:
+        """The links that made a target, in order; do not change the list."""
+        for link in self.links[self._indexed :]:
+            for made in link.targets:
+                self._by_target.setdefault(id(made), []).append(link)
+        self._indexed = len(self.links)
+        return self._by_target.get(id(target), [])
 
     def equivalents(self, source: Any) -> list[Any]:
         """Everything that was made from a source, in the order it was made."""
-        return list(self._targets.get(id(source), ()))
+        return [target for link in self.links_from(source) for target in link.targets]
 
     def origins(self, target: Any) -> list[Any]:
         """Everything that a target was made from."""
-        return list(self._sources.get(id(target), ()))
+        return [source for link in self.links_to(target) for source in link.sources]
+
+    def __len__(self) -> int:
+        return len(self.links)
+
+    def __iter__(self) -> Iterator[Link]:
+        """The links grouped by source, sources in the order of first mention (ETL's `transTrace.transformations`)."""
+        seen: set[int] = set()
+        for row in self._by_source.values():
+            for link in row:
+                if len(link.sources) == 1:
+                    yield link
+                elif id(link) not in seen:
+                    seen.add(id(link))
+                    yield link
 
     def to_model(self) -> trace.Trace:
-        """The links as a trace model; texts are added by the generator."""
-        return trace.Trace(links=[trace.TraceLink(rule=r, step=s, sources=a, targets=b) for r, s, a, b in self._links])
+        """The links as a trace model, in the order they were made.
+
+        Sources and targets that are no EMF elements (texts, elements of other technologies) have no place in a model and are
+        left out of it.
+        """
+        from robosmi.metamodels import trace
+
+        links = [
+            trace.TraceLink(rule=x.rule, step=x.step, sources=_elements(x.sources), targets=_elements(x.targets))
+            for x in self.links
+        ]
+        return trace.Trace(links=links)
+
+    @classmethod
+    def of_model(cls, model: trace.Trace) -> Trace:
+        """A trace model, read from a file perhaps, to be looked up both ways."""
+        made = cls()
+        for link in model.links:
+            made.link(link.rule, link.step, link.sources, link.targets)
+        return made
+
+
+def _elements(values: Iterable[Any]) -> list[Any]:
+    return [v for v in values if is_element(v) and hasattr(v, "eClass")]

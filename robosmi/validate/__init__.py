@@ -1,11 +1,14 @@
-"""Constraints on models and the findings they give.
+"""Constraints on models in the style of the Epsilon Validation Language (EVL), in Python.
 
-A first part of the EVL mirror (its own issue completes it): a constraint has a context class, a guard, a check, a
-message and advice; `check` runs a list of them over a model. Constraints themselves are content.
+`EVL` is a module of constraints: contexts by kind, guards, constraints and critiques, messages, fixes, `satisfies`, pre and
+post. A run gives a `Validation`, with reports as text, JSON and findings. Constraints themselves are content.
+docs/reference/evl.md sets EVL beside it.
 """
 
 from __future__ import annotations
 
-from robosmi.validate.constraint import Constraint, check
+from robosmi.validate.constraint import Constraint, Context, Fail, Fix
+from robosmi.validate.evl import EVL
+from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
 
-__all__ = ["Constraint", "check"]
+__all__ = ["EVL", "Applied", "Constraint", "Context", "Fail", "Fix", "OfferedFix", "Unsatisfied", "Validation"]

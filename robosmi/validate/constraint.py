@@ -1,62 +1,159 @@
-"""`Constraint` and the loop that evaluates constraints over a model."""
+"""What is declared: contexts with their constraints and critiques, what a failed check says, fixes.
+
+A constraint is a function whose name is the constraint's. Declarations know no model; `evaluation` runs them over some.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar, overload
 
-from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.query import all_contents
+from robosmi.diagnostics import Location, Severity
+from robosmi.query.erl import type_name
 
-
-def _always(_: Any) -> bool:
-    return True
-
-
-def _nowhere(_: Any) -> Location | None:
-    return None
+F = TypeVar("F", bound=Callable[..., Any])
+GLOBAL = "<Global>"
+"""The name of the context of constraints without one, as EVL has it."""
 
 
 @dataclass(frozen=True)
-class Constraint:
-    """Something that must hold for every element of a kind (EVL: error = constraint, warning and info = critique).
+class Fix:
+    """A way to repair what a constraint found.
 
     Attributes:
-        id: stable rule id.
-        context: class of the elements it is about, by kind.
-        check: whether the element is as it should be.
-        message: what is wrong with an element.
-        severity: how bad that is.
-        guard: for which elements it is evaluated at all.
-        fix: what to do, or None.
-        location: where the element is, or None.
+        title: what it would do, a text or a function.
+        do: does it; a function of the element, or of nothing.
+        guard: whether it is offered, a value or a function.
     """
 
-    id: str
-    context: type
-    check: Callable[[Any], bool]
-    message: Callable[[Any], str]
-    severity: Severity = Severity.error
-    guard: Callable[[Any], bool] = _always
-    fix: str | None = None
-    location: Callable[[Any], Location | None] = _nowhere
+    title: str | Callable[..., str]
+    do: Callable[..., Any]
+    guard: Any = True
 
 
-def check(root: Any, constraints: Iterable[Constraint]) -> list[Finding]:
-    """Evaluate constraints over a model.
+class Fail:
+    """What a check gives that failed: it is false, and says why.
 
     Args:
-        root: its root element.
-        constraints: in the order in which each element is checked.
+        message: what is wrong; the constraint's own message if None.
+        fixes: ways to repair it.
+        extras: values that are kept with the finding.
 
-    Returns:
-        A finding for each element that violates a constraint, in containment pre-order.
+    >>> bool(Fail("too short"))
+    False
     """
-    listed = list(constraints)
-    return [
-        Finding(c.id, c.severity, c.message(element), c.location(element), fix=c.fix)
-        for element in all_contents(root)
-        for c in listed
-        if isinstance(element, c.context) and c.guard(element) and not c.check(element)
-    ]
+
+    __slots__ = ("extras", "fixes", "message")
+
+    def __init__(self, message: str | None = None, *fixes: Fix, **extras: Any) -> None:
+        self.message = message
+        self.fixes = fixes
+        self.extras = extras
+
+    def __bool__(self) -> bool:
+        return False
+
+
+@dataclass(frozen=True, eq=False)
+class Constraint:
+    """Something that must hold (a constraint), or should (a critique), for every element of a context.
+
+    Attributes:
+        name: its name, by which others ask for it.
+        check: whether an element is as it should be: true, or something false, best a `Fail`.
+        context: what it is about.
+        critique: whether it is a critique.
+        info: whether a critique is only worth knowing.
+        guard: for which elements it is evaluated, or None for all.
+        lazy: whether it is evaluated only where `satisfies` asks.
+        message: what is wrong with an element, a text or a function; where `Fail` says nothing.
+        fixes: ways to repair it.
+        severity: how bad it is.
+        id: stable id of the rule in findings; the name if None was given.
+        advice: what to do, in words.
+        location: where an element is, or None.
+        terminate: whether it is not evaluated any more once it has failed.
+    """
+
+    name: str
+    check: Callable[..., Any]
+    context: Context
+    critique: bool = False
+    info: bool = False
+    guard: Callable[..., Any] | None = None
+    lazy: bool = False
+    message: str | Callable[..., str] | None = None
+    fixes: Sequence[Fix] = ()
+    severity: Severity = Severity.error
+    id: str = ""
+    advice: str | None = None
+    location: Callable[[Any], Location | None] | None = None
+    terminate: bool = False
+
+    @property
+    def kind(self) -> str:
+        """`error` for constraints, `critique` for critiques."""
+        return "critique" if self.critique else "error"
+
+    def __repr__(self) -> str:
+        return f"<{'critique' if self.critique else 'constraint'} {self.name} of {self.context.name}>"
+
+
+class Context:
+    """Constraints on the elements of a type and its subtypes, or (kind None) on the models as a whole.
+
+    Args:
+        kind: a type of a model (`m.Book`), a class, or a name.
+        guard: for which elements its constraints are evaluated, or None for all.
+        lazy: whether its constraints are evaluated only where `satisfies` asks.
+        name: how reports name it; the type's name if None.
+    """
+
+    def __init__(self, kind: Any, guard: Callable[[Any], Any] | None = None, lazy: bool = False, name: str | None = None) -> None:
+        self.kind = kind
+        self.guard = guard
+        self.name = name or (GLOBAL if kind is None else type_name(kind))
+        self.constraints: list[Constraint] = []
+        self._lazy = lazy
+
+    @property
+    def lazy(self) -> bool:
+        """Whether none of its constraints is evaluated unless asked for."""
+        return self._lazy or (bool(self.constraints) and all(c.lazy for c in self.constraints))
+
+    def __repr__(self) -> str:
+        return f"<context {self.name}: {', '.join(c.name for c in self.constraints)}>"
+
+    @overload
+    def constraint(self, check: F, /) -> F: ...
+    @overload
+    def constraint(self, /, **options: Any) -> Callable[[F], F]: ...
+    def constraint(self, check: Any = None, /, **options: Any) -> Any:
+        """Add a constraint: `@context.constraint`, or `@context.constraint(guard=..., lazy=True)`.
+
+        Args:
+            check: the function; it is given the element (without a context nothing), and stays what it is.
+            options: name, guard, lazy, message, fixes, severity, id, advice, location, terminate: see `Constraint`.
+        """
+        return self._add(check, options, critique=False)
+
+    @overload
+    def critique(self, check: F, /) -> F: ...
+    @overload
+    def critique(self, /, **options: Any) -> Callable[[F], F]: ...
+    def critique(self, check: Any = None, /, **options: Any) -> Any:
+        """Add a critique: as `constraint`, but a warning; with `info=True` only worth knowing."""
+        return self._add(check, options, critique=True)
+
+    def _add(self, check: Any, options: dict[str, Any], critique: bool) -> Any:
+        def add(function: F) -> F:
+            given = dict(options)
+            name = given.pop("name", None) or function.__name__
+            mild = Severity.info if given.get("info") else Severity.warning
+            given.setdefault("severity", mild if critique else Severity.error)
+            given.setdefault("id", name)
+            self.constraints.append(Constraint(name, function, self, critique, **given))
+            return function
+
+        return add if check is None else add(check)

@@ -1,0 +1,15 @@
+"""Chains: workflows of load, validate, transform, migrate and generate, with what each step reads and makes said explicitly.
+
+`Chain` is written in Python, `read_chain` reads one from a TOML file; a run does only the steps whose inputs have changed. The
+languages of the steps are in the rooms below (`validate`, `transform`, `generate`); here is only what holds them together.
+docs/reference/chains.md has the format.
+"""
+
+from __future__ import annotations
+
+from robosmi.chain.chain import Chain
+from robosmi.chain.reading import read_chain
+from robosmi.chain.run import ChainResult
+from robosmi.chain.steps import Step, StepResult
+
+__all__ = ["Chain", "ChainResult", "Step", "StepResult", "read_chain"]

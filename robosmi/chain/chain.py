@@ -1,0 +1,209 @@
+"""`Chain`: steps that read and make models and files, done in the order of their dependencies and only where something changed.
+
+    c = Chain(folder)
+    c.load("library", "library.xmi", metamodel="library.ecore")
+    c.validate(constraints, models=["library"])
+    c.transform(to_site, models=["library"], makes="site", metamodel="site.ecore", file="site.xmi")
+    c.generate(pages, models=["site"], folder="out", templates="templates")
+    c.run()
+
+How a step is done is `steps`' business, when and in which order `run`'s, what depends on what `graph`'s.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import networkx as nx
+
+from robosmi.chain.graph import graph_of, in_order, missing
+from robosmi.chain.run import ChainResult, Run
+from robosmi.chain.steps import Step, relative
+from robosmi.diagnostics import Location, Severity
+from robosmi.errors import SourceError
+
+Names = str | Sequence[str]
+Paths = str | Path | Sequence[str | Path]
+
+
+class Chain:
+    """A workflow.
+
+    Args:
+        folder: what paths are relative to, and beside what the state is kept (`.robosmi/chains`).
+        name: the chain's name; two chains in one folder have different ones.
+        place: where it is declared, for errors.
+    """
+
+    def __init__(self, folder: str | Path = ".", name: str = "chain", place: Location | None = None) -> None:
+        self.folder = Path(folder).resolve()
+        self.name = name
+        self.place = place
+        self.steps: list[Step] = []
+
+    # Declaration
+
+    def load(
+        self, name: str, file: str | Path, *, metamodel: Paths = (), driver: str | None = None, reads: Paths = (), step: str = ""
+    ) -> None:
+        """Read a model of any technology.
+
+        Args:
+            name: the model's name.
+            file: the file.
+            metamodel: .ecore files, of XMI.
+            driver: the driver's name; found by the file's ending if None.
+            reads: files that the model refers to.
+            step: the step's name; `load NAME` if not given.
+        """
+        self._add(
+            step or f"load {name}", "load", None, (), makes=name, file=file, metamodel=metamodel, driver=driver, reads=reads
+        )
+
+    def validate(
+        self, function: Callable[..., Any], *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = ""
+    ) -> None:
+        """Check constraints; later steps that use one of the models are done only if they hold.
+
+        Args:
+            function: `constraints(v, library)`: adds contexts and constraints to `v`, an `EVL` over the models.
+            models: names of the models.
+            stop_at: the severity of findings that stop these steps: `error`, `warning`, `info`, or `never`.
+            reads: further files it reads.
+            step: the step's name; the function's if not given.
+        """
+        levels = {"error": Severity.warning, "warning": Severity.info, "never": Severity.error}
+        greatest = levels.get(stop_at)
+        if greatest is None:
+            raise SourceError(f"stop_at = '{stop_at}' is no level", location=self.place, fix="use error, warning or never")
+        self._add(step, "validate", function, models, reads=reads, greatest=greatest)
+
+    def transform(
+        self,
+        function: Callable[..., Any],
+        *,
+        models: Names,
+        makes: str,
+        metamodel: Paths,
+        file: str | Path | None = None,
+        reads: Paths = (),
+        step: str = "",
+    ) -> None:
+        """Make a model of others by rules.
+
+        Args:
+            function: `to_site(t, library, site)`: adds rules to `t`, an `ETL` over the models and the new one.
+            models: names of the models it reads.
+            makes: name of the model it makes.
+            metamodel: its .ecore files.
+            file: where it is saved; without one it stays in memory, and is made anew whenever a later step needs it.
+            reads: further files it reads.
+            step: the step's name; the function's if not given.
+        """  # fmt: skip
+        self._add(step, "transform", function, models, makes=makes, metamodel=metamodel, file=file, reads=reads)
+
+    def migrate(
+        self,
+        function: Callable[..., Any],
+        *,
+        models: Names,
+        makes: str,
+        metamodel: Paths,
+        file: str | Path | None = None,
+        reads: Paths = (),
+        step: str = "",
+    ) -> None:
+        """Make a model of another version of its metamodel.
+
+        Args:
+            function: `to_v2(f, old, new)`: adds rules to `f`, a `Flock` from the old model to the new one.
+            models: name of the old model.
+            makes: name of the new one.
+            metamodel, file, reads, step: as for `transform`.
+        """  # fmt: skip
+        self._add(step, "migrate", function, models, makes=makes, metamodel=metamodel, file=file, reads=reads)
+
+    def generate(
+        self,
+        function: Callable[..., Any],
+        *,
+        models: Names,
+        folder: str | Path,
+        templates: str | Path | None = None,
+        reads: Paths = (),
+        step: str = "",
+    ) -> None:
+        """Make files.
+
+        Args:
+            function: `pages(g, site)`: adds rules to `g`, a `Gen` for the folder.
+            models: names of the models it reads.
+            folder: the output folder.
+            templates: the folder of templates; the built-in ones if None.
+            reads: further files it reads.
+            step: the step's name; the function's if not given.
+        """  # fmt: skip
+        self._add(step, "generate", function, models, folder=folder, templates=templates, reads=reads)
+
+    def _add(self, name: str, kind: str, function: Callable[..., Any] | None, models: Names, **options: Any) -> None:
+        for key in ("file", "folder", "templates"):
+            if options.get(key) is not None:
+                options[key] = self.folder / options[key]
+        for key in ("metamodel", "reads"):
+            given = options.get(key, ())
+            options[key] = tuple(self.folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
+        code = inspect.getsourcefile(function) if function is not None else None
+        listed = (models,) if isinstance(models, str) else tuple(models)
+        title = name or getattr(function, "__name__", kind)
+        if not re.fullmatch(r"\w[\w .-]*", title):
+            raise SourceError(
+                f"'{title}' cannot be a step's name", location=self.place, fix="use letters, digits, blanks, points and dashes"
+            )
+        code_files = (Path(code).resolve(),) if code and Path(code).is_file() else ()
+        self.steps.append(Step(title, kind, function, listed, code=code_files, **options))
+
+    # Running
+
+    def graph(self) -> nx.DiGraph[str]:
+        """What depends on what: nodes `step NAME`, `model NAME`, `file PATH`.
+
+        Raises:
+            SourceError: two steps make the same, or a model is used that no step makes.
+        """
+        return graph_of(self.steps, self.folder, self.place)
+
+    def check(self) -> list[Step]:
+        """The steps in the order in which they are done, once it is sure that they can be.
+
+        Raises:
+            SourceError: the chain has a circle, a model that no step makes, or a file that is not there.
+        """
+        graph = self.graph()
+        ordered = in_order(self.steps, graph, self.place)
+        for step, path in missing(ordered, graph, self.folder):
+            raise SourceError(
+                f"the step '{step.name}' reads '{relative(path, self.folder)}', which does not exist and no step makes",
+                location=self.place or Location(str(path)),
+                fix="correct the path, relative to the chain's folder; nothing was done",
+            )
+        return ordered
+
+    def run(self, *, dry_run: bool = False, keep: bool = True, force: bool = False) -> ChainResult:
+        """Do the steps whose inputs have changed since they were done last, or whose outputs are gone.
+
+        Args:
+            dry_run: write nothing; the result says what would be written.
+            keep: keep what persons changed in generated files outside of regions too.
+            force: do every step.
+
+        Raises:
+            SourceError: the chain is wrong, or a file cannot be read or written.
+            RuleError: a rule or template is wrong, or raises.
+            StoppedError: what a person changed would be lost.
+        """
+        ordered = self.check()
+        return Run(ordered, self.folder, self.name, dry_run=dry_run, keep=keep, force=force).run()

@@ -1,0 +1,89 @@
+"""What a chain remembers between runs: for each step the digest of what it read, the digests of what it made, and what it said.
+
+The state lies in `.robosmi/chains` beside the chain. It can be removed at any time; then every step is done again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError
+from robosmi.model.files import digest, write_atomic
+
+SCHEMA = "robosmi-chain/1"
+
+
+@dataclass
+class StepState:
+    """A step's last run: digest of its inputs, outputs with their digests, findings."""
+
+    inputs: str
+    outputs: dict[str, str] = field(default_factory=dict)
+    findings: list[dict[str, Any]] = field(default_factory=list)
+    failed: bool = False
+
+
+class State:
+    """The memory of a chain.
+
+    Args:
+        path: its file; nothing is remembered where there is none.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.steps: dict[str, StepState] = {}
+        if path.is_file():
+            try:
+                data = json.loads(path.read_text(encoding="utf-8"))
+                if data["schema"] == SCHEMA:
+                    self.steps = {str(name): StepState(**entry) for name, entry in data["steps"].items()}
+            except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+                raise SourceError(
+                    f"the record of the last run cannot be read: {error}",
+                    location=Location(str(path)),
+                    fix="remove it; then every step is done again",
+                ) from error
+
+    def save(self) -> None:
+        """Write it, whole or not at all; nothing where nothing changed."""
+        steps = {name: vars(entry) for name, entry in self.steps.items()}
+        data = (json.dumps({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
+        if not self.path.is_file() or self.path.read_bytes() != data:
+            write_atomic(self.path, data)
+
+
+def digest_of(path: Path) -> str:
+    """The digest of a file, or of all files of a folder with their names; "" where there is nothing."""
+    if path.is_file():
+        return digest(path.read_bytes())
+    if not path.is_dir():
+        return ""
+    found = hashlib.sha256()
+    for folder, folders, files in sorted(os.walk(path)):
+        folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
+        for name in sorted(files):
+            file = Path(folder, name)
+            found.update(f"{file.relative_to(path).as_posix()}\0".encode())
+            found.update(digest(file.read_bytes()).encode())
+    return found.hexdigest()
+
+
+def digest_of_all(parts: Iterable[tuple[str, str]]) -> str:
+    """One digest of named digests."""
+    return digest("\n".join(f"{name}\0{value}" for name, value in parts).encode())
+
+
+def finding_from(data: dict[str, Any]) -> Finding:
+    """A finding as it was remembered."""
+    place = Location(**data["location"]) if data["location"] else None
+    return Finding(
+        data["rule"], Severity[data["severity"]], data["message"], place, data["element"], data["fix"], data["evidence"]
+    )

@@ -1,0 +1,222 @@
+"""Files of a folder written together or not at all, also when the process is killed in the middle.
+
+All new contents are put beside their places first, then a journal says what goes where, then they are moved; what was begun is
+finished (or thrown away, if there was no journal yet) by `recover`, which every run calls first. So each file is the old or
+the new one, whole, at any time, and after the next run all are of one kind. A folder that is new appears in one step.
+This holds when a process is killed; nothing is promised for a machine that loses power.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import shutil
+import stat
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, StoppedError
+
+STAGE = ".robosmi-commit"
+"""Folder with what is about to be moved into place; in the output folder, or beside one that is new (with its name behind)."""
+_JOURNAL = "journal.json"
+_FIX = "give another output folder, or check its permissions and the space on the disk"
+
+
+def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:
+    """Write and remove files of a folder, all or none.
+
+    Args:
+        folder: the folder; made when missing. Files in it that are not named stay as they are.
+        contents: relative path -> bytes. The paths were checked (see `places`).
+        removed: relative paths of files that go.
+
+    Raises:
+        SourceError: the folder cannot be written, or something is in the way.
+        StoppedError: another run is writing there.
+    """
+    if not contents and not removed:
+        return
+    if folder.exists() and not folder.is_dir():
+        raise SourceError("the output path is a file", location=Location(str(folder)), fix="give another output folder")
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        if folder.exists():
+            with _locked(folder):
+                _finish(folder)
+                _write(folder, contents, removed)
+        else:
+            _appear(folder, contents)
+    except OSError as error:
+        named = str(error.filename or folder)
+        place = Location(str(folder) if STAGE in named else named)
+        raise SourceError(f"cannot write here: {error.strerror or error}", location=place, fix=_FIX) from error
+
+
+def recover(folder: Path) -> None:
+    """Finish what a killed run had begun to write, or throw it away where it had not begun.
+
+    Raises:
+        StoppedError: that run is still at work.
+        SourceError: the folder cannot be written.
+    """
+    beside = _beside(folder)
+    try:
+        if beside.is_dir():
+            shutil.rmtree(beside)
+        if (folder / STAGE).is_dir():
+            with _locked(folder):
+                _finish(folder)
+    except OSError as error:
+        place = Location(str(error.filename or folder))
+        raise SourceError(f"cannot write here: {error.strerror or error}", location=place, fix=_FIX) from error
+
+
+def interrupted(folder: Path) -> bool:
+    """Whether a killed run has left something to finish."""
+    return (folder / STAGE / _JOURNAL).is_file()
+
+
+def _beside(folder: Path) -> Path:
+    return folder.parent / f"{STAGE}-{folder.name}"
+
+
+def _appear(folder: Path, contents: Mapping[str, bytes]) -> None:
+    """A new folder: made beside its place, moved there in one step."""
+    beside = _beside(folder)
+    if beside.is_dir():
+        shutil.rmtree(beside)
+    try:
+        _no_file_is_a_folder(folder, contents)
+        _put(beside, contents)
+        os.rename(beside, folder)
+    except (OSError, SourceError):
+        shutil.rmtree(beside, ignore_errors=True)
+        raise
+
+
+def _put(folder: Path, contents: Mapping[str, bytes]) -> None:
+    made: set[str] = set()
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, data in contents.items():
+        target = f"{folder}/{name}"
+        parent = target.rpartition("/")[0]
+        if parent not in made:
+            made.add(parent)
+            os.makedirs(parent, exist_ok=True)
+        with open(target, "wb") as file:
+            file.write(data)
+
+
+def _check(folder: Path, contents: Mapping[str, bytes]) -> None:
+    """Make sure that every file can be moved to its place: once the journal is there, it must be.
+
+    Raises:
+        SourceError: something is in the way.
+        OSError: a folder cannot be written.
+    """
+    for parent in sorted(_no_file_is_a_folder(folder, contents)):
+        if os.path.isdir(parent):
+            if not os.access(parent, os.W_OK):
+                raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), parent)
+        elif os.path.lexists(parent):
+            raise _in_the_way(parent, "a file stands where a folder is to be made")
+    for name in contents:
+        target = f"{folder}/{name}"
+        try:
+            is_folder = stat.S_ISDIR(os.lstat(target).st_mode)
+        except FileNotFoundError:
+            is_folder = False
+        if is_folder:
+            raise _in_the_way(target, "a folder stands where a file is to be written")
+
+
+def _in_the_way(path: str, message: str) -> SourceError:
+    return SourceError(message, location=Location(path), fix="move it away, or give another output folder")
+
+
+def _no_file_is_a_folder(folder: Path, contents: Mapping[str, bytes]) -> set[str]:
+    """The folders of the files; none of them may be a file itself."""
+    parents = {f"{folder}/{name}".rpartition("/")[0] for name in contents}
+    pending = set(parents)
+    while pending:  # their own folders too
+        pending = {parent.rpartition("/")[0] for parent in pending if len(parent) > len(str(folder))} - parents
+        parents |= pending
+    for name in contents:
+        if f"{folder}/{name}" in parents:
+            raise _in_the_way(f"{folder}/{name}", "a file and a folder of one name are made")
+    return parents
+
+
+def _write(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]) -> None:
+    stage = folder / STAGE
+    names = {name: f"new/{number}" for number, name in enumerate(contents)}
+    try:
+        _check(folder, contents)
+        _put(stage, {names[name]: data for name, data in contents.items()})
+        for name, place in names.items():
+            if os.path.exists(f"{folder}/{name}"):
+                shutil.copymode(f"{folder}/{name}", stage / place)
+        journal = json.dumps({"move": {place: name for name, place in names.items()}, "remove": sorted(removed)})
+        (stage / "journal").write_text(journal, encoding="utf-8")
+    except (OSError, SourceError):
+        shutil.rmtree(stage, ignore_errors=True)
+        raise
+    os.replace(stage / "journal", stage / _JOURNAL)  # from here on the new files win
+    _finish(folder)
+
+
+def _finish(folder: Path) -> None:
+    """Move what the journal says; throw away what has no journal."""
+    stage = folder / STAGE
+    journal = stage / _JOURNAL
+    if journal.is_file():
+        plan = json.loads(journal.read_text(encoding="utf-8"))
+        made: set[str] = set()
+        for place, name in plan["move"].items():
+            target = f"{folder}/{name}"
+            parent = target.rpartition("/")[0]
+            if parent not in made:
+                made.add(parent)
+                os.makedirs(parent, exist_ok=True)
+            try:
+                os.replace(f"{stage}/{place}", target)
+            except FileNotFoundError:
+                if not os.path.exists(target):
+                    raise  # moved already by the run that was killed
+        for name in plan["remove"]:
+            Path(folder, name).unlink(missing_ok=True)
+            _tidy(folder, Path(folder, name).parent)
+        journal.unlink()
+    if stage.is_dir():
+        shutil.rmtree(stage)
+
+
+def _tidy(folder: Path, parent: Path) -> None:
+    """Remove folders that a removed file leaves empty."""
+    while parent != folder and parent.is_dir() and not any(parent.iterdir()):
+        parent.rmdir()
+        parent = parent.parent
+
+
+@contextmanager
+def _locked(folder: Path) -> Iterator[None]:
+    """Keep other runs out of the folder. The system lets go of the lock when the process ends, however it ends."""
+    try:
+        import fcntl
+    except ImportError:  # no such locks on this system
+        yield
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    except BlockingIOError:
+        raise StoppedError(
+            "another run is writing into this folder", location=Location(str(folder)), fix="wait for it, then run again"
+        ) from None
+    finally:
+        os.close(handle)

@@ -1,0 +1,281 @@
+"""`Gen`, the mirror of EGX and EGL: generation rules over models, templates in Jinja2, files written all or none.
+
+    g = Gen("out", "templates", [L])
+
+    @g.rule(L.Book, template="book.txt", target=lambda b: f"{b.name}.txt", guard=lambda b: b.year > 1900)
+    def Books(b):
+        return {"title": b.name.upper()}
+
+    g.run()
+
+Rules are `rules`', texts `templates`', files `staging`'s. docs/reference/egl.md sets EGL and EGX beside this.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeVar
+
+from robosmi.diagnostics import Location
+from robosmi.errors import RobosmiError, RuleError, SourceError
+from robosmi.generate.output import Text, text_of
+from robosmi.generate.record import Record
+from robosmi.generate.result import Generation, Write
+from robosmi.generate.rules import Flag, Formatter, GenerationRule, value_of, variable_of
+from robosmi.generate.staging import Staging, as_text
+from robosmi.generate.templates import Templates, Where
+from robosmi.model.driver import Model
+from robosmi.query.erl import Blocks, as_model, failed, place_of
+
+F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])
+RECORD = ".robosmi/generated"
+"""Where the last texts are kept below the output folder, unless said otherwise."""
+
+
+class Gen:
+    """A generation: rules and templates that make the files of a folder.
+
+    Args:
+        folder: the output folder; no file is made outside of it.
+        templates: where templates come from: a folder, several, a mapping of names to texts; the built-in ones if None.
+        models: handles or root elements; every template sees them by their names.
+        keep: false for the engine's behaviour, in which edits outside of protected regions are lost; true to merge them, with the
+            last texts in `.robosmi/generated` below the folder; or another place below it for the last texts.
+        values: what every template sees besides, by name.
+        filters: further filters for templates, by name.
+
+    Attributes:
+        models: the models.
+        pre: blocks that run before the rules; `@g.pre` adds one.
+        post: blocks that run after them.
+        rules: the rules in their order.
+    """
+
+    def __init__(
+        self,
+        folder: str | Path,
+        templates: Where = None,
+        models: Sequence[Any] = (),
+        *,
+        keep: bool | str = False,
+        values: Mapping[str, Any] | None = None,
+        filters: Mapping[str, Callable[..., Any]] | None = None,
+    ) -> None:
+        self.folder = Path(folder)
+        if self.folder.exists() and not self.folder.is_dir():
+            raise SourceError("the output path is a file", location=Location(str(folder)), fix="give another output folder")
+        self.models: list[Model] = [as_model(m) for m in models]
+        self.templates = Templates(templates, {**{m.name: m for m in self.models}, **(values or {})}, filters)
+        self.pre = Blocks()
+        self.post = Blocks()
+        self.rules: list[GenerationRule] = []
+        self._record = Record(self.folder, RECORD if keep is True else keep) if keep else None
+        self._staging = self._fresh()
+
+    def _fresh(self) -> Staging:
+        return Staging(self.folder, self._record)
+
+    def rule(
+        self,
+        kind: Any = None,
+        /,
+        *,
+        template: str | Callable[..., str],
+        target: str | Callable[..., str | None] | None = None,
+        domain: Iterable[Any] | Callable[[], Iterable[Any]] | None = None,
+        greedy: bool = False,
+        guard: Flag = True,
+        pre: Callable[..., object] | None = None,
+        post: Callable[..., object] | None = None,
+        overwrite: Flag = True,
+        merge: Flag = True,
+        append: Flag = False,
+        formatter: Formatter | Sequence[Formatter] = (),
+        name: str | None = None,
+    ) -> Callable[[F], F]:
+        """Make a function a generation rule (EGX `rule R transform x : T`).
+
+        The function's name is the rule's. Its parameter is the name by which the template knows the element; a rule without type
+        and domain runs once and its function has no parameter. What it returns, a mapping or None, are the template's further
+        values (EGX `parameters`). What may be a function is called with the element, or with nothing.
+
+        Args:
+            kind: a type of a model, `L.Book` (or a class, or a name): its elements of exactly that type, in containment order.
+            template: name of the template.
+            target: path of the file, relative to the output folder; without one no file is made.
+            domain: the elements instead (EGX `in`).
+            greedy: elements of subtypes too.
+            guard: for which elements the rule applies.
+            pre: called before the template is chosen.
+            post: called with the path of the file as last argument, or with the text where there is no target. Files are written
+                at the end of the run; none of them is there yet.
+            overwrite: false leaves a file that is there as it is.
+            merge: false drops what protected regions of the file hold.
+            append: true puts the text behind what the file holds.
+            formatter: functions from text to text, applied in order.
+            name: the rule's name where it cannot be the function's.
+
+        Raises:
+            RuleError: the function has other parameters, or the rule's name is taken.
+        """
+
+        def decorate(function: F) -> F:
+            title = str(name or getattr(function, "__name__", "rule"))
+            if any(rule.name == title for rule in self.rules):
+                raise RuleError(f"two rules are called {title}", location=place_of(function), fix="give one another name")
+            has_elements = kind is not None or domain is not None
+            self.rules.append(
+                GenerationRule(
+                    title, variable_of(function, has_elements), function, template, target, kind, domain, greedy, guard, pre,
+                    post, overwrite, merge, append, (formatter,) if callable(formatter) else tuple(formatter),
+                )
+            )  # fmt: skip
+            return function
+
+        return decorate
+
+    def text(self, template: str, /, **values: Any) -> Text:
+        """Render a template; no file is touched.
+
+        Args:
+            template: its name.
+            values: what it sees.
+
+        Raises:
+            SourceError: it does not exist, does not parse, or uses what is not defined.
+        """
+        return self.templates.text(template, values)
+
+    def write(
+        self,
+        path: str,
+        text: str,
+        *,
+        overwrite: bool = True,
+        merge: bool = True,
+        append: bool = False,
+        elements: Sequence[Any] = (),
+        rule: str = "",
+    ) -> Path:
+        """Put a text into a file of this generation; it is written with all others at the end of `run`.
+
+        Args:
+            path: relative to the output folder, with slashes.
+            text: as `text` made it, or any other.
+            overwrite: false leaves a file that is there as it is.
+            merge: false drops what protected regions of the file hold.
+            append: true puts the text behind what the file holds.
+            elements: what it comes from, for the trace.
+            rule: which rule made it, for the trace.
+
+        Returns:
+            The path of the file.
+
+        Raises:
+            SourceError: the path leads out of the folder, or the file that is there is no text.
+        """
+        self._put(path, as_text(text), (overwrite, merge, append), rule, tuple(elements))
+        return self.folder / path
+
+    def _put(self, path: str, text: Text, flags: tuple[bool, bool, bool], rule: str, elements: tuple[Any, ...]) -> None:
+        self._staging.write(Write(path, text, *flags, rule, elements, self.templates.comments.styles))
+
+    @property
+    def messages(self) -> list[str]:
+        """What EGL's engine says of the files so far."""
+        return self._staging.messages
+
+    def run(self, *, dry_run: bool = False) -> Generation:
+        """Run the rules in their order and write all files, or none where something fails.
+
+        What an earlier run was killed in is finished first.
+
+        Args:
+            dry_run: write nothing; the result has the diff.
+
+        Raises:
+            RuleError: a rule or template is wrong, or raises.
+            SourceError: a file cannot be read or written.
+            StoppedError: with `keep`, an edit would be lost.
+        """
+        try:
+            with collector_paused():
+                self._run_rules()
+                return self._staging.finish(dry_run=dry_run)
+        finally:
+            self._staging = self._fresh()
+
+    def _run_rules(self) -> None:
+        self.pre.run("pre")
+        for rule in self.rules:
+            self._apply(rule)
+        self.post.run("post")
+
+    def _apply(self, rule: GenerationRule) -> None:
+        part, function = "domain", rule.parameters
+        element: tuple[Any, ...] = ()
+        try:
+            for element in rule.elements(self.models):
+                part = "guard"
+                if not rule.applies_to_all and not value_of(rule.guard, element):
+                    continue
+                if rule.pre is not None:
+                    part = "pre block"
+                    rule.pre(*element)
+                part = "choice of flags and template"
+                flags = rule.flags(element)
+                template = value_of(rule.template, element)
+                part = "function"
+                values = dict(rule.parameters(*element) or ())
+                if element:
+                    values.setdefault(rule.variable, element[0])
+                part = "target"
+                target = value_of(rule.target, element)
+                part = "template"
+                made = self._made(rule, element, target, template, values, flags)
+                if rule.post is not None:
+                    part = "post block"
+                    rule.post(*element, made if target is None else self.folder / target)
+        except RobosmiError as error:
+            if part == "template":
+                about = f" for {element[0]!r}" if element else ""
+                error.message = f"{error.message} (rule {rule.name}{about})"
+                raise
+            raise failed(error, f"the {part} of {rule.name}", function, element[0] if element else None, self.models) from error
+        except Exception as error:
+            raise failed(error, f"the {part} of {rule.name}", function, element[0] if element else None, self.models) from error
+
+    def _made(
+        self,
+        rule: GenerationRule,
+        element: tuple[Any, ...],
+        target: str | None,
+        template: str,
+        values: dict[str, Any],
+        flags: tuple[bool, bool, bool],
+    ) -> Text | None:
+        """The text of a rule for an element, put into its file; None where the file is left alone."""
+        overwrite, _, append = flags
+        if target is not None and not overwrite and not append and self._staging.preserved(target):
+            return None
+        text = self.templates.text(template, values)
+        for formatter in rule.formatters:
+            text = text_of(formatter(text), regions=text.regions)
+        if target is not None:
+            self._put(target, text, flags, rule.name, element)
+        return text
+
+
+@contextmanager
+def collector_paused() -> Iterator[None]:
+    """Keep Python's cycle collector still: what a run makes stays until its end, so looking for garbage finds none, at length."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()

@@ -1,0 +1,51 @@
+"""Ids of regions, derived from the model so that a person's text stays with its element."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.errors import ModelError
+
+
+def region_id(element: Any, *purpose: str) -> str:
+    """An id for a region that belongs to an element.
+
+    It is the element's own id (the attribute that is the class's id, else its `xmi:id`) where it has one, so that a renamed or
+    moved element keeps its text. Else it is the names on the way to it, which stay while others are added or reordered, but not
+    when it is renamed. A position is never part of it: the text would go to another element when one is inserted.
+
+    Args:
+        element: a model element.
+        purpose: what the region is for, where an element has several.
+
+    Returns:
+        For example `City/Stories/Ants body`.
+
+    Raises:
+        ModelError: it has no id, and it or a container has no name.
+    """
+    own = _own_id(element)
+    return " ".join([own if own is not None else _names(element), *purpose])
+
+
+def _own_id(element: Any) -> str | None:
+    for feature in element.eClass.eAllAttributes():
+        if feature.iD and (value := getattr(element, feature.name)) not in (None, ""):
+            return str(value)
+    identity = getattr(element, "_internal_id", None)
+    return str(identity) if identity else None
+
+
+def _names(element: Any) -> str:
+    found: list[str] = []
+    step = element
+    while step is not None:
+        name = getattr(step, "name", None)
+        if not name:
+            raise ModelError(
+                f"a {step.eClass.name} has neither an id nor a name, so nothing in the model says which region is its own",
+                fix="give it an id attribute or a name, or write the region's id in the template",
+            )
+        found.append(str(name))
+        step = step.eContainer()
+    return "/".join(reversed(found))

@@ -1,0 +1,233 @@
+"""Keeping what a person wrote outside of regions too: the newly made text, the last one made, and the file, merged.
+
+`keep` decides for one file and touches no disk; `record` knows the last texts, `staging` the files. Beyond EGL's merge: an edit
+anywhere survives or becomes a marked conflict; a region whose element is gone stays at its place; what cannot be told apart
+(a foreign file, one id twice, conflicts that are still open) stops the run instead.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.generate.regions import PROTECTED, CommentStyle, Parts, Region, partition, styles_in
+from robosmi.generate.three_way import Chunk, chunks
+
+YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
+
+
+@dataclass
+class Kept:
+    """What becomes of a file.
+
+    Attributes:
+        text: its new text.
+        findings: what was kept, and what a person has to look at.
+        save_old: whether the old file is to be kept beside it.
+        refused: why the run must stop instead; None if it need not.
+    """
+
+    text: str
+    findings: list[Finding] = field(default_factory=list)
+    save_old: bool = False
+    refused: Finding | None = None
+
+
+def keep(path: str, base: str | None, existing: str | None, generated: str, styles: Sequence[CommentStyle]) -> Kept:
+    """Merge a newly made text with the file that is there.
+
+    Args:
+        path: of the file, for findings.
+        base: the text that was made last, None if no run with this option made it.
+        existing: the text in the file, with line feeds; None if there is no file.
+        generated: the newly made text.
+        styles: the comments that markers may be.
+    """
+    if existing is None:
+        gone = Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(path))
+        return Kept(generated, [gone] if base is not None else [])
+    if existing == generated:
+        return Kept(existing)
+    return _Merge(path, base, existing, generated, list(dict.fromkeys([*styles, *styles_in(base or "")]))).result()
+
+
+class _Merge:
+    def __init__(self, path: str, base: str | None, existing: str, generated: str, styles: Sequence[CommentStyle]) -> None:
+        self.path, self.base, self.existing, self.generated = path, base, existing, generated
+        self.theirs, self.ours = partition(generated, styles), partition(existing, styles)
+        self.before = partition(base, styles) if base is not None else None
+        self.findings: list[Finding] = []
+        self.save_old = False
+        self.styles = styles
+
+    def say(self, rule: str, severity: Severity, message: str, line: int | None = None, fix: str | None = None) -> Finding:
+        finding = Finding(rule, severity, message, Location(self.path, line), fix=fix)
+        self.findings.append(finding)
+        return finding
+
+    def stop(self, message: str, line: int | None, fix: str) -> Kept:
+        return Kept(self.existing, refused=Finding("RS905", Severity.error, message, Location(self.path, line), fix=fix))
+
+    def result(self) -> Kept:
+        new, old = self.theirs.by_id(), self.ours.by_id()
+        for broken in self.ours.broken:
+            message = f"the marker of the region '{broken.identity}' is broken: {broken.what}; its text is kept as other text is"
+            self.say("RS513", Severity.warning, message, broken.line, "put the markers right")
+        for twice in self.ours.twice():
+            message = f"the region '{twice.identity}' stands in the file twice (first in line {old[twice.identity].line})"
+            return self.stop(message, twice.line, "take one of them out, or give it an id of its own")
+        if (line := _open_conflict(self.existing)) is not None:
+            if self.base is not None and self.generated == self.base:
+                self.say(
+                    "RS516", Severity.error, "a conflict of an earlier run is still open", line, "decide and take its markers out"
+                )
+                return Kept(self.existing, self.findings)
+            return self.stop(
+                "a conflict of an earlier run is still open", line, "decide and take its markers out, then run again"
+            )
+        if self.before is None and not set(new) & set(old):
+            return self.stop("the file was not made by a run that keeps edits", None, "move it away, run again, put your text in")
+        return self.merged(new, old)
+
+    def merged(self, new: dict[str, Region], old: dict[str, Region]) -> Kept:
+        """The three-way merge, once it is clear that it can be done."""
+        before = self.before.by_id() if self.before is not None else {i: r for i, r in old.items() if i in new}
+        gone = {i for i in old if i not in new}
+        returning = {i for i in old if i in new and i not in before}
+        theirs = Parts([self._their(piece, old, before) for piece in self.theirs.pieces])
+        ours, orphans = _without(self.ours, gone | returning)
+        ours_lines, theirs_lines = _lines(ours), _lines(theirs.text())
+        if self.before is not None:
+            base = Parts([self._base(piece, old) for piece in self.before.pieces])
+            base_lines = _lines(_without(base, {i for i in before if i not in new})[0])
+        else:
+            base_lines = [
+                ours_lines[c.ours[0] + k] for c in _common(ours_lines, theirs_lines) for k in range(c.ours[1] - c.ours[0])
+            ]
+            self.say("RS520", Severity.info, "no record of the text that was made last: lines that only the file has are kept")
+        for identity in before:
+            if identity in new and identity not in old and self.before is not None:
+                self.say("RS519", Severity.info, f"the region '{identity}' was taken out of the file and is not made again")
+        lines = self._assembled(chunks(base_lines, ours_lines, theirs_lines), base_lines, ours_lines, theirs_lines)
+        text = self._with_orphans(lines, [orphan for orphan in orphans if orphan[1].identity in gone])
+        if twice := partition(text, self.styles).twice():
+            message = f"the file cannot be merged: the region '{twice[0].identity}' would stand in it twice"
+            return self.stop(message, old[twice[0].identity].line if twice[0].identity in old else None, "put it where it was")
+        return Kept(text, self.findings, self.save_old)
+
+    def _their(self, piece: str | Region, old: dict[str, Region], before: dict[str, Region]) -> str | Region:
+        """A newly made piece with the text that the file has for it."""
+        if isinstance(piece, str) or piece.identity not in old:
+            return piece
+        there, was = old[piece.identity], before.get(piece.identity)
+        if there.kind == PROTECTED and there.enabled:
+            return replace(piece, contents=there.contents, enabled=True)
+        if was is not None and was.enabled and there.kind == PROTECTED:
+            lost = there.contents not in (was.contents, piece.contents)
+            self.save_old |= lost
+            message = f"the region '{piece.identity}' was turned off in the file: it has its default text again"
+            self.say("RS518", Severity.info, message + ("; the old file is kept" if lost else ""), there.line)
+        return piece
+
+    def _base(self, piece: str | Region, old: dict[str, Region]) -> str | Region:
+        """A piece of the last text, with what is the user's by right, so that it counts as no change."""
+        if isinstance(piece, str) or piece.identity not in old:
+            return piece
+        there = old[piece.identity]
+        return replace(piece, contents=there.contents, enabled=there.enabled) if there.enabled or piece.enabled else piece
+
+    def _assembled(self, found: list[Chunk], base: list[str], ours: list[str], theirs: list[str]) -> list[_Line]:
+        """The merged lines."""
+        lines: list[_Line] = []
+        edits = [chunk for chunk in found if chunk.kind == "ours"]
+        told = f"{len(edits)} edits outside of regions are kept" if len(edits) > 1 else "an edit outside of regions is kept"
+        for chunk in found:
+            mine = ours[slice(*chunk.ours)]
+            if chunk.kind == "theirs":
+                lines += [_Line(line) for line in theirs[slice(*chunk.theirs)]]
+            elif chunk.kind != "conflict":
+                lines += [_Line(line, chunk.ours[0] + k + 1) for k, line in enumerate(mine)]
+                if edits and chunk is edits[0] and mine:
+                    lines[-len(mine)].notes.append(("RS512", Severity.info, told, None))
+            else:
+                begin = _Line(YOURS)
+                begin.notes.append(
+                    (
+                        "RS511",
+                        Severity.error,
+                        "your edit and the newly made text change the same lines: a conflict is marked",
+                        "decide which lines stay and take the markers out; the old file is beside this one",
+                    )
+                )
+                block = [*_whole(mine), BASE, *_whole(base[slice(*chunk.base)]), MIDDLE, *_whole(theirs[slice(*chunk.theirs)])]
+                lines += [begin, *map(_Line, block), _Line(GENERATED, chunk.ours[1])]
+                self.save_old = True
+        return lines
+
+    def _with_orphans(self, lines: list[_Line], orphans: list[tuple[int, Region, str]]) -> str:
+        """The text, with the regions that nothing is made for any more behind the lines they stood behind."""
+        for at, region, text in reversed(orphans):
+            place = max((n for n, line in enumerate(lines, 1) if 0 < line.upto <= at), default=0)
+            if place and not lines[place - 1].text.endswith("\n"):
+                lines[place - 1].text += "\n"
+            lines.insert(place, _Line(text))
+            message = f"nothing is made for the region '{region.identity}' any more; it is kept"
+            fix = "move its text where it belongs (a renamed element has a new region) and take it out"
+            lines[place].notes.append(("RS510", Severity.warning, message, fix))
+        number = 1
+        for line in lines:
+            for rule, severity, message, advice in line.notes:
+                self.say(rule, severity, message, number, advice)
+            number += line.text.count("\n")
+        return "".join(line.text for line in lines)
+
+
+@dataclass
+class _Line:
+    """A line of the merged text (or several), how many lines of the person's end with it (0: not theirs), what is said of it."""
+
+    text: str
+    upto: int = 0
+    notes: list[tuple[str, Severity, str, str | None]] = field(default_factory=list)
+
+
+def _lines(text: str) -> list[str]:
+    return re.findall(r"[^\n]*\n|[^\n]+", text)
+
+
+def _whole(lines: list[str]) -> list[str]:
+    """The lines, each with its line break."""
+    return [line if line.endswith("\n") else line + "\n" for line in lines]
+
+
+def _common(ours: list[str], theirs: list[str]) -> list[Chunk]:
+    return [chunk for chunk in chunks(ours, ours, theirs) if chunk.kind == "same"]
+
+
+def _open_conflict(text: str) -> int | None:
+    """The line where a conflict that this module marked begins, or None."""
+    if YOURS in text and GENERATED in text:
+        return text.count("\n", 0, text.find(YOURS)) + 1
+    return None
+
+
+def _without(parts: Parts, identities: set[str]) -> tuple[str, list[tuple[int, Region, str]]]:
+    """The text without some regions, and these: behind how many lines each stood, and its text in whole lines."""
+    kept: list[str] = []
+    taken: list[tuple[int, Region, str]] = []
+    swallow = False  # the line break of a marker that was taken out
+    for piece in parts.pieces:
+        text = piece if isinstance(piece, str) else piece.text()
+        if isinstance(piece, Region) and piece.identity in identities:
+            before, _, margin = kept[-1].rpartition("\n") if kept else ("", "", "")
+            alone = not margin.strip(" \t") and (bool(_) or len(kept) < 2)
+            if alone and kept:
+                kept[-1] = before + _
+            taken.append((sum(part.count("\n") for part in kept), piece, f"{margin if alone else ''}{text}\n"))
+            swallow = alone
+        else:
+            kept.append(text.removeprefix("\n") if swallow else text)
+            swallow = False
+    return "".join(kept), taken

@@ -1,0 +1,89 @@
+"""Generated Python packages put where persons' files may lie: all of them or none, and nothing overwritten that is theirs.
+
+`generate_packages` is `robosmi metamodels generate` as a function. Each outermost package is a folder with a record
+(`.robosmi.json`) of what was made in it, so that an edited or foreign file stops the run. What the files say is `model.codegen`'s
+business.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.generate.manifest import NAME, Manifest
+from robosmi.model.codegen import Rendered, render
+from robosmi.model.files import write_folder
+
+
+@dataclass(frozen=True)
+class GeneratedPackages:
+    """What a run made.
+
+    Attributes:
+        written: the files that are new or changed.
+        unchanged: the files that had these bytes already.
+        removed: files of an earlier run that this one no longer makes.
+        sources: generated file -> the .ecore file it comes from.
+        findings: what was left out, has another name, or is not as the metamodel says.
+        classes: number of classes.
+    """
+
+    written: list[Path]
+    unchanged: list[Path]
+    removed: list[Path]
+    sources: dict[Path, Path]
+    findings: list[Finding]
+    classes: int
+
+
+def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPackages:
+    """Generate typed Python packages from .ecore files and all files that they refer to.
+
+    Args:
+        metamodels: the .ecore files.
+        folder: where the packages' folders are made; packages import each other relative to it.
+
+    Raises:
+        SourceError: a file cannot be read or written.
+        ModelError: a metamodel cannot be used; all reasons together.
+        StoppedError: a file in the way was edited, or was not made by robosmi.
+    """
+    rendered = render(metamodels, folder)
+    contents: dict[str, bytes] = {}
+    obsolete: set[str] = set()
+    for root in sorted({path.partition("/")[0] for path in rendered.files}):
+        inner = {path.partition("/")[2]: data for path, data in rendered.files.items() if path.partition("/")[0] == root}
+        old = Manifest.load(folder / root)
+        obsolete |= {f"{root}/{name}" for name in old.guard(folder / root, inner)}
+        contents |= {f"{root}/{name}": data for name, data in inner.items()}
+        contents[f"{root}/{NAME}"] = Manifest.of(inner).to_bytes()
+    unchanged = {path for path, data in rendered.files.items() if _has(folder / path, data)}
+    write_folder(folder, contents, frozenset(obsolete))
+    return GeneratedPackages(
+        [folder / path for path in sorted({*rendered.files} - unchanged)],
+        [folder / path for path in sorted(unchanged)],
+        [folder / path for path in sorted(obsolete)],
+        {folder / path: source for path, source in rendered.sources.items()},
+        [*rendered.findings, *_import_names(rendered, folder)],
+        rendered.classes,
+    )
+
+
+def _has(path: Path, data: bytes) -> bool:
+    return path.is_file() and path.read_bytes() == data
+
+
+def _import_names(rendered: Rendered, folder: Path) -> Iterator[Finding]:
+    """Findings on packages that must not be found by their own name alone."""
+    for root in sorted({path.partition("/")[0] for path in rendered.files}):
+        if root in sys.stdlib_module_names:
+            yield Finding(
+                "RS606",
+                Severity.info,
+                f"the package '{root}' has the name of a module of Python's own library",
+                element=root,
+                fix=f"import it as {folder.resolve().name}.{root}; do not put {folder} itself on Python's path",
+            )

@@ -1,0 +1,90 @@
+"""Which paths a generated file may have: inside the output folder, whatever its text or the links in the folder say."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.generate.commit import STAGE
+from robosmi.model.files import within
+
+_BLOCK = 1 << 16
+_FLAGS = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0)
+
+
+class Places:
+    """The paths of one output folder.
+
+    Args:
+        folder: the folder; it need not exist.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._root = os.path.realpath(folder)
+        self._parents: set[str] = set()
+
+    def read(self, name: str) -> bytes | None:
+        """The bytes of a file, None if it is not there.
+
+        Args:
+            name: relative to the folder, with slashes.
+
+        Raises:
+            SourceError: it lies outside of the folder (`..`, absolute, by a link), something is in its way, or it cannot be read.
+        """
+        path = f"{self.folder}/{name}"
+        parent, _, own = path.rpartition("/")
+        if own in ("", ".", "..") or parent not in self._parents:
+            self._check(name, parent)
+            self._parents.add(parent)
+        try:
+            handle = os.open(path, _FLAGS)
+        except FileNotFoundError:
+            return None
+        except ValueError as error:  # a null character
+            raise self._refused(name, "is no name of a file") from error
+        except OSError as error:
+            if os.path.islink(path):
+                raise self._refused(name, "is a link, so that writing could change a file elsewhere") from error
+            raise self._unreadable(path, error) from error
+        try:
+            data = os.read(handle, _BLOCK)
+            while len(data) % _BLOCK == 0 and (more := os.read(handle, _BLOCK)):
+                data += more
+            return data
+        except IsADirectoryError as error:
+            raise self._refused(name, "is the name of a folder that is there") from error
+        except OSError as error:
+            raise self._unreadable(path, error) from error
+        finally:
+            os.close(handle)
+
+    def _unreadable(self, path: str, error: OSError) -> SourceError:
+        return SourceError(
+            f"the file that is there cannot be read: {error.strerror}", location=Location(path), fix="check its permissions"
+        )
+
+    def _check(self, name: str, parent: str) -> None:
+        if not name or name.endswith("/"):
+            raise self._refused(name, "is no name of a file")
+        if not within(name):
+            raise self._refused(name, "lies outside of the output folder")
+        if name.partition("/")[0] == STAGE:
+            raise self._refused(name, "is where files wait to be written")
+        real = os.path.realpath(parent)
+        if os.path.commonpath([real, self._root]) != self._root:
+            raise self._refused(name, "lies outside of the output folder, by a link")
+        while len(parent) > len(str(self.folder)):
+            if os.path.lexists(parent) and not os.path.isdir(parent):
+                raise self._refused(name, "needs a folder where a file stands")
+            parent = os.path.dirname(parent)
+
+    def _refused(self, name: str, why: str) -> SourceError:
+        return SourceError(
+            f"the target '{name}' {why}; nothing was written",
+            location=Location(f"{self.folder}/{name}"),
+            fix="correct the target of the rule: a path relative to the output folder, with slashes",
+        )

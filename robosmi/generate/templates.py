@@ -1,0 +1,244 @@
+"""Templates in Jinja2 as EGL's: rendered to a `Text` that knows its elements; a mistake in one is an error with its place.
+
+Templates come from folders or from a mapping of texts. Strict about what is undefined, elements included; lines with nothing
+but a tag vanish; values print as in EOL. Which template is for which element and file is `gen`'s.
+"""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from types import MethodType
+from typing import Any
+
+import jinja2
+from jinja2.runtime import Context
+from pyecore.ecore import EObject
+
+from robosmi import resources
+from robosmi.diagnostics import Location
+from robosmi.errors import RobosmiError, RuleError
+from robosmi.generate.identity import region_id
+from robosmi.generate.out import Blocks, Comments, Out, Stop
+from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
+from robosmi.model.driver import ModelElement, features_of, name_of, type_of
+from robosmi.query.problems import unknown_property
+
+Where = str | Path | Sequence[str | Path] | Mapping[str, str] | None
+"""Where templates come from: a folder, several, texts by name, or None for the project's and the built-in ones."""
+
+_KNOWN: dict[type, bool] = {}
+"""Class -> whether its objects are model elements; asking pyecore and abc each time would cost more than the attribute."""
+
+
+class _Environment(jinja2.Environment):
+    """Jinja's environment; notes the elements that are looked at and refuses features that they do not have."""
+
+    seen: list[Any]
+    sandboxed = True  # only so that calls in templates go through `call`
+    intercepted_binops: frozenset[str] = frozenset()
+    intercepted_unops: frozenset[str] = frozenset()
+
+    def call(self, context: Context, function: Any, /, *args: Any, **kwargs: Any) -> Any:
+        if function.__class__ is MethodType and function.__self__.__class__ is Out:  # asking what else Jinja may pass costs more
+            kwargs.pop("_loop_vars", None)  # Jinja's own, given inside loops and blocks
+            kwargs.pop("_block_vars", None)
+            return function(*args, **kwargs)
+        return context.call(function, *args, **kwargs)
+
+    def concat(self, pieces: Iterable[str], /) -> str:  # Jinja joins macros and blocks by this
+        return joined(pieces)
+
+    def getattr(self, obj: Any, attribute: str) -> Any:
+        is_element = _KNOWN.get(obj.__class__)
+        if is_element is None:
+            is_element = _KNOWN[obj.__class__] = isinstance(obj, (EObject, ModelElement))
+        if is_element:
+            self.seen.append(obj)
+        try:
+            return getattr(obj, attribute)
+        except AttributeError as error:
+            if isinstance(error, RobosmiError):
+                raise
+            if is_element:
+                name = name_of(type_of(obj))
+                raise unknown_property(f"a {name}", attribute, features_of(obj)) from error
+            return super().getattr(obj, attribute)
+
+    def getitem(self, obj: Any, argument: Any) -> Any:  # the filters map, selectattr, sort ... go this way
+        if isinstance(argument, str) and isinstance(obj, (EObject, ModelElement)):
+            return self.getattr(obj, argument)
+        return super().getitem(obj, argument)
+
+
+class Templates:
+    """The templates of a generation.
+
+    Args:
+        where: a folder, several (the first that has a template counts), or a mapping of names to texts; if None, the folders
+            `templates` of the project, the user and this package (see `resources`).
+        values: what every template sees, by name.
+        filters: further filters, by name.
+    """
+
+    def __init__(
+        self,
+        where: Where = None,
+        values: Mapping[str, Any] | None = None,
+        filters: Mapping[str, Callable[..., Any]] | None = None,
+    ) -> None:
+        self.comments = Comments()
+        self._templates: dict[str, jinja2.Template] = {}
+        self._contexts: dict[str, list[Context]] = {}
+        self._environment = _environment(_loader(where))
+        self._environment.globals.update({"region_id": self._region_id, **(values or {})})
+        self._globals = dict(self._environment.globals)  # what templates have is a ChainMap, and slow
+        self._environment.filters.update({"outdent": outdented, **(filters or {})})
+
+    def names(self) -> list[str]:
+        """The names of all templates."""
+        return list(self._environment.list_templates())
+
+    def text(self, name: str, values: Mapping[str, Any]) -> Text:
+        """Render a template.
+
+        Args:
+            name: of the template.
+            values: what it sees, beside the values of all.
+
+        Raises:
+            RuleError: it does not exist, does not parse, uses an undefined name, or breaks the rules of regions.
+            ModelError: it asks an element for a feature that it does not have.
+        """
+        template = self._templates.get(name) or self._load(name)
+        pool = self._contexts.setdefault(name, [])
+        context = pool.pop() if pool else template.new_context()
+        buffer = Buffer()
+        parts = buffer.parts
+        seen: list[Any] = []
+        marks: list[int] = []
+        taken = 0
+        outer, self._environment.seen = self._environment.seen, seen
+        out = Out(self.comments, buffer)
+        context.parent = {**self._globals, **values, "out": out}
+        try:
+            for piece in template.root_render_func(context):
+                if len(seen) > taken:
+                    taken = len(seen)
+                    marks.append(len(parts))
+                    marks.append(taken)
+                parts.append(piece if piece.__class__ is str else buffer.special(piece))
+            if not context.blocks:  # making a context costs more than rendering a small template
+                context.vars.clear()
+                context.exported_vars.clear()
+                pool.append(context)
+        except Stop:
+            pass
+        except Exception as error:
+            raise self._located(error, name) from error
+        finally:
+            self._environment.seen = outer
+        if out.open is not None:
+            raise RuleError(
+                f"the region '{out.open}' is never stopped, so that text in it would be lost",
+                location=self._place(name, None),
+                fix="stop it with {{ out.stop_preserve() }}",
+            )
+        return text_of("".join(parts), parts, seen, marks, out.regions)
+
+    def _region_id(self, element: Any, *purpose: str) -> str:
+        self._environment.seen.append(element)
+        return region_id(element, *purpose)
+
+    def _load(self, name: str) -> jinja2.Template:
+        try:
+            found = self._templates[name] = self._environment.get_template(name)
+            return found
+        except jinja2.TemplateNotFound as error:
+            wanted = error.name or name
+            known = ", ".join(self.names()) or "no templates"
+            raise RuleError(f"there is no template '{wanted}'", fix=f"use one of: {known}") from error
+        except jinja2.TemplateSyntaxError as error:
+            raise self._unparsed(error) from error
+
+    def _unparsed(self, error: jinja2.TemplateSyntaxError) -> RuleError:
+        return RuleError(
+            f"the template does not parse: {error.message}",
+            location=Location(error.filename or error.name or "template", error.lineno),
+            fix="correct the template",
+        )
+
+    def _located(self, error: Exception, name: str) -> RobosmiError:
+        """The error with the place in the template where it happened."""
+        if isinstance(error, jinja2.TemplateSyntaxError):
+            return self._unparsed(error)
+        place = self._place(name, error)
+        if isinstance(error, RobosmiError):
+            error.location = error.location or place
+            return error
+        if isinstance(error, jinja2.TemplateNotFound):
+            return RuleError(f"there is no template '{error.name}'", location=place, fix=f"use one of: {', '.join(self.names())}")
+        if isinstance(error, jinja2.UndefinedError):
+            return RuleError(
+                f"{error.message}", location=place, fix="correct the name, or give the value with the rule's parameters"
+            )
+        return RuleError(f"{type(error).__name__}: {error}", location=place, fix="correct the template, or what it calls")
+
+    def _place(self, name: str, error: Exception | None) -> Location:
+        """The innermost place in a template that an error passed through, else the template."""
+        template = self._environment.get_template(name)
+        found = Location(template.filename or name)
+        for frame in traceback.extract_tb(error.__traceback__ if error is not None else None):
+            source = self._templates_by_file().get(frame.filename)
+            if source is not None and frame.lineno is not None:
+                found = Location(frame.filename, source.get_corresponding_lineno(frame.lineno))
+        return found
+
+    def _templates_by_file(self) -> dict[str, jinja2.Template]:
+        cache = self._environment.cache or {}
+        return {t.filename: t for t in cache.values() if t.filename is not None}
+
+
+def _environment(loader: jinja2.BaseLoader) -> _Environment:
+    environment = _Environment(
+        loader=loader,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+        auto_reload=False,
+        cache_size=-1,
+        finalize=printed,
+        extensions=[Blocks, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
+    )
+    environment.seen = []
+    return environment
+
+
+class _Texts(jinja2.BaseLoader):
+    """Templates by name, whose errors are placed by that name."""
+
+    def __init__(self, texts: dict[str, str]) -> None:
+        self._texts = texts
+
+    def get_source(self, environment: jinja2.Environment, template: str) -> tuple[str, str, None]:
+        if template not in self._texts:
+            raise jinja2.TemplateNotFound(template)
+        return self._texts[template], template, None
+
+    def list_templates(self) -> list[str]:
+        return sorted(self._texts)
+
+
+def _loader(where: Where) -> jinja2.BaseLoader:
+    if isinstance(where, Mapping):
+        return _Texts(dict(where))
+    if where is None:
+        return jinja2.FileSystemLoader([str(folder) for folder in resources.folders("templates")])
+    listed = [where] if isinstance(where, (str, Path)) else list(where)
+    for folder in listed:
+        if not Path(folder).is_dir():
+            raise RuleError("the folder of templates does not exist", location=Location(str(folder)), fix="check the path")
+    return jinja2.FileSystemLoader([str(folder) for folder in listed])

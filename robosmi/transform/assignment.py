@@ -1,0 +1,60 @@
+"""Setting a feature of an element from a rule: many values to a many-valued feature, one to a single-valued one, nothing else.
+
+Works on every technology's elements; EMF's own are asked for their feature.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.errors import ModelError, did_you_mean
+from robosmi.model.driver import features_of
+from robosmi.query.values import collection_kind
+
+
+def is_many(target: Any, name: str) -> bool:
+    """Whether a feature of an element takes many values.
+
+    Raises:
+        ModelError: there is no such feature.
+    """
+    if (eclass := getattr(target, "eClass", None)) is not None:
+        feature = eclass.findEStructuralFeature(name)
+        if feature is not None:
+            return bool(feature.many)
+    elif name in features_of(target):
+        return collection_kind(getattr(target, name)) is not None
+    known = features_of(target)
+    raise ModelError(f"{target!r} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
+
+
+def assign(target: Any, name: str, value: Any, given: Any = None) -> None:
+    """Set a feature; None leaves a many-valued one as it is.
+
+    Args:
+        target: the element.
+        name: the feature.
+        value: what it gets.
+        given: what the value was made from, for the message.
+
+    Raises:
+        ModelError: there is no such feature, or one value is given for many, or a collection for one.
+    """
+    collection = collection_kind(value) is not None
+    if not is_many(target, name):
+        if collection:
+            raise ModelError(
+                f"{name} of {target!r} takes one value, not the equivalents of a collection",
+                fix="give one element, or take one of the collection",
+            )
+        setattr(target, name, value)
+        return
+    if value is None:
+        return
+    if not collection:
+        raise ModelError(
+            f"{name} of {target!r} takes many values, not the equivalent of {given!r}", fix=f"put it into a list: {name}=[x]"
+        )
+    values = getattr(target, name)
+    values.clear()
+    values.extend(list(value))

@@ -1,0 +1,229 @@
+"""`ETL`: a module of transformation rules, as an ETL file is one.
+
+It holds rules, pre and post blocks and the modules it includes, runs them over models, and answers what is equivalent to what.
+Targets live in the target models' handles; nothing is written to a file here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar, overload
+
+from robosmi.errors import UsageError, did_you_mean
+from robosmi.model.driver import Model
+from robosmi.query.collections import Q
+from robosmi.query.erl import Blocks, as_model, run_over
+from robosmi.query.values import collection_kind
+from robosmi.transform.assignment import assign
+from robosmi.transform.rule import Rule, bind, declare
+from robosmi.transform.schedule import Demand, Match, Schedule
+from robosmi.transform.trace import Trace
+
+F = TypeVar("F", bound=Callable[..., Any])
+SCHEDULES = ("auto", "match", "demand")
+
+
+class ETL:
+    """A transformation.
+
+    Args:
+        models: handles or root elements, sources and targets; a type that is given as a class or a name is as a source that of
+            the first model that has it, as a target that of the last.
+        schedule: `match`, `demand`, or `auto`: demand if a rule is lazy or over a primitive type, else match, as the engine.
+
+    Attributes:
+        pre: blocks that run before all rules; `@t.pre` adds one.
+        post: blocks that run after all rules.
+        rules: the rules declared here, in order.
+        trace: what was made from what, of the last run.
+        warnings: what is odd though no error, of the last run.
+
+    Raises:
+        UsageError: there is no such schedule.
+    """
+
+    def __init__(self, *models: Any, schedule: str = "auto") -> None:
+        if schedule not in SCHEDULES:
+            raise UsageError(
+                f"there is no schedule '{schedule}'{did_you_mean(schedule, SCHEDULES)}", fix=f"use one of: {', '.join(SCHEDULES)}"
+            )
+        self.models: list[Model] = [as_model(m) for m in models]
+        self.schedule = schedule
+        self.pre = Blocks()
+        self.post = Blocks()
+        self.rules: list[Rule] = []
+        self.trace = Trace()
+        self.warnings: list[str] = []
+        self._included: list[ETL] = []
+        self._running: Schedule | None = None
+
+    @overload
+    def rule(self, body: F, /) -> F: ...
+    @overload
+    def rule(
+        self,
+        transform: Any = None,
+        /,
+        to: Any = None,
+        *,
+        name: str | None = None,
+        guard: Callable[[Any], Any] | None = None,
+        extends: Any = (),
+        lazy: bool = False,
+        greedy: bool = False,
+        abstract: bool = False,
+        primary: bool = False,
+        init: Mapping[str, Callable[..., Any]] | None = None,
+    ) -> Callable[[F], F]: ...
+    def rule(self, transform: Any = None, /, to: Any = None, *, name: str | None = None, **options: Any) -> Any:
+        """Add a rule: `@t.rule` with the types as annotations, or `@t.rule(L.Book, to=[G.Node], lazy=True)`.
+
+        Args:
+            transform: type of the source; the annotation of the first parameter if None.
+            to: types of the targets, one or a list; the annotations of the other parameters if None.
+            name: its name; the function's if None.
+            options: guard, extends, lazy, greedy, abstract, primary, init: see `Rule`.
+
+        Raises:
+            RuleError: its types are not given or do not fit its parameters.
+        """
+
+        def add(body: F, kind: Any) -> F:
+            self.rules.append(declare(body, kind, to, name, **options))
+            return body
+
+        if callable(transform) and not isinstance(transform, type) and hasattr(transform, "__code__"):
+            return add(transform, None)
+        return lambda body: add(body, transform)
+
+    def include(self, other: ETL) -> None:
+        """Import another module: its pre blocks, rules and post blocks come before those of this one."""
+        self._included.append(other)
+
+    def modules(self) -> list[ETL]:
+        """The included modules, those that they include before them, and this one last; each once."""
+        found: dict[ETL, None] = {}
+        seen: set[ETL] = set()
+        pending = [(self, False)]
+        while pending:
+            module, ready = pending.pop()
+            if ready:
+                found[module] = None
+            elif module not in seen:
+                seen.add(module)
+                pending.append((module, True))
+                pending.extend((m, False) for m in reversed(module._included))
+        return list(found)
+
+    def run(self, *models: Any) -> Trace:
+        """Transform: pre blocks, rules, post blocks.
+
+        Args:
+            models: handles or root elements; those of the constructor if none.
+
+        Raises:
+            RuleError: a block or a rule raises, or rules do not fit together; the target models may hold a part.
+            UnknownTypeError: a type is in none of the models.
+        """
+        modules = self.modules()
+        used = [as_model(m) for m in models] or list(dict.fromkeys(m for module in reversed(modules) for m in module.models))
+        trace, warnings = Trace(), list[str]()
+        bound = bind([rule for module in modules for rule in module.rules], used)
+        lazy = next((rule for rule in bound if rule.lazy), None)
+        if self.schedule == "match" and lazy is not None:
+            raise lazy.rule.wrong("is lazy, and the schedule 'match' runs no lazy rule", "use the schedule 'auto' or 'demand'")
+        demand = self.schedule == "demand" or (self.schedule == "auto" and lazy is not None)
+        running = Demand(bound, trace) if demand else Match(bound, trace)
+        for module in modules:
+            module.trace, module.warnings, module._running = trace, warnings, running
+        with run_over(used):
+            for module in modules:
+                module.pre.run("pre")
+            running.run()
+            for module in modules:
+                module.post.run("post")
+        return trace
+
+    def _schedule(self) -> Schedule:
+        if self._running is None:
+            raise UsageError(
+                "nothing is equivalent before the transformation runs", fix="ask in a rule, a post block or after run()"
+            )
+        return self._running
+
+    def _names(self, rules: Sequence[Any]) -> list[str]:
+        running = self._schedule()
+        given = [r if isinstance(r, str) else getattr(r, "__name__", str(r)) for r in rules]
+        for name in given:
+            said = f"equivalents of the rule '{name}' were asked for, which is no rule{did_you_mean(name, running.by_name)}"
+            if name not in running.by_name and said not in self.warnings:
+                self.warnings.append(said)
+        return given
+
+    def equivalent(self, source: Any, *rules: Any) -> Any:
+        """What was made from a source (ETL `s.equivalent()`, `s.equivalent("R")`).
+
+        Args:
+            source: an element, a value, or a collection of them.
+            rules: names of rules, or their functions; all if none. A name that is no rule gives nothing, and a warning.
+
+        Returns:
+            The first target, or None; of a collection all targets of all members, in a flat list.
+
+        Raises:
+            RuleError: a rule that runs for it raises.
+        """
+        if _is_collection(source):
+            return Q([t for targets in self.equivalents(source, *rules) for t in targets])
+        if source is None:
+            return None
+        found = self._schedule().equivalents(source, self._names(rules) if rules else ())
+        return found[0] if found else None
+
+    def equivalents(self, source: Any, *rules: Any) -> Any:
+        """All that was made from a source (ETL `s.equivalents()`), in the order of the rules, primary ones first.
+
+        Returns:
+            A list; of a collection a list of lists, equal ones once. In the schedule `match` None for a source without rule.
+
+        Raises:
+            RuleError: a rule that runs for it raises.
+        """
+        if source is None:
+            return None
+        running, names = self._schedule(), self._names(rules) if rules else ()
+        if not _is_collection(source):
+            found = running.equivalents(source, names)
+            return Q(found) if found is not None else None
+        distinct: dict[tuple[int, ...], Any] = {}
+        for member in source:
+            found = running.equivalents(member, names) if member is not None else None
+            if found is not None:
+                distinct.setdefault(tuple(map(id, found)), Q(found))
+        return Q(distinct.values())
+
+    def set(self, target: Any, /, **features: Any) -> None:
+        """Set features to the equivalents of values (ETL `target.feature ::= value`).
+
+        Args:
+            target: an element.
+            features: feature name -> a source, or a collection of sources for a many-valued feature; what has no equivalent gives
+                None, in a collection nothing.
+
+        Raises:
+            ModelError: there is no such feature, or one value is given for many, or a collection for one.
+        """
+        for name, value in features.items():
+            assign(target, name, self.equivalent(value), value)
+
+
+_COLLECTIONS: dict[type, bool] = {}
+
+
+def _is_collection(value: Any) -> bool:
+    """Whether the value is a collection; that is asked at every equivalent, and its class decides."""
+    cls = value.__class__
+    known = _COLLECTIONS.get(cls)
+    if known is None:
+        known = _COLLECTIONS[cls] = collection_kind(value) is not None
+    return known

@@ -1,0 +1,320 @@
+"""`Flock`: migration of models whose metamodel has changed, as a Flock script is one.
+
+Three passes over the original model in containment order: targets, conservative copy, rules. Types are given as texts, since
+either metamodel may lack them, or as types of the models. The copy itself is `conservative_copy`'s business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from robosmi.errors import RuleError, UsageError, did_you_mean
+from robosmi.model.driver import TypeHandle, class_of
+from robosmi.model.emf import EmfModel
+from robosmi.model.features import eclass_of
+from robosmi.model.structure import feature_names
+from robosmi.query.collections import Q
+from robosmi.query.erl import Blocks, as_model, failed, run_over, technology
+from robosmi.query.values import collection_kind
+from robosmi.transform.assignment import assign
+from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+@dataclass(eq=False)
+class Mapping:
+    """A retyping or deletion, of a type or of a package.
+
+    Attributes:
+        what: as a message names it, "retype Book to Novel".
+        original: the type, or the package.
+        package: whether it is a package.
+        evolved: the new type or package, None for a deletion.
+        when: for which elements, or None for all.
+        strict: whether subtypes are left alone.
+        cascade: whether what deleted elements contain is deleted too.
+    """
+
+    what: str
+    original: str
+    package: bool = False
+    evolved: str | None = None
+    when: Callable[[Any], Any] | None = None
+    strict: bool = False
+    cascade: bool = False
+
+
+@dataclass(eq=False)
+class MigrateRule:
+    """A rule for the elements of a type.
+
+    Attributes:
+        original: the type.
+        ignoring: features that are not copied.
+        when: for which elements, or None for all.
+        strict: whether subtypes are left alone.
+        body: what to do with (original, migrated), or None for nothing.
+    """
+
+    original: str
+    ignoring: tuple[str, ...] = ()
+    when: Callable[[Any], Any] | None = None
+    strict: bool = False
+    body: Callable[[Any, Any], Any] | None = None
+
+
+class Flock:
+    """A migration.
+
+    Args: original: the model as it was, of EMF. migrated: the model to fill, of the new metamodel; usually empty. keep_order:
+        whether references with an opposite keep their order. The engine copies both sides one after the other, which changes
+            the order of the first; this is its behaviour and the default.
+
+    Attributes: pre: blocks that run first; `@f.pre` adds one. post: blocks that run last. warnings: what the last run found
+        odd, in the engine's words.
+
+    Raises: UsageError: one of the models is none of EMF.
+    """
+
+    def __init__(self, original: Any, migrated: Any, *, keep_order: bool = False) -> None:
+        self.original = _emf(original)
+        self.migrated = _emf(migrated)
+        self.keep_order = keep_order
+        self.pre = Blocks()
+        self.post = Blocks()
+        self.warnings: list[str] = []
+        self._mappings: list[Mapping] = []
+        self._rules: list[MigrateRule] = []
+        self._equivalents: dict[int, tuple[Any, Any]] = {}
+
+    def retype(self, original: Any, evolved: Any, *, when: Callable[[Any], Any] | None = None, strict: bool = False) -> None:
+        """Elements of a type become elements of another (Flock `retype A to B when: ...`); the first mapping that fits counts."""
+        old, new = _name(original), _name(evolved)
+        self._mappings.append(Mapping(f"retype {old} to {new}", old, evolved=new, when=when, strict=strict))
+
+    def retype_package(self, original: str, evolved: str, *, when: Callable[[Any], Any] | None = None) -> None:
+        """Elements of a package become elements of the same type name in another (Flock `retype package a to b`)."""
+        self._mappings.append(Mapping(f"retype package {original} to {evolved}", original, True, evolved, when))
+
+    def delete(
+        self, original: Any, *, when: Callable[[Any], Any] | None = None, cascade: bool = False, strict: bool = False
+    ) -> None:
+        """Elements of a type are not migrated (Flock `delete A`); what they contain becomes roots, with `cascade` it goes too."""
+        old = _name(original)
+        self._mappings.append(Mapping(f"delete {old}", old, when=when, strict=strict, cascade=cascade))
+
+    def delete_package(self, original: str, *, when: Callable[[Any], Any] | None = None) -> None:
+        """Elements of a package are not migrated (Flock `delete package a`)."""
+        self._mappings.append(Mapping(f"delete package {original}", original, True, when=when))
+
+    def migrate(
+        self, original: Any, *, ignoring: Iterable[str] = (), when: Callable[[Any], Any] | None = None, strict: bool = False
+    ) -> Callable[[F], F]:
+        """A rule: `@f.migrate("Book") def _(original, migrated): ...`; without a function it only ignores features.
+
+        Args:
+            original: type of the original elements, by kind.
+            ignoring: features that are not copied.
+            when: for which elements.
+            strict: whether subtypes are left alone.
+        """
+        ignored = (ignoring,) if isinstance(ignoring, str) else tuple(ignoring)
+        rule = MigrateRule(_name(original), ignored, when, strict)
+        self._rules.append(rule)
+
+        def add(body: F) -> F:
+            rule.body = body
+            return body
+
+        return add
+
+    def equivalent(self, original: Any) -> Any:
+        """What became of an element: its migrated one, None if it has none; of a collection a list without those.
+
+        Elements of other models and plain values are their own equivalent, as in the engine.
+        """
+        if collection_kind(original) is not None:
+            return Q([e for e in (self._equivalent(x) for x in original) if e is not None])
+        return self._copy.value(original) if original is not None else None
+
+    def set(self, target: Any, /, **features: Any) -> None:
+        """Set features to the equivalents of values (Flock `migrated.feature ::= original.feature`).
+
+        Raises:
+            ModelError: there is no such feature, or one value is given for many, or a collection for one.
+        """
+        for name, value in features.items():
+            assign(target, name, self.equivalent(value), value)
+
+    def _equivalent(self, original: Any) -> Any:
+        found = self._equivalents.get(id(original))
+        return found[1] if found is not None else None if self.original.owns(original) else original
+
+    @property
+    def _copy(self) -> ConservativeCopy:
+        return ConservativeCopy(self._equivalent, self._literal, self.warnings.append)
+
+    def _literal(self, enumeration: str, literal: str) -> Any:
+        found = self.migrated.metamodel.find(enumeration)
+        return next((x for x in getattr(found, "eLiterals", ()) if x.name == literal), None)
+
+    def run(self) -> EmfModel:
+        """Migrate: pre blocks, targets, conservative copy, rules, post blocks.
+
+        Returns:
+            The migrated model.
+
+        Raises:
+            RuleError: a guard or rule raises, or a type to retype to does not exist or is abstract.
+        """
+        self.warnings, self._equivalents = [], {}
+        with run_over([self.original, self.migrated]):
+            self.pre.run("pre")
+            self._check()
+            self._migrate()
+            self.post.run("post")
+        return self.migrated
+
+    def _migrate(self) -> None:
+        elements = list(self.original.all_contents())
+        for original in elements:
+            self._equivalents[id(original)] = (original, self._target(original))
+        copy = self._copy
+        rules = []
+        for original in elements:
+            rules.append(fitting := self._fitting_rules(original))
+            if (migrated := self._equivalents[id(original)][1]) is not None:
+                migrated._internal_id = original._internal_id
+                copy.copy(original, migrated, [name for rule in fitting for name in rule.ignoring])
+        if self.keep_order:
+            for original, migrated in list(self._equivalents.values()):
+                if migrated is not None:
+                    restore_order(original, migrated, self._equivalent)
+        for original, fitting in zip(elements, rules, strict=True):
+            self._apply(original, fitting)
+
+    def _check(self) -> None:
+        """Warnings about what the original metamodel does not have, and errors about what the new one has not."""
+        for mapping in self._mappings:
+            if mapping.package:
+                if not self._has_package(mapping.original):
+                    self.warnings.append(
+                        f"Rule defined for migrating members of {mapping.original}, but no package {mapping.original} was found "
+                        "in the original metamodel."
+                    )
+                continue
+            self._check_type(mapping.original)
+            if mapping.evolved is not None and not self._instantiable(mapping.evolved):
+                names = [n for n in self.migrated.type_names() if self._instantiable(n)]
+                raise RuleError(
+                    f"{mapping.what}: the new metamodel has no type '{mapping.evolved}' that can have elements"
+                    f"{did_you_mean(mapping.evolved, names)}",
+                    fix=f"use one of: {', '.join(names)}",
+                )
+        for rule in self._rules:
+            kind = self._check_type(rule.original)
+            for name in rule.ignoring if kind is not None else ():
+                if name not in feature_names(kind):
+                    self.warnings.append(
+                        f"The {name} property should be ignored, but there is no {name} property defined for {rule.original} "
+                        "in the original metamodel."
+                    )
+
+    def _check_type(self, name: str) -> Any:
+        kind = self.original.find_type(name)
+        if kind is None:
+            self.warnings.append(
+                f"Rule defined for migrating instances of {name}, but no type {name} was found in the original metamodel."
+            )
+        return kind
+
+    def _has_package(self, name: str) -> bool:
+        packages = self.original.packages
+        for part in name.split("::"):
+            found = next((p for p in packages if p.name == part), None)
+            if found is None:
+                return False
+            packages = list(found.eSubpackages)
+        return True
+
+    def _instantiable(self, name: str) -> bool:
+        kind = self.migrated.find_type(name)
+        return kind is not None and not kind.abstract and not kind.interface
+
+    def _target(self, original: Any) -> Any:
+        """The new element for an original one, or None."""
+        mapping = next((m for m in self._mappings if self._fits(m, original)), None)
+        if mapping is None:
+            name = "::".join(_path(original.eClass))
+        elif mapping.evolved is None:
+            return None
+        else:
+            name = f"{mapping.evolved}::{original.eClass.name}" if mapping.package else mapping.evolved
+        return self.migrated.create(name) if self._instantiable(name) else None
+
+    def _fits(self, mapping: Mapping, original: Any) -> bool:
+        element = original
+        while element is not None:
+            typed = _path(element.eClass)[0] == mapping.original if mapping.package else self._is(element, mapping)
+            if typed and self._when(mapping.what, mapping.when, element):
+                return True
+            element = element.eContainer() if mapping.cascade else None
+        return False
+
+    def _is(self, element: Any, construct: Mapping | MigrateRule) -> bool:
+        kind = self.original.find_type(construct.original)
+        if kind is None:
+            return False
+        cls = class_of(kind)
+        return element.__class__ is cls if construct.strict else isinstance(element, cls)
+
+    def _when(self, what: str, guard: Callable[[Any], Any] | None, element: Any) -> bool:
+        if guard is None:
+            return True
+        try:
+            return bool(guard(element))
+        except Exception as error:
+            raise failed(error, f"the guard of '{what}'", guard, element, [self.original]) from error
+
+    def _fitting_rules(self, original: Any) -> list[MigrateRule]:
+        return [r for r in self._rules if self._is(original, r) and self._when(f"migrate {r.original}", r.when, original)]
+
+    def _apply(self, original: Any, rules: list[MigrateRule]) -> None:
+        migrated = self._equivalents[id(original)][1]
+        for rule in rules:
+            if migrated is None:
+                self.warnings.append(
+                    f"Rule defined for migrating instances of {'::'.join(_path(original.eClass))} but that type cannot be "
+                    "instantiated in the evolved metamodel."
+                )
+            if rule.body is not None:
+                try:
+                    rule.body(original, migrated)
+                except Exception as error:
+                    raise failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original]) from error
+
+
+def _emf(given: Any) -> EmfModel:
+    model = technology(as_model(given))
+    if not isinstance(model, EmfModel):
+        raise UsageError(f"{model!r} is no EMF model", fix="migrate models whose metamodel is an .ecore")
+    return model
+
+
+def _name(kind: Any) -> str:
+    if isinstance(kind, str):
+        return kind
+    return "::".join(_path(kind.kind if isinstance(kind, TypeHandle) else kind))
+
+
+def _path(kind: Any) -> list[str]:
+    """The names of the packages of a class from the outermost, and its own."""
+    eclass = eclass_of(kind)
+    parts, package = [str(eclass.name)], eclass.ePackage
+    while package is not None:
+        parts.insert(0, str(package.name))
+        package = package.eSuperPackage
+    return parts

@@ -1,0 +1,70 @@
+"""`ModelMigration`: a step from an older version of a metamodel to the next, as content registers it (kind "model migration").
+
+The rules are a Flock migration; this object only brings the models together. `robosmi.model.versions` finds and calls it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import RuleError
+from robosmi.model.emf import EmfModel
+from robosmi.model.features import eclass_of
+from robosmi.model.metamodel import Metamodel
+from robosmi.model.metamodels import built_in
+from robosmi.transform.flock import Flock
+
+
+@dataclass
+class ModelMigration:
+    """A step between two versions.
+
+    Attributes:
+        old: the .ecore file of the older version. What it refers to in other files (`ccode.ecore#//Call`) is taken from the newer
+            packages where they have that namespace, so that elements of other models stay what they are.
+        rules: adds the rules to a `Flock`; what the newer version still takes is copied without any.
+        new: packages of the newer version; the built-in ones if None.
+    """
+
+    old: Path
+    rules: Callable[[Flock], object]
+    new: Metamodel | None = None
+
+    @cached_property
+    def _metamodel(self) -> Metamodel:
+        older = [p for p in Metamodel.load(self.old).epackages if self._new.get(p.nsURI) is None]
+        for feature in (f for p in older for c in p.eClassifiers for f in getattr(c, "eStructuralFeatures", ())):
+            kind = eclass_of(feature.eType)
+            current = self._new.get(kind.ePackage.nsURI) if kind.ePackage not in older else None
+            if current is not None:
+                feature.eType = current.getEClassifier(kind.name)
+        return Metamodel(older)
+
+    @cached_property
+    def _new(self) -> Metamodel:
+        return self.new or Metamodel(built_in().packages)
+
+    def packages(self) -> list[Any]:
+        """The packages of the older version."""
+        return list(self._metamodel.packages)
+
+    def __call__(self, root: Any) -> Any:
+        """The root of a model in the newer version.
+
+        Raises:
+            RuleError: a rule raises, or nothing or several roots are left.
+        """
+        old = Metamodel([*self._metamodel.packages, *self._new.packages])
+        f = Flock(EmfModel(root, old, "Old"), EmfModel((), self._new, "New"), keep_order=True)
+        self.rules(f)
+        roots = f.run().roots
+        if len(roots) != 1:
+            raise RuleError(
+                f"migrating {root!r} of {root.eClass.ePackage.nsURI} leaves {len(roots)} roots instead of one",
+                fix="retype the classes that were renamed: retype(old, new)",
+            )
+        return roots[0]

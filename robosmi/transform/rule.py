@@ -1,0 +1,272 @@
+"""Transformation rules as they are declared, and bound to the models of a run.
+
+A rule is a function: its name is the rule's, its first parameter the source, the others the targets. Their types are the
+annotations, or stand in the decorator. When which rule runs is the business of `schedule`.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.errors import RuleError, did_you_mean
+from robosmi.model.driver import Model, TypeHandle, class_of
+from robosmi.query.erl import RuleType, arity, failed, place_of, type_name
+
+
+@dataclass(frozen=True, eq=False)
+class Rule:
+    """A rule.
+
+    Attributes:
+        name: its name.
+        body: its function, of the source and the targets.
+        source: type of the source, in any of the forms of `RuleType`.
+        targets: types of the targets.
+        names: names of the targets, its parameters.
+        guard: for which sources it applies, or None for all.
+        extends: the rules it extends, names or functions.
+        lazy: whether it runs only for what is asked for.
+        greedy: whether it takes subtypes of its source type.
+        abstract: whether it only serves others.
+        primary: whether its targets come first among the equivalents.
+        init: target name -> function of the source that gives the object to use as target.
+    """
+
+    name: str
+    body: Callable[..., Any]
+    source: Any
+    targets: Sequence[Any]
+    names: Sequence[str]
+    guard: Callable[[Any], Any] | None = None
+    extends: Sequence[Any] = ()
+    lazy: bool = False
+    greedy: bool = False
+    abstract: bool = False
+    primary: bool = False
+    init: Mapping[str, Callable[..., Any]] | None = None
+
+    def wrong(self, message: str, fix: str) -> RuleError:
+        """An error about the rule itself."""
+        return RuleError(f"the rule {self.name} {message}", location=place_of(self.body), fix=fix)
+
+
+def declare(body: Callable[..., Any], transform: Any, to: Any, name: str | None, **options: Any) -> Rule:
+    """A rule from its function and the options of its decorator.
+
+    Raises:
+        RuleError: its types are not given, do not fit its parameters, or an initial value is for no target.
+    """
+    parameters = [p for p in inspect.signature(body).parameters.values() if p.default is inspect.Parameter.empty]
+    names = [p.name for p in parameters[1:]]
+    extends = options.pop("extends", ())
+    extends = [extends] if isinstance(extends, str) or callable(extends) else list(extends)
+    targets: list[Any] | None = None
+    if to is not None:
+        targets = list(to) if isinstance(to, (list, tuple)) else [to]
+    blank = Rule(name or body.__name__, body, None, [], names)
+    if not parameters:
+        raise blank.wrong("takes no source", "give its function a parameter for the source and one for each target")
+    given = [_annotation(body, p) for p in parameters]
+    source = transform if transform is not None else given[0]
+    if targets is None:
+        targets = given[1:]
+    if len(targets) != len(names):
+        raise blank.wrong(
+            f"has {len(targets)} target types and {len(names)} parameters for targets", "give each target a parameter and a type"
+        )
+    for parameter, kind in zip(parameters, [source, *targets], strict=True):
+        if kind is None:
+            raise blank.wrong(
+                f"does not say of which type '{parameter.name}' is",
+                f"write {parameter.name}: M.Type, or the types in the decorator: rule(L.Book, to=[G.Node])",
+            )
+    for target in options.get("init") or {}:
+        if target not in names:
+            raise blank.wrong(
+                f"has an initial value for '{target}', which is no target{did_you_mean(target, names)}", "name a target"
+            )
+    return Rule(blank.name, body, source, targets, names, extends=extends, **options)
+
+
+def _annotation(body: Callable[..., Any], parameter: inspect.Parameter) -> Any:
+    kind = parameter.annotation
+    if kind is inspect.Parameter.empty or kind is Any or kind == "Any":
+        return None
+    if not isinstance(kind, str):
+        return kind
+    scope = dict(inspect.getclosurevars(body).nonlocals)
+    try:
+        return eval(kind, getattr(body, "__globals__", {}), scope)  # what `from __future__ import annotations` left as text
+    except (NameError, AttributeError, SyntaxError):
+        return _AsWritten(kind)
+
+
+class _AsWritten(str):
+    """The text of an annotation whose names are not known where it stands; models of the run may have them (`L.Book`)."""
+
+    __slots__ = ()
+
+
+class BoundRule:
+    """A rule in one run: its types in the models, and what it has done so far."""
+
+    __slots__ = (
+        "body", "chain", "done", "guard", "init", "kind", "lazy", "makers", "models", "name", "own_bases", "rejected", "rule",
+        "width",
+    )  # fmt: skip
+
+    def __init__(self, rule: Rule, models: list[Model]) -> None:
+        self.rule = rule
+        self.models = models
+        self.name = rule.name
+        self.body = rule.body
+        self.guard = rule.guard
+        self.kind = RuleType(self._resolved(rule.source), models)
+        if self.kind.primitive is None and len(self.kind.models) > 1:
+            self.kind.models = self._having(models)[:1]
+        self.lazy = rule.lazy or (self.kind.primitive is not None and not rule.abstract)
+        self.width = len(rule.targets)
+        self.makers = [self._maker(n, given) for n, given in zip(rule.names, rule.targets, strict=True)]
+        self.init = [(rule.init or {}).get(n) for n in rule.names]
+        self.own_bases: list[BoundRule] = []
+        self.chain: list[BoundRule] = [self]
+        self.done: set[Any] = set()
+        self.rejected: set[Any] = set()
+
+    def _resolved(self, given: Any) -> Any:
+        if not isinstance(given, _AsWritten):
+            return given
+        if found := re.fullmatch(r"(\w+)[.!](\w+)", given):
+            return f"{found[1]}!{found[2]}"
+        return str(given)
+
+    def _having(self, models: Iterable[Model]) -> list[Model]:
+        name, cls = type_name(self.kind.kind), self.kind.cls
+        return [m for m in models if (found := m.find_type(name)) is not None and class_of(found) is cls]
+
+    def _maker(self, name: str, given: Any) -> Callable[[], Any]:
+        kind = RuleType(self._resolved(given), list(reversed(self.models)))
+        if kind.primitive is not None:
+            raise self.rule.wrong(f"cannot make '{name}': {kind.name} is no type of a model", "give a type of a model")
+        if isinstance(given, (TypeHandle, str)):
+            return kind.maker(None)
+        having = (m for m in kind.models if (t := m.find_type(kind.name)) is not None and class_of(t) is kind.cls)
+        return kind.maker(next(having, None))
+
+    def applies(self, source: Any, exact: bool, check_type: bool = True) -> bool:
+        """Whether the rule is for a source: its type, its guard and those of the rules it extends; a refusal is remembered.
+
+        Raises:
+            RuleError: a guard raises.
+        """
+        if source in self.done:
+            return True
+        if source in self.rejected or (check_type and not self.kind.has(source, exact)):
+            return False
+        if self.guard is None and not self.own_bases:
+            return True
+        try:
+            satisfied = self.guard is None or bool(self.guard(source))
+        except RuleError:
+            raise
+        except Exception as error:
+            assert self.guard is not None
+            raise failed(error, f"the guard of the rule {self.name}", self.guard, source, self.models) from error
+        for base in self.own_bases:
+            if not base.applies(source, exact=False):
+                satisfied = False
+                break
+        if not satisfied:
+            self.rejected.add(source)
+        return satisfied
+
+    def targets_for(self, source: Any) -> list[Any]:
+        """New targets for a source, or the objects that initial values give.
+
+        Raises:
+            RuleError: they cannot be made.
+        """
+        if self.rule.init is None:
+            try:
+                return [make() for make in self.makers]
+            except Exception as error:
+                raise failed(error, f"making the targets of the rule {self.name}", self.body, source, self.models) from error
+        made = []
+        for make, init in zip(self.makers, self.init, strict=True):
+            try:
+                made.append(make() if init is None else init(source) if arity(init) else init())
+            except Exception as error:
+                raise failed(error, f"a target of the rule {self.name}", init or self.body, source, self.models) from error
+        return made
+
+    def run(self, source: Any, targets: list[Any]) -> None:
+        """The bodies of the rules it extends, then its own.
+
+        Raises:
+            RuleError: one of them raises.
+        """
+        rule = self
+        try:
+            for rule in self.chain:
+                rule.done.add(source)
+                rule.body(source, *(targets if rule.width == len(targets) else targets[: rule.width]))
+        except RuleError:
+            raise  # of a rule that ran inside this one
+        except Exception as error:
+            raise failed(error, f"the rule {rule.name}", rule.body, source, self.models) from error
+
+
+def bind(rules: Sequence[Rule], models: list[Model]) -> list[BoundRule]:
+    """Rules with their types in the models and the rules they extend.
+
+    Raises:
+        RuleError: two have one name, one extends itself or a rule that there is not, or one that has more targets.
+        UnknownTypeError: a type is in none of the models.
+    """
+    bound: dict[str, BoundRule] = {}
+    for rule in rules:
+        if rule.name in bound:
+            raise rule.wrong("is there twice", "give one of them another name: rule(name=...)")
+        bound[rule.name] = BoundRule(rule, models)
+    names = {id(rule.body): rule.name for rule in rules}
+    for one in bound.values():
+        for given in one.rule.extends:
+            name = names.get(id(given), getattr(given, "__name__", str(given)))
+            if name not in bound:
+                raise one.rule.wrong(
+                    f"extends '{name}', which is no rule{did_you_mean(name, bound)}", f"use one of: {', '.join(bound)}"
+                )
+            one.own_bases.append(bound[name])
+    for one in bound.values():
+        one.chain = _chain(one)
+        for base in one.chain:
+            if base.width > one.width:
+                raise one.rule.wrong(
+                    f"extends {base.name}, which has {base.width} targets, but has {one.width} itself",
+                    "give it the same targets first",
+                )
+    return list(bound.values())
+
+
+def _chain(rule: BoundRule) -> list[BoundRule]:
+    """All rules that a rule extends, directly or not, each once before those that extend it, and the rule itself."""
+    ordered: dict[BoundRule, None] = {}
+    open_rules: list[BoundRule] = []
+    pending: list[tuple[BoundRule, bool]] = [(rule, False)]
+    while pending:
+        one, ready = pending.pop()
+        if ready:
+            open_rules.remove(one)
+            ordered[one] = None
+        elif one in open_rules:
+            circle = " extends ".join(r.name for r in [*open_rules[open_rules.index(one) :], one])
+            raise one.rule.wrong(f"extends itself: {circle}", "remove one of these")
+        elif one not in ordered:
+            open_rules.append(one)
+            pending.append((one, True))
+            pending.extend((base, False) for base in reversed(one.own_bases))
+    return list(ordered)

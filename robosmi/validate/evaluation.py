@@ -1,0 +1,230 @@
+"""One evaluation of constraints over models: which constraint sees which element when, and what is remembered.
+
+As the engine: contexts in order, their elements by kind in containment order, for each element the constraints in order. The
+answer of a check is remembered; it is made use of once somebody has asked for the constraint by `satisfies`. Findings are a set
+of (constraint, element, message). Source: Kolovos et al., The Epsilon Book, chapter 5, and measured (docs/reference/evl.md).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from robosmi.errors import RuleError, UsageError, did_you_mean
+from robosmi.model.driver import Model
+from robosmi.query.deep import LEVELS, in_thread
+from robosmi.query.erl import RuleType, failed, told
+from robosmi.validate.constraint import Constraint, Context, Fail
+from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
+
+
+class _State:
+    """A constraint in one evaluation: its functions, and what they answered.
+
+    While nobody has asked for it, only failures are kept: an element that its context is done with and that is not among them
+    holds. `results` has the answers since then, and all of those that a guard or `terminate` makes uncertain.
+    """
+
+    __slots__ = ("check", "constraint", "depended_on", "done", "failed", "guard", "kind", "recorded", "results")
+
+    def __init__(self, constraint: Constraint, kind: RuleType | None, done: set[Any]) -> None:
+        self.constraint = constraint
+        self.kind = kind
+        self.check = constraint.check if kind is not None else _of_nothing(constraint.check)
+        self.guard = constraint.guard if kind is not None or constraint.guard is None else _of_nothing(constraint.guard)
+        self.recorded = constraint.guard is not None or constraint.terminate
+        self.done = set() if self.recorded or constraint.lazy else done
+        self.failed: set[Any] = set()
+        self.results: dict[Any, bool] = {}
+        self.depended_on = False
+
+    def answer(self, element: Any) -> bool | None:
+        """What is remembered of an element; None if it must be evaluated."""
+        if not self.depended_on:
+            return None
+        if element in self.results:
+            return self.results[element]
+        return element not in self.failed if element in self.done else None
+
+    def asked(self) -> None:
+        """From now on its answers are made use of."""
+        self.depended_on = self.recorded = True
+
+
+def _of_nothing(function: Callable[[], Any]) -> Callable[[Any], Any]:
+    return lambda _: function()
+
+
+class Evaluation:
+    """Constraints at work on some models.
+
+    Args:
+        contexts: in the order in which they are evaluated.
+        models: the models.
+
+    Raises:
+        UnknownTypeError: a context is about a type that no model has.
+    """
+
+    def __init__(self, contexts: Sequence[Context], models: list[Model]) -> None:
+        self.models = models
+        self.result = Validation(models)
+        self._contexts: list[tuple[Context, RuleType | None, list[_State], set[Any]]] = []
+        self._named: dict[str, list[_State]] = {}
+        self._asked: dict[tuple[_State, Any], None] = {}
+        self._found: set[tuple[Constraint, Any, str]] = set()
+        for context in contexts:
+            kind = RuleType(context.kind, models) if context.kind is not None else None
+            done: set[Any] = set()
+            states = [_State(c, kind, done) for c in context.constraints]
+            self._contexts.append((context, kind, states, done))
+            for state in states:
+                self._named.setdefault(state.constraint.name, []).append(state)
+
+    def run(self) -> None:
+        """Evaluate everything that is not lazy.
+
+        Raises:
+            RuleError: a guard, a check, a message or a fix's title or guard raises; what was found before is kept.
+        """
+        for context, kind, states, done in self._contexts:
+            if not context.lazy:
+                self._sweep(self._elements(context, kind), [s for s in states if not s.constraint.lazy], done)
+
+    def _elements(self, context: Context, kind: RuleType | None) -> Iterator[Any]:
+        if kind is None:
+            yield None
+            return
+        elements = kind.instances(exact=False)
+        if context.guard is None:
+            yield from elements
+            return
+        for element in elements:
+            try:
+                included = context.guard(element)
+            except Exception as error:
+                raise failed(error, f"the guard of the context {context.name}", context.guard, element, self.models) from error
+            if included:
+                yield element
+
+    def _sweep(self, elements: Iterator[Any], states: list[_State], done: set[Any]) -> None:
+        for element in elements:
+            ended = False
+            for state in states:
+                try:
+                    if state.recorded:
+                        if state.guard is not None and not state.guard(element):
+                            continue
+                        if state.answer(element) is not None:
+                            continue  # its failure was reported when it was asked for
+                        verdict = state.check(element)
+                        state.results[element] = bool(verdict)
+                    else:
+                        verdict = state.check(element)
+                except RuleError:
+                    raise  # of a constraint that was asked for
+                except Exception as error:
+                    raise self._failed(error, state, element) from error
+                if not verdict:
+                    state.failed.add(element)
+                    self._report(state, element, verdict)
+                    ended |= state.constraint.terminate
+            done.add(element)
+            if ended:
+                states = [s for s in states if not (s.constraint.terminate and s.failed)]
+
+    def _failed(self, error: Exception, state: _State, element: Any) -> Exception:
+        constraint, raised = state.constraint, error.__traceback__ and error.__traceback__.tb_next
+        guard = getattr(constraint.guard, "__code__", None)
+        frames = []
+        while raised is not None:
+            frames.append(raised.tb_frame.f_code)
+            raised = raised.tb_next
+        in_guard = guard is not None and guard in frames[:2]
+        function = constraint.guard if in_guard and constraint.guard is not None else constraint.check
+        what = f"the {'guard' if in_guard else 'check'} of {constraint.name}"
+        return failed(error, what, function, element, self.models)
+
+    def _report(self, state: _State, element: Any, verdict: Any) -> None:
+        constraint = state.constraint
+        said = verdict if isinstance(verdict, Fail) else Fail()
+        what: tuple[str, Any] = ("the message", constraint.message)
+        try:
+            message = said.message if said.message is not None else told(constraint.message, element)
+            default = message is None
+            message = f"Invariant {constraint.name} failed for {element!r}" if default else str(message)
+            key = (constraint, element, message)
+            if key in self._found:
+                return
+            self._found.add(key)
+            found = Unsatisfied(constraint, element, message, default, dict(said.extras))
+            self.result.unsatisfied.append(found)
+            for fix in (*said.fixes, *constraint.fixes):
+                what = ("a fix's guard or title", fix.guard if callable(fix.guard) else fix.title)
+                if told(fix.guard, element):
+                    found.fixes.append(OfferedFix(fix, found, self.models))
+        except Exception as error:
+            function = what[1] if callable(what[1]) else constraint.check
+            raise failed(error, f"{what[0]} of {constraint.name}", function, element, self.models) from error
+
+    def satisfies(self, element: Any, name: Any) -> bool:
+        """Whether the element satisfies a constraint; one whose guard is false it does not.
+
+        Args:
+            element: the element; None satisfies nothing.
+            name: the constraint's name, or its function.
+
+        Raises:
+            UsageError: there is no such constraint for the element, or constraints ask for each other in a circle.
+        """
+        if element is None:
+            return False
+        state = self._state_named(name, element)
+        if state.kind is None:
+            element = None
+        if (known := state.answer(element)) is not None:
+            return known
+        if (state, element) in self._asked:
+            circle = ", ".join(dict.fromkeys(s.constraint.name for s, _ in self._asked))
+            raise UsageError(
+                f"constraints ask for each other in a circle: {circle}", fix="remove one of these calls of satisfies"
+            )
+        self._asked[state, element] = None
+        try:
+            return bool(self._ask(state, element) if len(self._asked) % LEVELS else in_thread(self._ask, state, element))
+        except RuleError:
+            raise
+        except Exception as error:
+            raise self._failed(error, state, element) from error
+        finally:
+            self._asked.pop((state, element), None)
+
+    def _ask(self, state: _State, element: Any) -> bool:
+        if state.guard is not None and not state.guard(element):
+            state.asked()
+            return False
+        verdict = state.check(element)
+        state.results[element] = bool(verdict)
+        if not verdict:
+            self._report(state, element, verdict)
+        state.asked()
+        return bool(verdict)
+
+    def _state_named(self, name: Any, element: Any) -> _State:
+        if callable(name):
+            named = [s for states in self._named.values() for s in states if s.constraint.check is name]
+            name = getattr(name, "__name__", repr(name))
+        else:
+            named = self._named.get(name, [])
+        for state in named:
+            if state.kind is None or state.kind.has(element):
+                return state
+        if not named:
+            raise UsageError(
+                f"there is no constraint '{name}'{did_you_mean(str(name), self._named)}",
+                fix=f"use one of: {', '.join(self._named)}",
+            )
+        contexts = ", ".join(s.constraint.context.name for s in named)
+        raise UsageError(
+            f"the constraint '{name}' is about {contexts}, not about {element!r}", fix="ask for one of its own context"
+        )

@@ -1,0 +1,160 @@
+"""`EVL`: a module of constraints, as an EVL file is one.
+
+It holds contexts, constraints without context, pre and post blocks and the modules it includes, and runs them over models. It
+can be written without any model (contexts about classes or names) and run over as many as one likes, one after the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, overload
+
+from robosmi.model.driver import Model
+from robosmi.query.erl import Blocks, as_model, run_over
+from robosmi.validate.constraint import Context, F
+from robosmi.validate.evaluation import Evaluation
+from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
+
+
+class EVL:
+    """Constraints on models.
+
+    Args:
+        models: handles or root elements; `run` may be given others.
+
+    Attributes:
+        pre: blocks that run before all checks; `@v.pre` adds one.
+        post: blocks that run after all fixes.
+        contexts: the contexts declared here, in order.
+    """
+
+    def __init__(self, *models: Any) -> None:
+        self.models: list[Model] = [as_model(m) for m in models]
+        self.pre = Blocks()
+        self.post = Blocks()
+        self.contexts: list[Context] = []
+        self._constraints = Context(None)
+        self._critiques = Context(None)
+        self._included: list[EVL] = []
+        self._evaluation: Evaluation | None = None
+
+    def context(
+        self, kind: Any, *, guard: Callable[[Any], Any] | None = None, lazy: bool = False, name: str | None = None
+    ) -> Context:
+        """A context: constraints on the elements of a type and its subtypes.
+
+        Args:
+            kind: a type of a model (`M.Book`), a class, or a name ("Book", "M!Book").
+            guard: for which elements its constraints are evaluated.
+            lazy: whether its constraints are evaluated only where `satisfies` asks.
+            name: how reports name it; the type's name if None.
+        """
+        made = Context(kind, guard, lazy, name)
+        self.contexts.append(made)
+        return made
+
+    @overload
+    def constraint(self, check: F, /) -> F: ...
+    @overload
+    def constraint(self, /, **options: Any) -> Callable[[F], F]: ...
+    def constraint(self, check: Any = None, /, **options: Any) -> Any:
+        """Add a constraint without context: it is evaluated once, after all contexts, and its function takes nothing."""
+        add = self._constraints.constraint(**options)
+        return add if check is None else add(check)
+
+    @overload
+    def critique(self, check: F, /) -> F: ...
+    @overload
+    def critique(self, /, **options: Any) -> Callable[[F], F]: ...
+    def critique(self, check: Any = None, /, **options: Any) -> Any:
+        """Add a critique without context: evaluated once, after all constraints without context."""
+        add = self._critiques.critique(**options)
+        return add if check is None else add(check)
+
+    def include(self, other: EVL) -> None:
+        """Import another module: its pre blocks, contexts and post blocks come before those of this one."""
+        self._included.append(other)
+
+    def modules(self) -> list[EVL]:
+        """The included modules, those that they include before them, and this one last; each once."""
+        found: dict[EVL, None] = {}
+        pending = [(self, False)]
+        seen: set[EVL] = set()
+        while pending:
+            module, ready = pending.pop()
+            if ready:
+                found[module] = None
+            elif module not in seen:
+                seen.add(module)
+                pending.append((module, True))
+                pending.extend((m, False) for m in reversed(module._included))
+        return list(found)
+
+    def run(self, *models: Any, fix: str | Callable[[Unsatisfied], OfferedFix | None] | None = None) -> Validation:
+        """Validate: pre blocks, all checks, fixes if wanted, post blocks.
+
+        Args:
+            models: handles or root elements; those of the constructor if none.
+            fix: "first" or "last" to perform that fix of every finding, or a function that chooses one.
+
+        Raises:
+            RuleError: a block or a function of a constraint raises; what was found until then is in `unsatisfied`.
+            UnknownTypeError: a context is about a type that no model has.
+        """
+        modules = self.modules()
+        evaluation = self._start(modules, [as_model(m) for m in models])
+        with run_over(evaluation.models):
+            for module in modules:
+                module.pre.run("pre")
+            evaluation.run()
+            if fix is not None:
+                evaluation.result.apply(fix)
+            for module in modules:
+                module.post.run("post")
+        return evaluation.result
+
+    def _start(self, modules: list[EVL], models: list[Model]) -> Evaluation:
+        used = models or [m for module in reversed(modules) for m in module.models]
+        contexts = []
+        for module in modules:
+            contexts += [*module.contexts, *(c for c in (module._constraints, module._critiques) if c.constraints)]
+        evaluation = Evaluation(contexts, list(dict.fromkeys(used)))
+        for module in modules:
+            module._evaluation = evaluation
+        return evaluation
+
+    def _current(self) -> Evaluation:
+        return self._evaluation or self._start(self.modules(), [])
+
+    def satisfies(self, element: Any, *names: Any) -> bool:
+        """Whether an element satisfies all these constraints, named or given as functions; what fails is reported.
+
+        Raises:
+            UsageError: there is no such constraint for the element, or constraints ask for each other in a circle.
+        """
+        return all(self._current().satisfies(element, name) for name in names)
+
+    satisfies_all = satisfies
+
+    def satisfies_one(self, element: Any, *names: Any) -> bool:
+        """Whether an element satisfies at least one of these constraints.
+
+        Raises:
+            UsageError: there is no such constraint for the element, or constraints ask for each other in a circle.
+        """
+        return any(self._current().satisfies(element, name) for name in names)
+
+    @property
+    def unsatisfied(self) -> list[Unsatisfied]:
+        """What the last run found, also of one that ended with an error."""
+        return self._evaluation.result.unsatisfied if self._evaluation is not None else []
+
+    @property
+    def fixed(self) -> list[Applied]:
+        """The fixes that the last run performed."""
+        return self._evaluation.result.fixed if self._evaluation is not None else []
+
+    @property
+    def result(self) -> Validation | None:
+        """The result of the last run, also of one that ended with an error."""
+        return self._evaluation.result if self._evaluation is not None else None

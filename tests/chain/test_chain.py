@@ -1,0 +1,368 @@
+"""Chains: what is done when something changes, what a dry run shows, and what is wrong with a chain.
+
+`site` is a chain over two technologies (XMI and CSV): loaded, validated, transformed, made into files.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robosmi.chain import Chain, ChainResult, read_chain
+from robosmi.chain.steps import DOES
+from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError
+from robosmi.transform import ETL
+from tests.running import run as command
+from tests.running import tree
+
+SITE = Path(__file__).parent / "site"
+ALL = ["load library", "load prices", "constraints", "to_site", "pages"]
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    """A copy of the chain's folder."""
+    shutil.copytree(SITE, tmp_path / "site", ignore=shutil.ignore_patterns("__pycache__"))
+    return tmp_path / "site"
+
+
+def run(site: Path, **options: Any) -> ChainResult:
+    return read_chain(site / "chain.toml").run(**options)
+
+
+def done(result: ChainResult) -> list[str]:
+    """The steps that were not up to date."""
+    return [r.step.name for r in result.steps if r.state != "up to date"]
+
+
+def replace(path: Path, old: str, new: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_a_chain_is_done_once_and_then_up_to_date(site: Path) -> None:
+    first = run(site)
+    assert [r.step.name for r in first.steps] == ALL
+    assert [r.state for r in first.steps] == ["done"] * 5
+    assert all(r.seconds > 0 for r in first.steps)
+    assert first.seconds >= sum(r.seconds for r in first.steps)
+    assert sorted(p.name for p in (site / "out").glob("*.html")) == [
+        "Ants.html",
+        "Boards.html",
+        "Propellers.html",
+        "Zap.html",
+        "index.html",
+    ]
+    assert "<b>8.25</b>" in (site / "out" / "Ants.html").read_text()
+    before = tree(site)
+    assert done(run(site)) == []
+    assert tree(site) == before
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "expected"),
+    [
+        ("library.xmi", 'name="Ants"', 'name="Wasps"', ["load library", "constraints", "to_site", "pages"]),
+        ("library.xmi", 'year="1999"', 'year="1998"', ["load library", "constraints", "to_site"]),
+        ("library.ecore", 'name="library"', 'name="library" ', ["load library", "constraints", "to_site"]),
+        ("prices.csv", "8.25", "9", ["load prices", "to_site", "pages"]),
+        ("templates/page.html", "<b>", "<i>", ["pages"]),
+        ("site.ecore", 'name="site"', 'name="site" ', ["to_site", "pages"]),
+        ("rules.py", "has no author", "lacks an author", ["constraints", "to_site", "pages"]),
+        ("chain.toml", 'models = "site"', 'models = ["site"]', []),
+        ("chain.toml", 'file = "build/site.xmi"', 'file = "site.xmi"', ["to_site"]),
+    ],
+)  # fmt: skip
+def test_only_what_depends_on_a_change_is_done_again(file: str, old: str, new: str, expected: list[str], site: Path) -> None:
+    """A step behind one that made the same again is not done: a year is not on the site."""
+    run(site)
+    replace(site / file, old, new)
+    assert done(run(site)) == expected
+    assert done(run(site)) == []
+
+
+def test_a_missing_output_is_made_again(site: Path) -> None:
+    run(site)
+    (site / "out" / "Ants.html").unlink()
+    assert done(run(site)) == ["pages"]
+    (site / "build" / "site.xmi").unlink()
+    assert done(run(site)) == ["to_site"]
+    assert (site / "out" / "Ants.html").is_file()
+
+
+def test_what_a_person_wrote_in_a_page_is_kept_and_said(site: Path) -> None:
+    run(site)
+    replace(site / "out" / "Ants.html", "<h1>", "<h1 class='mine'>")
+    replace(site / "out" / "Ants.html", "nothing yet", "ants are small")
+    replace(site / "prices.csv", "8.25", "9")
+    result = run(site)
+    text = (site / "out" / "Ants.html").read_text()
+    assert "<h1 class='mine'>" in text
+    assert "ants are small" in text
+    assert "<b>9</b>" in text
+    assert [f.rule for f in result.findings] == ["RS512"]
+    assert result["pages"].written == ["out/.robosmi/pages/Ants.html", "out/Ants.html"]
+    again = run(site)
+    assert done(again) == []
+    assert [f.rule for f in again.findings] == ["RS512"], "a step that is up to date says what it said"
+
+
+def test_without_keep_the_engine_has_its_way(site: Path) -> None:
+    run(site, keep=False)
+    replace(site / "out" / "Ants.html", "<h1>", "<h1 class='mine'>")
+    run(site, keep=False)
+    assert "mine" not in (site / "out" / "Ants.html").read_text()
+
+
+def test_a_model_that_a_person_changed_is_not_written_over(site: Path) -> None:
+    run(site)
+    replace(site / "build" / "site.xmi", "Ants", "Bugs")
+    replace(site / "prices.csv", "8.25", "9")
+    before = (site / "build" / "site.xmi").read_bytes()
+    with pytest.raises(StoppedError, match=r"'build/site.xmi' was changed since the step 'to_site' made it") as stopped:
+        run(site)
+    assert stopped.value.fix
+    assert (site / "build" / "site.xmi").read_bytes() == before
+
+
+def test_a_dry_run_writes_nothing_and_shows_what_would_change(site: Path) -> None:
+    before = tree(site)
+    result = run(site, dry_run=True)
+    assert tree(site) == before
+    assert [r.state for r in result.steps] == ["would run"] * 5
+    assert "+++ b/Ants.html" in result.diff()
+    run(site)
+    replace(site / "prices.csv", "8.25", "9")
+    before = tree(site)
+    result = run(site, dry_run=True)
+    assert done(result) == ["load prices", "to_site", "pages"]
+    assert "-<b>8.25</b>\n+<b>9</b>" in result.diff()
+    assert tree(site) == before
+
+
+def test_force_does_every_step(site: Path) -> None:
+    run(site)
+    result = run(site, force=True)
+    assert done(result) == ALL
+    assert result["pages"].written == []
+
+
+def test_a_failed_validation_stops_the_steps_that_use_its_models(site: Path) -> None:
+    replace(site / "rules.py", "len(b.authors) > 0", "len(b.authors) > 5")
+    result = run(site)
+    assert [r.state for r in result.steps] == ["done", "done", "failed", "not run", "not run"]
+    assert [f.severity.name for f in result.findings] == ["error"] * 4
+    assert not (site / "out").exists()
+    assert [r.state for r in run(site).steps] == ["up to date", "up to date", "failed", "not run", "not run"]
+    replace(site / "chain.toml", 'validate = "rules.py:constraints"', 'validate = "rules.py:constraints"\nstop_at = "never"')
+    assert (run(site)["pages"].state) == "done"
+
+
+def test_a_step_that_fails_leaves_the_earlier_ones_done(site: Path) -> None:
+    replace(site / "templates" / "page.html", "p.price", "p.prise")
+    with pytest.raises(RobosmiError, match="prise"):
+        run(site)
+    assert not (site / "out").exists()
+    replace(site / "templates" / "page.html", "p.prise", "p.price")
+    assert done(run(site)) == ["pages"]
+
+
+def test_a_run_that_was_killed_while_it_wrote_a_model_does_not_take_its_own_file_for_an_edit(site: Path) -> None:
+    run(site)
+    state = site / ".robosmi" / "chains" / "chain.json"
+    replace(site / "prices.csv", "8.25", "9")
+    child = os.fork()
+    if child == 0:
+
+        def killed(*_: Any) -> Any:
+            (site / "build" / "site.xmi").write_text("half")
+            os._exit(1)
+
+        DOES["transform"] = killed
+        run(site)
+    os.waitpid(child, 0)
+    assert json.loads(state.read_text())["steps"]["to_site"]["outputs"] == {}
+    assert "to_site" in done(run(site))
+    assert "<b>9</b>" in (site / "out" / "Ants.html").read_text()
+
+
+# In Python
+
+
+def shout(t: ETL, a: Any, b: Any) -> None:
+    """A page for each page, louder."""
+
+    @t.rule(a.Page, to=[b.Page])
+    def Page(x: Any, y: Any) -> None:
+        y.title = x.title.upper()
+
+
+def louder(t: ETL, b: Any, c: Any) -> None:
+    """Louder still."""
+    shout(t, b, c)
+
+
+def test_a_chain_in_python_and_its_graph(site: Path) -> None:
+    run(site)
+    c = Chain(site, "second")
+    c.load("a", "build/site.xmi", metamodel="site.ecore")
+    c.transform(shout, models="a", makes="b", metamodel="site.ecore")
+    c.transform(louder, models="b", makes="c", metamodel="site.ecore", file="c.xmi", step="again")
+    graph = c.graph()
+    assert set(graph.predecessors("step shout")) >= {"model a", "file site.ecore"}
+    assert set(graph.successors("step again")) == {"model c", "file c.xmi"}
+    assert graph.nodes["model b"]["kind"] == "model"
+    assert c.run()["again"].written == ["c.xmi"]
+    assert "ANTS" in (site / "c.xmi").read_text()
+    (site / "c.xmi").unlink()
+    assert done(c.run()) == ["again"], "the model in memory is made for it without a word"
+
+
+def test_steps_are_done_in_the_order_of_what_they_need(site: Path) -> None:
+    c = Chain(site, "turned")
+    c.transform(shout, models="b", makes="c", metamodel="site.ecore", file="c.xmi", step="second")
+    c.transform(shout, models="a", makes="b", metamodel="site.ecore", file="b.xmi", step="first")
+    c.load("a", "build/site.xmi", metamodel="site.ecore")
+    run(site)
+    assert [s.name for s in c.check()] == ["load a", "first", "second"]
+
+
+# Bad input: nothing is done
+
+
+def wrong(site: Path, kind: type[RobosmiError] = SourceError) -> RobosmiError:
+    before = tree(site)
+    with pytest.raises(kind) as raised:
+        run(site)
+    assert {n: d for n, d in tree(site).items() if "__pycache__" not in n} == {
+        n: d for n, d in before.items() if "__pycache__" not in n
+    }
+    assert raised.value.location is not None
+    assert raised.value.fix
+    return raised.value
+
+
+def test_a_chain_with_a_circle(site: Path) -> None:
+    with (site / "chain.toml").open("a") as file:
+        file.write('\n[[step]]\ntransform = "rules.py:to_site"\nname = "back"\nmodels = "site"\nmakes = "again"\n')
+        file.write('metamodel = "site.ecore"\nfile = "prices.csv"\n')
+    replace(site / "chain.toml", 'file = "prices.csv"\n\n', 'file = "out2.csv"\ndriver = "rows"\n\n')
+    (site / "out2.csv").write_text("a\n")
+    replace(site / "chain.toml", 'load = "prices"\nfile = "out2.csv"', 'load = "prices"\nfile = "prices.csv"')
+    error = wrong(site)
+    assert "the chain goes in a circle" in error.message
+    assert "step back" in error.message
+    assert "step to_site" in error.message
+    assert str(error.location) == str(site / "chain.toml")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "cause"),
+    [
+        ("library.xmi", "libary.xmi", "reads 'libary.xmi', which does not exist and no step makes"),
+        ("site.ecore", "sites.ecore", "reads 'sites.ecore', which does not exist"),
+        ('templates = "templates"', 'templates = "template"', "reads 'template', which does not exist"),
+        ('models = "site"', 'models = "sight"', "uses the model 'sight', which no step makes (did you mean 'site'?)"),
+        ('makes = "site"', 'makes = "library"', "two steps make the model library"),
+        ('folder = "out"', 'folder = "build/site.xmi"', "two steps make the file build/site.xmi"),
+        ('load = "prices"', 'load = "prices"\nname = "load library"', "two steps are called 'load library'"),
+        ('load = "prices"', 'lood = "prices"', "step 2 says nothing of what it does"),
+        ('load = "prices"', 'load = "prices"\ngenerate = "x"', "step 2 does two things: load and generate"),
+        ('file = "prices.csv"', 'fiel = "prices.csv"', "'fiel' is no key of load (did you mean 'file'?)"),
+        ('file = "prices.csv"', "", "step 2 (load = 'prices') has no 'file'"),
+        ('file = "prices.csv"', "file = 3", "'file' of step 2 is no text"),
+        ('load = "prices"', "load = 3", "'load' of step 2 is no text"),
+        ('load = "prices"', 'load = "prices"\nname = "../x"', "'../x' cannot be a step's name"),
+        ("[[step]]", "[[stepp]]", "'stepp' is no table of a chain"),
+        ("[[step]]", "step = 1 #", "no TOML"),
+        ('"rules.py:pages"', '"rules.py:page"', "has no function 'page' (did you mean 'pages'?)"),
+        ('"rules.py:pages"', '"rule.py:pages"', "there is no file"),
+        ('"rules.py:pages"', '"nowhere.at.all:pages"', "cannot be imported"),
+        ('"rules.py:pages"', '"pages"', "names no function"),
+        ('"rules.py:constraints"', '"rules.py:constraints"\nstop_at = "eror"', "stop_at = 'eror' is no level"),
+    ],
+)  # fmt: skip
+def test_a_wrong_chain(old: str, new: str, cause: str, site: Path) -> None:
+    replace(site / "chain.toml", old, new)
+    error = wrong(site)
+    assert cause in error.message
+    assert error.location is not None
+    assert error.location.path == str(site / "chain.toml")
+
+
+def test_a_chain_without_steps_and_one_that_is_not_there(site: Path) -> None:
+    (site / "chain.toml").write_text("")
+    assert "has no steps" in wrong(site).message
+    (site / "chain.toml").unlink()
+    assert "does not exist" in wrong(site).message
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "cause"),
+    [
+        ("def pages(g: Gen, site: Any) -> None:", "def pages(g: Gen, site: Any -> None:", 40, "does not parse"),
+        ("from typing import Any", "from typing import Anny", 5, "ImportError"),
+    ],
+)
+def test_code_that_cannot_be_imported(old: str, new: str, line: int, cause: str, site: Path) -> None:
+    replace(site / "rules.py", old, new)
+    error = wrong(site, RuleError)
+    assert cause in error.message
+    assert str(error.location) == f"{site / 'rules.py'}:{line}"
+
+
+def test_a_function_that_does_not_fit(site: Path) -> None:
+    replace(site / "rules.py", "def pages(g: Gen, site: Any)", "def pages(g: Gen, sight: Any)")
+    with pytest.raises(RuleError, match="the function of the step 'pages' does not fit") as raised:
+        run(site)
+    assert raised.value.location is not None
+    assert raised.value.location.path.endswith("rules.py")
+
+
+def test_a_damaged_state_is_said(site: Path) -> None:
+    run(site)
+    (site / ".robosmi" / "chains" / "chain.json").write_text('{"schema": "robosmi-chain/1", "steps": {"x": {"y": 1}}}')
+    assert "the record of the last run cannot be read" in wrong(site).message
+
+
+# The command
+
+
+def test_the_command_says_the_steps_with_state_and_time(site: Path) -> None:
+    outcome = command("run", site / "chain.toml", "--json")
+    assert outcome.code == 0
+    steps = outcome.result["steps"]
+    assert [(s["name"], s["state"]) for s in steps] == [(name, "done") for name in ALL]
+    assert all(s["seconds"] > 0 for s in steps)
+    assert {str(site / "build" / "site.xmi"), str(site / "out" / "Ants.html")} <= {
+        a["path"] for a in outcome.document["artifacts"]
+    }
+    text = command("run", site / "chain.toml").out
+    assert text.count("up to date") == 5
+    assert " ms" in text
+
+
+def test_the_command_keeps_edits_shows_dry_runs_and_has_the_exit_codes_of_the_contract(site: Path) -> None:
+    assert command("run", site / "chain.toml").code == 0
+    replace(site / "out" / "Ants.html", "<h1>", "<h1 class='mine'>")
+    replace(site / "prices.csv", "8.25", "9")
+    assert "+<b>9</b>" in command("run", site / "chain.toml", "--dry-run").out
+    assert "8.25" in (site / "out" / "Ants.html").read_text()
+    assert command("run", site / "chain.toml").code == 0
+    assert "mine" in (site / "out" / "Ants.html").read_text()
+    replace(site / "out" / "Ants.html", "<b>9</b>", "<b>cheap</b>")
+    replace(site / "prices.csv", "Ants,9", "Ants,10")
+    outcome = command("run", site / "chain.toml", "--json")
+    assert outcome.code == 1
+    assert outcome.rules() == {"RS511", "RS512"}
+    assert "<<<<<<< yours\n<b>cheap</b>\n" in (site / "out" / "Ants.html").read_text()
+    assert "cheap" in (site / "out" / "Ants.html.orig").read_text()
+    replace(site / "prices.csv", "Ants,10", "Ants,11")
+    assert command("run", site / "chain.toml").code == 5
+    assert command("run", site / "nothing.toml").code == 3

@@ -1,0 +1,73 @@
+"""Runs the port of an EGL or EGX case step by step, and writes the folders and JSON files that the case expects.
+
+A step is a run of the script (or of another one, to another file, on other models), or what a user does to the files between two
+runs. Each run has a `Gen` of its own, as each run of the engine has a module of its own. Nothing here knows a case.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import io
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import RobosmiError
+from tests.epsilon.running import CASES, load
+
+
+def run_steps(name: str, out: Path) -> None:
+    """Do all steps of a case.
+
+    Args:
+        name: of the case, below cases/egl.
+        out: where `stepN` and `stepN.json` are put.
+    """
+    case = CASES / "egl" / name
+    spec = json.loads((case / "input.json").read_text(encoding="utf-8"))
+    work = out / "work"
+    if (case / "before").is_dir():
+        shutil.copytree(case / "before", work)
+    work.mkdir(parents=True, exist_ok=True)
+    number = 0
+    for step in spec["steps"]:
+        if "run" in step:
+            number += 1
+            result = run_script(name, case, spec, step, work)
+            (out / f"step{number}.json").write_text(json.dumps(result, indent=1), encoding="utf-8")
+            shutil.copytree(work, out / f"step{number}")
+        else:
+            edit(work, step)
+    shutil.rmtree(work)
+
+
+def run_script(name: str, case: Path, spec: dict[str, Any], step: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """One run: what it printed, what it said of the files, and its error."""
+    models = [load(one | {"file": step.get("models", {}).get(one["name"], one["file"])}, case) for one in spec["models"]]
+    script = step["run"] if isinstance(step["run"], str) else spec["script"]
+    module = importlib.import_module(f"tests.epsilon.ports.egl.{name}")
+    g = module.port(folder, *models, script, step.get("target", spec.get("target")))
+    printed, error, messages = io.StringIO(), None, []
+    with contextlib.redirect_stdout(printed):
+        try:
+            messages = g.run().messages
+        except RobosmiError as raised:
+            error = str(raised)
+    return {"messages": messages, "printed": printed.getvalue().split("\n"), "error": error}
+
+
+def edit(folder: Path, step: dict[str, Any]) -> None:
+    """What a user does between two runs."""
+    if "delete" in step:
+        (folder / step["delete"]).unlink()
+        return
+    change = step.get("edit") or step["write"]
+    file = folder / change["file"]
+    if "write" in step:
+        file.write_bytes(change["text"].encode())
+        return
+    text = file.read_text(encoding="utf-8")
+    assert change["from"] in text
+    file.write_text(text.replace(change["from"], change["to"]), encoding="utf-8")

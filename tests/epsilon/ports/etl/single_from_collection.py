@@ -1,0 +1,18 @@
+"""The script of cases/etl/single_from_collection, rule by rule."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.transform import ETL
+
+
+def port(L: Any, G: Any) -> ETL:
+    t = ETL(L, G)
+
+    @t.rule(L.Author, to=G.Group)
+    def A(a: Any, g: Any) -> None:
+        g.label = a.name
+        t.set(g, main=L.Author.all)
+
+    return t
