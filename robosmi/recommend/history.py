@@ -1,36 +1,29 @@
 """History of earlier choices: which library a person took for which part, and how often (paper, section 3.3, phase two).
 
-One table in one SQLite file of the user's own. The key of a part is its identifier in the catalogue and its title,
-together and letter for letter. Reading never makes a file; a file that is not there is an empty history. Every write
-is one transaction, so that several runs may write at once. How counts change a ranking is in `ranking`.
+The key of a part is its identifier in the catalogue and its title, together and letter for letter; version of the library,
+target and the component's name are kept beside it. Reading never makes a file; every write is one transaction, so that
+several runs may write at once. Where it is kept is in `history_database`, how it is exchanged in `history_exchange`, how
+counts change a ranking in `ranking` and `device_ranker`.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from contextlib import closing, contextmanager
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 from robosmi import resources
-from robosmi.diagnostics import Location
-from robosmi.errors import SourceError, UsageError
+from robosmi.errors import RobosmiError, UsageError
+from robosmi.recommend.history_database import Collision, Database, Statements, Values, database
 from robosmi.recommend.ranking import Choices
+from robosmi.recommend.words import models
 
-if TYPE_CHECKING:
-    import sqlite3
-
-SCHEMA = "robosmi/history/1"
-"""Names the JSON form of `History.export_json`."""
-
-_FORMAT = 1
-_APPLICATION = 0x5253_4849  # "RSHI"
-_WAIT_S = 5.0
-_TABLE = """CREATE TABLE IF NOT EXISTS choice(part_id TEXT NOT NULL, title TEXT NOT NULL, library TEXT NOT NULL,
-  count INTEGER NOT NULL CHECK (count > 0), last_used TEXT NOT NULL, PRIMARY KEY (part_id, title, library)) WITHOUT ROWID"""
+_KEY = "part_id = :part_id AND title = :title AND library = :library AND version = :version AND target = :target"
+_LATER = "last_used = CASE WHEN last_used < :last_used THEN :last_used ELSE last_used END"
+_INSERT = "INSERT INTO {table} VALUES (:part_id, :title, :library, :version, :target, :component, :count, :last_used)"
+_TRIES = 20
 
 
 @dataclass(frozen=True, order=True)
@@ -43,6 +36,9 @@ class Entry:
         library: name of the library.
         count: how often, >= 1.
         last_used: day of the last choice, ISO 8601 (`2026-11-21`).
+        version: version of the library, or empty.
+        target: the target board, or empty.
+        component: what the drawing called the component last, or empty.
     """
 
     part_id: str
@@ -50,12 +46,17 @@ class Entry:
     library: str
     count: int
     last_used: str
+    version: str = ""
+    target: str = ""
+    component: str = ""
 
 
-def default_path() -> Path:
-    """Where the history is: the file that ROBOSMI_HISTORY names, else `history.sqlite` in the user's data folder."""
+def default_place() -> Path | str:
+    """Where the history is: the file or URL that ROBOSMI_HISTORY names, else `history.sqlite` in the user's data folder."""
     own = os.environ.get("ROBOSMI_HISTORY")
-    return Path(own) if own else resources.user_data() / "history.sqlite"
+    if own:
+        return own if "://" in own else Path(own)
+    return resources.user_data() / "history.sqlite"
 
 
 def chosen_from_history(part_id: str, title: str, history: Choices) -> str | None:
@@ -71,34 +72,64 @@ def chosen_from_history(part_id: str, title: str, history: Choices) -> str | Non
 
 
 class History:
-    """A file of choices. Opened anew for each call, so that it may be shared, moved or deleted between calls.
+    """The choices at one place.
 
-    All methods raise SourceError if the file is damaged, is not a history, is locked for over 5 s or cannot be written.
+    All methods raise SourceError if the place is damaged, is not a history, is locked for over 5 s or cannot be written.
 
     Args:
-        path: the file, which need not exist; None for `default_path()`.
+        place: a file, which need not exist, or an SQLAlchemy URL; None for `default_place()`.
+
+    Raises:
+        MissingToolError: a URL is given and SQLAlchemy or the driver is not installed.
     """
 
-    def __init__(self, path: Path | None = None) -> None:
-        self.path = default_path() if path is None else path
+    def __init__(self, place: Path | str | None = None) -> None:
+        self._database: Database = database(default_place() if place is None else place)
+
+    @property
+    def place(self) -> str:
+        """The file, or the URL without its password."""
+        return self._database.place
 
     def choices(self, part_id: str, title: str) -> dict[str, int]:
         """How often each library was chosen for that very part; most often first, then by name."""
-        sql = "SELECT library, count FROM choice WHERE part_id = ? AND title = ? ORDER BY count DESC, library"
-        return dict(self._read(sql, part_id, title))
+        sql = "SELECT library, SUM(count) FROM {table} WHERE part_id = :part_id AND title = :title GROUP BY library"
+        return _ordered(self._database.read(sql, {"part_id": part_id, "title": title}))
+
+    def choices_for_model(self, model: str) -> dict[str, int]:
+        """How often each library was chosen for parts whose title has this model number; most often first, then by name."""
+        rows = self._database.read("SELECT title, library, SUM(count) FROM {table} GROUP BY title, library", {})
+        counts: dict[str, int] = {}
+        for title, library, count in rows:
+            if model in models(title):
+                counts[library] = counts.get(library, 0) + int(count)
+        return _ordered(counts.items())
 
     def entries(self) -> list[Entry]:
         """All choices, by part identifier, title and library."""
-        rows = self._read("SELECT part_id, title, library, count, last_used FROM choice ORDER BY part_id, title, library")
-        return [Entry(*row) for row in rows]
+        sql = "SELECT part_id, title, library, count, last_used, version, target, component FROM {table}"
+        return sorted(Entry(*row) for row in self._database.read(sql, {}))
 
-    def record(self, part_id: str, title: str, library: str, *, day: date | None = None) -> None:
-        """Count one more choice of a library for a part. The file and its folder are made if need be.
+    def record(
+        self,
+        part_id: str,
+        title: str,
+        library: str,
+        *,
+        version: str = "",
+        target: str = "",
+        component: str = "",
+        day: date | None = None,
+    ) -> None:
+        """Count one more choice of a library for a part. The place is made if need be.
 
         Args:
             part_id: identifier of the part; may be empty.
             title: title of the part.
             library: name of the chosen library.
+            version: its version.
+            target: the target board.
+            component: what the drawing calls the component.
             day: when; today if None.
 
         Raises:
@@ -106,12 +137,38 @@ class History:
         """
         if not library or not (part_id or title):
             raise UsageError("a choice needs a part and a library", fix="name both")
-        with self._writing() as db:
-            db.execute(
-                "INSERT INTO choice VALUES (?, ?, ?, 1, ?) ON CONFLICT DO UPDATE "
-                "SET count = count + 1, last_used = max(last_used, excluded.last_used)",
-                (part_id, title, library, (day or date.today()).isoformat()),
+        entry = Entry(part_id, title, library, 1, (day or date.today()).isoformat(), version, target, component)
+
+        def count(statements: Statements) -> int:
+            more = f"UPDATE {{table}} SET count = count + 1, component = :component, {_LATER} WHERE {_KEY}"
+            return statements.run(more, _key(entry, "component", "last_used")) or statements.run(
+                _INSERT, _key(entry, "component", "count", "last_used")
             )
+
+        self._write(count)
+
+    def take_over(self, entries: Iterable[Entry]) -> int:
+        """Take over choices kept elsewhere, all or nothing. Returns how many entries are new or changed.
+
+        Where an entry is there already, the higher count and the later day are kept: a second time changes nothing.
+        """
+        listed = list(entries)
+
+        def merge(statements: Statements) -> int:
+            changed = 0
+            for entry in listed:
+                there = statements.run(f"UPDATE {{table}} SET count = count WHERE {_KEY}", _key(entry))
+                higher = f"UPDATE {{table}} SET count = :count WHERE {_KEY} AND count < :count"
+                later = f"UPDATE {{table}} SET {_LATER} WHERE {_KEY} AND last_used < :last_used"
+                if there:
+                    changed += bool(
+                        statements.run(higher, _key(entry, "count")) + statements.run(later, _key(entry, "last_used"))
+                    )
+                else:
+                    changed += statements.run(_INSERT, _key(entry, "component", "count", "last_used"))
+            return changed
+
+        return self._write(merge)
 
     def forget(
         self, part_id: str | None = None, title: str | None = None, library: str | None = None, *, everything: bool = False
@@ -125,117 +182,62 @@ class History:
         wanted = {name: value for name, value in given.items() if value is not None}
         if not wanted and not everything:
             raise UsageError("it is not said what to forget", fix="name a part or a library, or say everything")
-        if not self._is_there():
+        if not self._database.read("SELECT 1 FROM {table} LIMIT 1", {}):
             return 0
-        condition = " AND ".join(f"{name} = ?" for name in wanted) or "1"
-        with self._writing() as db:
-            return db.execute(f"DELETE FROM choice WHERE {condition}", tuple(wanted.values())).rowcount
+        condition = " AND ".join(f"{name} = :{name}" for name in wanted) or "1 = 1"
+        return self._write(lambda statements: statements.run(f"DELETE FROM {{table}} WHERE {condition}", wanted))
 
-    def export_json(self) -> dict[str, Any]:
-        """The whole history as JSON values: `{"schema", "entries": [{part_id, title, library, count, last_used}]}`."""
-        return {"schema": SCHEMA, "entries": [asdict(entry) for entry in self.entries()]}
+    def _write(self, change: Callable[[Statements], int]) -> int:
+        """Run a change in one transaction; again where another run wrote the same at that moment."""
+        for _ in range(_TRIES - 1):
+            try:
+                with self._database.writing() as statements:
+                    return change(statements)
+            except Collision:
+                continue
+        with self._database.writing() as statements:
+            return change(statements)
 
-    def import_json(self, document: object, *, location: Location | None = None) -> int:
-        """Take over what `export_json` gave, here or elsewhere. Returns how many entries are new or changed.
 
-        Where an entry is there already, the higher count and the later day are kept: importing twice changes nothing.
-        All or nothing is taken over.
+class ForgivingHistory:
+    """A history that may be unusable: it then has no choices, and says once why. Implements `ranking.Choices`.
 
-        Args:
-            document: JSON values.
-            location: where they were read, for messages.
+    Args:
+        place: see `History`.
 
-        Raises:
-            SourceError: not of that form.
-        """
-        entries = _entries(document, location)
-        changed = 0
-        with self._writing() as db:
-            for entry in entries:
-                changed += db.execute(
-                    "INSERT INTO choice VALUES (?, ?, ?, ?, ?) ON CONFLICT DO UPDATE "
-                    "SET count = max(count, excluded.count), last_used = max(last_used, excluded.last_used) "
-                    "WHERE excluded.count > count OR excluded.last_used > last_used",
-                    (entry.part_id, entry.title, entry.library, entry.count, entry.last_used),
-                ).rowcount
-        return changed
+    Attributes:
+        trouble: why it cannot be used, or None.
+    """
 
-    def _is_there(self) -> bool:
+    def __init__(self, place: Path | str | None = None) -> None:
+        self.trouble: RobosmiError | None = None
+        self._history: History | None = None
         try:
-            return self.path.exists()
-        except OSError as error:
-            raise self._unusable(str(error)) from error
+            self._history = History(place)
+            self._history.choices("", "")
+        except RobosmiError as error:
+            self.trouble, self._history = error, None
 
-    def _read(self, sql: str, *values: str) -> list[tuple[Any, ...]]:
-        if not self._is_there():
-            return []
-        import sqlite3  # 5 ms, wanted only where there is a history
-
+    def choices(self, part_id: str, title: str) -> dict[str, int]:
+        """See `ranking.Choices`."""
         try:
-            with closing(sqlite3.connect(f"{self.path.absolute().as_uri()}?mode=ro", uri=True, timeout=_WAIT_S)) as db:
-                return db.execute(sql, values).fetchall() if self._has_table(db) else []
-        except sqlite3.Error as error:
-            raise self._unusable(str(error)) from error
+            return self._history.choices(part_id, title) if self._history is not None else {}
+        except RobosmiError as error:
+            self.trouble, self._history = error, None
+            return {}
 
-    @contextmanager
-    def _writing(self) -> Iterator[sqlite3.Connection]:
-        """A transaction that is undone if anything goes wrong inside."""
-        import sqlite3
-
+    def choices_for_model(self, model: str) -> dict[str, int]:
+        """See `ranking.Choices`."""
         try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            with closing(sqlite3.connect(self.path, timeout=_WAIT_S, isolation_level=None)) as db:
-                db.execute("BEGIN IMMEDIATE")  # what is not committed is rolled back by closing
-                if not self._has_table(db):
-                    db.execute(_TABLE)
-                    db.execute(f"PRAGMA application_id={_APPLICATION}")
-                    db.execute(f"PRAGMA user_version={_FORMAT}")
-                yield db
-                db.execute("COMMIT")
-        except (OSError, sqlite3.Error) as error:
-            raise self._unusable(str(error)) from error
-
-    def _has_table(self, db: sqlite3.Connection) -> bool:
-        """True for a history, False for an empty file.
-
-        Raises:
-            SourceError: the file is something else.
-        """
-        kind, version = db.execute("PRAGMA application_id").fetchone()[0], db.execute("PRAGMA user_version").fetchone()[0]
-        if (kind, version) == (_APPLICATION, _FORMAT):
-            return True
-        if (kind, version) == (0, 0) and not db.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
-            return False
-        newer = kind == _APPLICATION and version > _FORMAT
-        raise self._unusable("a newer robosmi wrote it" if newer else "it is a database of something else")
-
-    def _unusable(self, cause: str) -> SourceError:
-        return SourceError(
-            f"the history of choices cannot be used: {cause}",
-            location=Location(str(self.path)),
-            fix="move the file away to start a new history, or name another file in ROBOSMI_HISTORY",
-        )
+            return self._history.choices_for_model(model) if self._history is not None else {}
+        except RobosmiError as error:
+            self.trouble, self._history = error, None
+            return {}
 
 
-def _entries(document: object, location: Location | None) -> list[Entry]:
-    fix = f'take a document that was exported: {{"schema": "{SCHEMA}", "entries": [...]}}'
-    if not isinstance(document, dict) or document.get("schema") != SCHEMA or not isinstance(document.get("entries"), list):
-        raise SourceError("this is not an exported history", location=location, fix=fix)
-    result = []
-    for number, item in enumerate(document["entries"], 1):
-        if not isinstance(item, dict) or not _is_entry(item):
-            raise SourceError(f"entry {number} of the history is damaged", location=location, fix=fix)
-        result.append(Entry(item["part_id"], item["title"], item["library"], item["count"], item["last_used"]))
-    return result
+def _key(entry: Entry, *more: str) -> Values:
+    return {name: getattr(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
 
 
-def _is_entry(item: dict[str, Any]) -> bool:
-    if not all(isinstance(item.get(key), str) for key in ("part_id", "title", "library", "last_used")):
-        return False
-    try:
-        day = date.fromisoformat(item["last_used"])
-    except ValueError:
-        return False
-    count = item.get("count")
-    whole = isinstance(count, int) and not isinstance(count, bool) and 0 < count < 2**31
-    return whole and bool(item["library"]) and bool(item["part_id"] or item["title"]) and item["last_used"] == day.isoformat()
+def _ordered(pairs: Iterable[tuple[str, int]]) -> dict[str, int]:
+    return dict(sorted(((library, int(count)) for library, count in pairs), key=lambda pair: (-pair[1], pair[0])))

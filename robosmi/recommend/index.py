@@ -2,8 +2,9 @@
 
 Tables `library` and `header` hold facts; `term` holds, for each word, the headers it occurs in (the gaps between
 their numbers) and how often, each as 8-bit numbers or, where one needs it (`wide`: 1 gaps, 2 counts), as 16-bit ones;
-`run` holds per-header and per-library numbers in one piece, because ranking looks at all of them. Libraries are
-numbered by name, headers by library. No ranking here; the schema and the writing are in `index_writer`.
+`ident` holds the same for the words of identifiers; `fact` holds, for each word, the libraries that have it in one of
+`FIELDS`, and how often there; `run` holds numbers of each header or library in one piece, because ranking looks at all
+of them. Libraries are numbered by name, headers by library. No ranking here; the writing is in `index_writer`.
 """
 
 from __future__ import annotations
@@ -21,13 +22,25 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.tfidf import Postings
 
-FORMAT = 1
+FORMAT = 2
 """Number of the format: `PRAGMA user_version` of the file."""
 
 APPLICATION = 0x52534C49
 """What marks such a file: `PRAGMA application_id`, "RSLI"."""
 
+FIELDS = ("name", "header", "keyword", "meta", "ident")
+"""Where a library's words come from: its name, the names of its main headers, its keywords and classes, what it declares
+about itself, and the identifiers in its main headers."""
+
+INTERFACES = ("i2c", "spi", "onewire", "serial")
+"""How a library speaks to a device, told by what its headers include; bit n of the run `interfaces` is number n."""
+
+RUNS = ("library_of", "named", "main", "copies", "used_by", "interfaces", *(f"length_{field}" for field in FIELDS))
+
 _FIX = "build it again, or install robosmi again"
+
+Facts = tuple[Sequence[int], tuple[bytes, ...]]
+"""Which libraries have a word: their numbers, ascending, and for each of `FIELDS` how often (a byte a library, or empty)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +55,7 @@ class Library:
         main: bare names of the headers a program includes, best first; never empty.
         copies: in how many collections a library of this name was seen: a small measure of popularity.
         in_registry: it is in the registry of the target's maker.
+        installed: it was found on this machine.
         origin: where it was read: `owner/repository@commit:folder`.
     """
 
@@ -58,6 +72,7 @@ class Library:
     main: tuple[str, ...] = ()
     copies: int = 1
     in_registry: bool = False
+    installed: bool = False
 
     @property
     def header(self) -> str:
@@ -107,15 +122,17 @@ class LibraryIndex:
         try:
             if self._one("PRAGMA application_id") != (APPLICATION,) or self._one("PRAGMA user_version") != (FORMAT,):
                 raise self._damaged(f"it is not an index of libraries of format {FORMAT}")
-            self.library_of = self._run("library_of")
-            self.named = self._run("named")
-            self.is_main = self._run("main")
-            self.copies = self._run("copies")
+            runs = {name: self._run(name) for name in RUNS}
         except PlatformDataError:
             self.close()
             raise
+        self.library_of, self.named, self.is_main = runs["library_of"], runs["named"], runs["main"]
+        self.copies, self.used_by, self.interfaces = runs["copies"], runs["used_by"], runs["interfaces"]
+        self.lengths = tuple(runs[f"length_{field}"] for field in FIELDS)
         # a drawing has the same few words and candidates again and again
         self.postings = lru_cache(maxsize=256)(self._postings)
+        self.identifiers = lru_cache(maxsize=256)(self._identifiers)
+        self.facts = lru_cache(maxsize=1024)(self._facts)
         self.library = lru_cache(maxsize=2048)(self._library)
         self.header = lru_cache(maxsize=4096)(self._header)
 
@@ -133,11 +150,32 @@ class LibraryIndex:
         self._db.close()
 
     def _postings(self, term: str) -> Postings:
-        row = self._one("SELECT wide, gaps, counts FROM term WHERE term = ?", term)
+        return self._counted("SELECT wide, gaps, counts FROM term WHERE term = ?", term)
+
+    def _identifiers(self, term: str) -> Postings:
+        """As `postings`, for the words of identifiers (comments and strings left out); to be called as `identifiers`."""
+        return self._counted("SELECT wide, gaps, counts FROM ident WHERE term = ?", term)
+
+    def _counted(self, sql: str, term: str) -> Postings:
+        row = self._one(sql, term)
         if row is None:
             return (), ()
         wide, gaps, counts = row
         return tuple(accumulate(_unpack(gaps, wide & 1))), _unpack(counts, wide & 2)
+
+    def _facts(self, term: str) -> Facts:
+        """The libraries that have a word; to be called as `facts`."""
+        row = self._one(f"SELECT wide, gaps, {', '.join(FIELDS)} FROM fact WHERE term = ?", term)
+        return ((), ()) if row is None else (tuple(accumulate(_unpack(row[1], row[0]))), row[2:])
+
+    def terms_from(self, prefix: str, limit: int = 40) -> list[str]:
+        """The first words of libraries that begin like this, in order of the alphabet."""
+        rows = self._all("SELECT term FROM fact WHERE term >= ? AND term < ? LIMIT ?", prefix, f"{prefix}\uffff", limit)
+        return [row[0] for row in rows]
+
+    def terms_containing(self, piece: str) -> list[str]:
+        """All words of headers that contain this; looks at every word there is."""
+        return [row[0] for row in self._all("SELECT term FROM term WHERE instr(term, ?) ORDER BY term", piece)]
 
     def _library(self, number: int) -> Library:
         """The library of that number (0 <= number < len(index)); to be called as `library`.
@@ -177,7 +215,7 @@ class LibraryIndex:
     def _libraries(self, condition: str, value: object, *, may_be_empty: bool = False) -> list[Library]:
         rows = self._all(
             "SELECT id, name, version, author, category, architectures, depends, url, license, origin, main, copies, "
-            f"in_registry FROM library WHERE {condition} ORDER BY id",
+            f"in_registry, installed FROM library WHERE {condition} ORDER BY id",
             value,
         )
         if not rows and not may_be_empty:
@@ -207,10 +245,23 @@ class LibraryIndex:
 
 
 def _library_of_row(row: tuple[Any, ...]) -> Library:
-    number, name, version, author, category, architectures, depends, url, licence, origin, main, copies, in_registry = row
+    number, name, version, author, category, architectures, depends, url, licence, origin, main, copies, known, here = row
     lists = [_split(text) for text in (architectures, depends, main)]
     return Library(
-        number, name, version, author, category, lists[0], lists[1], url, licence, origin, lists[2], copies, bool(in_registry)
+        number,
+        name,
+        version,
+        author,
+        category,
+        lists[0],
+        lists[1],
+        url,
+        licence,
+        origin,
+        lists[2],
+        copies,
+        bool(known),
+        bool(here),
     )
 
 

@@ -8,53 +8,59 @@ from __future__ import annotations
 import os
 import struct
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from robosmi.errors import PlatformDataError
-from robosmi.recommend.index import APPLICATION, FORMAT, Header, Library, is_named_like
+from robosmi.errors import PlatformDataError, UsageError
+from robosmi.recommend.index import APPLICATION, FIELDS, FORMAT, is_named_like
+from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, used_by
 
 if TYPE_CHECKING:
     import sqlite3
 
 _PAGE = 4096  # the smallest file of the sizes tried
-_SCHEMA = """
+_SCHEMA = f"""
 CREATE TABLE library(id INTEGER PRIMARY KEY, name TEXT NOT NULL, version TEXT, author TEXT, category TEXT, architectures TEXT,
-  depends TEXT, url TEXT, license TEXT, origin TEXT, main TEXT NOT NULL, copies INTEGER, in_registry INTEGER);
+  depends TEXT, url TEXT, license TEXT, origin TEXT, main TEXT NOT NULL, copies INTEGER, in_registry INTEGER, installed INTEGER);
 CREATE INDEX library_name ON library(name COLLATE NOCASE);
 CREATE TABLE header(id INTEGER PRIMARY KEY, library INTEGER NOT NULL, file TEXT NOT NULL, main INTEGER NOT NULL);
 CREATE INDEX header_file ON header(file COLLATE NOCASE);
 CREATE TABLE term(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NULL, counts BLOB NOT NULL) WITHOUT ROWID;
+CREATE TABLE ident(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NULL, counts BLOB NOT NULL) WITHOUT ROWID;
+CREATE TABLE fact(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NULL, {", ".join(FIELDS)}) WITHOUT ROWID;
 CREATE TABLE run(name TEXT PRIMARY KEY, numbers BLOB NOT NULL) WITHOUT ROWID;
 """
 
 
-def write_index(target: Path, libraries: Sequence[Library], headers: Iterable[tuple[Header, Mapping[str, int]]]) -> None:
-    """Write an index file; the same input gives the same bytes. A file that is there is replaced when all is done.
+def write_index(target: Path, libraries: Iterable[LibraryRecord]) -> tuple[int, int]:
+    """Write an index file; the same libraries give the same bytes. A file that is there is replaced when all is done.
 
     Args:
         target: the file. Its folder must exist.
-        libraries: numbered by name from 0.
-        headers: each header with the counts of its words (lower case), numbered from 0.
+        libraries: in any order; they are numbered by name.
+
+    Returns:
+        How many libraries and headers are in it.
 
     Raises:
+        UsageError: a name comes twice.
         PlatformDataError: more headers or a higher count than 16 bits hold.
     """
     import sqlite3
 
-    rows: list[Header] = []
-    terms: dict[str, list[tuple[int, int]]] = {}
-    for header, counts in headers:
-        rows.append(header)
-        for term, tf in counts.items():
-            terms.setdefault(term, []).append((header.id, tf))
+    rows = sorted(libraries, key=lambda row: (row.name.casefold(), row.name))
+    for before, row in pairwise(rows):
+        if before.name == row.name:
+            raise UsageError(f"the library '{row.name}' is there twice", fix="leave one of them out")
+    headers = [(number, header) for number, row in enumerate(rows) for header in row.headers]
     part = target.with_name(f"{target.name}.part-{os.getpid()}")
     part.unlink(missing_ok=True)
     try:
         db = sqlite3.connect(part, isolation_level=None)
         try:
             db.executescript(f"PRAGMA page_size={_PAGE}; PRAGMA journal_mode=OFF; PRAGMA encoding='UTF-8'; BEGIN; {_SCHEMA}")
-            _fill(db, libraries, rows, terms)
+            _fill(db, rows, headers)
             for last in ("COMMIT", f"PRAGMA application_id={APPLICATION}", f"PRAGMA user_version={FORMAT}", "VACUUM"):
                 db.execute(last)
         finally:
@@ -63,31 +69,65 @@ def write_index(target: Path, libraries: Sequence[Library], headers: Iterable[tu
         part.replace(target)
     finally:
         part.unlink(missing_ok=True)
+    return len(rows), len(headers)
 
 
-def _fill(
-    db: sqlite3.Connection, libraries: Sequence[Library], headers: Sequence[Header], terms: Mapping[str, list[tuple[int, int]]]
-) -> None:
+def _fill(db: sqlite3.Connection, rows: Sequence[LibraryRecord], headers: Sequence[tuple[int, HeaderRecord]]) -> None:
     joined = (
-        (lib.id, lib.name, lib.version, lib.author, lib.category, _join(lib.architectures), _join(lib.depends), lib.url,
-         lib.license, lib.origin, _join(lib.main), lib.copies, lib.in_registry)
-        for lib in libraries
+        (number, row.name, row.version, row.author, row.category, _join(row.architectures), _join(row.depends), row.url,
+         row.license, row.origin, _join(row.main), row.copies, row.in_registry, row.installed)
+        for number, row in enumerate(rows)
     )  # fmt: skip
-    db.executemany(f"INSERT INTO library VALUES ({', '.join('?' * 13)})", joined)
-    db.executemany("INSERT INTO header VALUES (?, ?, ?, ?)", ((h.id, h.library, h.file, h.main) for h in headers))
+    db.executemany(f"INSERT INTO library VALUES ({', '.join('?' * 14)})", joined)
+    numbered = list(enumerate(headers))
+    db.executemany("INSERT INTO header VALUES (?, ?, ?, ?)", ((n, lib, h.file, h.main) for n, (lib, h) in numbered))
+    _fill_counts(db, "term", ((n, header.counts) for n, (_, header) in numbered))
+    _fill_counts(db, "ident", ((n, header.identifiers) for n, (_, header) in numbered))
+    fields = [row.fields() for row in rows]
+    _fill_facts(db, fields)
+    needed = used_by(rows)
+    runs = {
+        "copies": [row.copies for row in rows],
+        "used_by": [needed[row.name] for row in rows],
+        "interfaces": [row.interfaces() for row in rows],
+        "library_of": [library for library, _ in headers],
+        "main": [int(header.main) for _, header in headers],
+        "named": [int(is_named_like(header.file, rows[library].name)) for library, header in headers],
+    } | {
+        f"length_{name}": [min(sum(found[number].values()), 0xFFFF) for found in fields] for number, name in enumerate(FIELDS)
+    }  # fmt: skip
+    db.executemany("INSERT INTO run VALUES (?, ?)", ((name, _pack(numbers)) for name, numbers in sorted(runs.items())))
+
+
+def _fill_counts(db: sqlite3.Connection, table: str, headers: Iterable[tuple[int, Mapping[str, int]]]) -> None:
+    terms: dict[str, list[tuple[int, int]]] = {}
+    for number, counts in headers:
+        for term, tf in counts.items():
+            terms.setdefault(term, []).append((number, tf))
     for term in sorted(terms):
         found = sorted(terms[term])
-        numbers, counts = [number for number, _ in found], [tf for _, tf in found]
-        gaps = [number - before for before, number in zip([0, *numbers], numbers, strict=False)]
-        wide = (max(gaps) > 0xFF) * 1 + (max(counts) > 0xFF) * 2
-        db.execute("INSERT INTO term VALUES (?, ?, ?, ?)", (term, wide, _pack(gaps, wide & 1), _pack(counts, wide & 2)))
-    runs = {
-        "copies": [library.copies for library in libraries],
-        "library_of": [header.library for header in headers],
-        "main": [int(header.main) for header in headers],
-        "named": [int(is_named_like(header.file, libraries[header.library].name)) for header in headers],
-    }
-    db.executemany("INSERT INTO run VALUES (?, ?)", ((name, _pack(numbers)) for name, numbers in runs.items()))
+        gaps, counted = _gaps([number for number, _ in found]), [tf for _, tf in found]
+        wide = (max(gaps) > 0xFF) * 1 + (max(counted) > 0xFF) * 2
+        db.execute(f"INSERT INTO {table} VALUES (?, ?, ?, ?)", (term, wide, _pack(gaps, wide & 1), _pack(counted, wide & 2)))
+
+
+def _fill_facts(db: sqlite3.Connection, fields: Sequence[tuple[dict[str, int], ...]]) -> None:
+    terms: dict[str, dict[int, list[int]]] = {}
+    for library, counts in enumerate(fields):
+        for number, words in enumerate(counts):
+            for word, count in words.items():
+                terms.setdefault(word, {}).setdefault(library, [0] * len(FIELDS))[number] = min(count, 0xFF)
+    for term in sorted(terms):
+        found = sorted(terms[term].items())
+        gaps = _gaps([library for library, _ in found])
+        wide = int(max(gaps) > 0xFF)
+        columns = [bytes(counts[number] for _, counts in found) for number in range(len(FIELDS))]
+        values = (term, wide, _pack(gaps, wide), *(column if any(column) else b"" for column in columns))
+        db.execute(f"INSERT INTO fact VALUES ({', '.join('?' * len(values))})", values)
+
+
+def _gaps(numbers: Sequence[int]) -> list[int]:
+    return [number - before for before, number in zip([0, *numbers], numbers, strict=False)]
 
 
 def _forget_the_writer(path: Path) -> None:

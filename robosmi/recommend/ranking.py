@@ -52,14 +52,17 @@ class Recommendation:
     Attributes:
         id: the component's id.
         decision: whether a library is needed.
-        confidence: probability that the first candidate is right, 0..1; 0 where a ranker does not estimate it.
+        confidence: probability that the answer serves, 0..1 (see `decision.DecisionModel.decide`); 0 where a ranker does not
+            estimate it.
         candidates: best first.
+        reasons: why this decision, as sentences without full stop.
     """
 
     id: str
     decision: Decision
     confidence: float
     candidates: tuple[Candidate, ...]
+    reasons: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form (`recommendations[]`)."""
@@ -67,6 +70,7 @@ class Recommendation:
             "id": self.id,
             "decision": self.decision,
             "confidence": self.confidence,
+            "reasons": list(self.reasons),
             "candidates": [candidate.to_json() for candidate in self.candidates],
         }
 
@@ -76,6 +80,9 @@ class Choices(Protocol):
 
     def choices(self, part_id: str, title: str) -> dict[str, int]:
         """How often each library was chosen for this very part."""
+
+    def choices_for_model(self, model: str) -> dict[str, int]:
+        """How often each library was chosen for parts whose title has this model number (lower case, letters and digits)."""
 
 
 class Ranker(Protocol):

@@ -11,6 +11,7 @@ import pytest
 from robosmi.recommend.history import History
 from robosmi.recommend.index import LibraryIndex
 from robosmi.transformations.t2m.library_index import build
+from tests.recommend.labelled import Labelled, labelled
 
 DATA = Path(__file__).parent / "data"
 
@@ -36,6 +37,12 @@ def tiny(tiny_facts: Path, tmp_path: Path) -> Iterator[LibraryIndex]:
 def history(tmp_path: Path) -> History:
     """A history whose file is not there yet."""
     return History(tmp_path / "own" / "history.sqlite")
+
+
+@pytest.fixture(scope="session")
+def data(shared_facts: Path) -> Labelled:
+    """The labelled queries with their judge."""
+    return labelled(shared_facts)
 
 
 @pytest.fixture(scope="session")

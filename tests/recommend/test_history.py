@@ -2,26 +2,34 @@
 
 from __future__ import annotations
 
+import json
+import os
 import sqlite3
+import subprocess
+import sys
+import threading
 from collections.abc import Callable
+from contextlib import closing
 from datetime import date
 from pathlib import Path
 
 import pytest
 
-from robosmi.errors import SourceError, UsageError
-from robosmi.recommend.history import SCHEMA, Entry, History, chosen_from_history, default_path
+from robosmi.errors import MissingToolError, SourceError, UsageError
+from robosmi.recommend.history import Entry, ForgivingHistory, History, chosen_from_history, default_place
+from robosmi.recommend.history_exchange import SCHEMA, from_csv, from_json, to_csv, to_json
 
 DAY = date(2026, 11, 21)
+DATA = Path(__file__).parent / "data"
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def test_a_missing_file_is_an_empty_history_and_stays_missing(history: History) -> None:
     assert history.choices("p", "t") == {}
     assert history.entries() == []
     assert history.forget(everything=True) == 0
-    assert history.export_json() == {"schema": SCHEMA, "entries": []}
     assert chosen_from_history("p", "t", history) is None
-    assert not history.path.parent.exists()
+    assert not Path(history.place).parent.exists()
 
 
 def test_choices_are_counted_for_the_very_part(history: History) -> None:
@@ -54,7 +62,7 @@ def test_a_choice_needs_part_and_library(history: History) -> None:
     for part_id, title, library in [("p", "t", ""), ("", "", "A")]:
         with pytest.raises(UsageError):
             history.record(part_id, title, library)
-    assert not history.path.exists()
+    assert not Path(history.place).exists()
 
 
 def test_forget(history: History) -> None:
@@ -68,16 +76,45 @@ def test_forget(history: History) -> None:
     assert history.forget(everything=True) == 2
 
 
-def test_export_and_import(history: History, tmp_path: Path) -> None:
-    history.record("p", "t", "A", day=DAY)
-    history.record("p", "t", "A", day=DAY)
-    document = history.export_json()
-    assert document["entries"] == [{"part_id": "p", "title": "t", "library": "A", "count": 2, "last_used": "2026-11-21"}]
-    other = History(tmp_path / "other.sqlite")
-    other.record("p", "t", "A", day=date(2027, 1, 1))
-    assert other.import_json(document) == 1
-    assert other.entries() == [Entry("p", "t", "A", 2, "2027-01-01")]
-    assert other.import_json(document) == 0, "a second time changes nothing"
+def test_version_target_and_component_are_kept_beside(history: History) -> None:
+    history.record("p", "t", "A", version="1.0", target="uno", component="T1", day=DAY)
+    history.record("p", "t", "A", version="1.1", target="uno", component="T1", day=DAY)
+    history.record("p", "t", "A", version="1.1", target="uno", component="T2", day=DAY)
+    assert history.choices("p", "t") == {"A": 3}
+    assert [(e.version, e.count, e.component) for e in history.entries()] == [("1.0", 1, "T1"), ("1.1", 2, "T2")]
+
+
+def test_choices_for_a_model_number(history: History) -> None:
+    history.record("p", "DHT22 Temperature Sensor", "A")
+    history.record("q", "DHT 22 breakout", "A")
+    history.record("q", "Sensor DHT11", "B")
+    assert history.choices_for_model("dht22") == {"A": 2}
+    assert history.choices_for_model("dht") == {}
+
+
+ENTRIES = [
+    Entry("p", "t, with a comma", "A", 2, "2026-11-21", "1.0", "uno", "T1"),
+    Entry("q", 'a "quoted"\ntitle', "Bü", 1, "2026-01-01"),
+]
+
+
+@pytest.mark.parametrize(("write", "read"), [(to_json, from_json), (to_csv, from_csv)])
+def test_what_is_exported_is_imported(write: Callable[..., str], read: Callable[..., list[Entry]], history: History) -> None:
+    text = write(ENTRIES)
+    assert read(text) == ENTRIES
+    assert history.take_over(read(text)) == 2
+    assert history.entries() == ENTRIES
+    assert history.take_over(read(text)) == 0, "a second time changes nothing"
+
+
+def test_taking_over_keeps_the_higher_count_and_the_later_day(history: History) -> None:
+    history.record("p", "t", "A", day=date(2027, 1, 1))
+    assert history.take_over([Entry("p", "t", "A", 2, "2026-11-21")]) == 1
+    assert history.entries() == [Entry("p", "t", "A", 2, "2027-01-01")]
+    assert history.take_over([Entry("p", "t", "A", 1, "2026-11-21")]) == 0
+
+
+GOOD = {"part_id": "p", "title": "t", "library": "A", "count": 1, "last_used": "2026-11-21"}
 
 
 @pytest.mark.parametrize(
@@ -86,19 +123,33 @@ def test_export_and_import(history: History, tmp_path: Path) -> None:
         None,
         {"schema": "other", "entries": []},
         {"schema": SCHEMA, "entries": [{"part_id": "p"}]},
+        {"schema": SCHEMA, "entries": [5]},
         *(
-            {
-                "schema": SCHEMA,
-                "entries": [{"part_id": "p", "title": "t", "library": "A", "count": 1, "last_used": "2026-11-21"} | wrong],
-            }
-            for wrong in ({"count": 0}, {"count": True}, {"last_used": "yesterday"}, {"last_used": "20261121"}, {"library": ""})
+            {"schema": SCHEMA, "entries": [GOOD | wrong]}
+            for wrong in (
+                {"count": 0}, {"count": True}, {"last_used": "yesterday"}, {"last_used": "20261121"}, {"library": ""},
+                {"title": "\ud800"}, {"part_id": "", "title": ""}, {"version": 2},
+            )
         ),
     ],
-)
-def test_a_damaged_document_is_not_taken_over(history: History, document: object) -> None:
+)  # fmt: skip
+def test_a_damaged_document_is_refused(document: object) -> None:
     with pytest.raises(SourceError):
-        history.import_json(document)
-    assert not history.path.exists()
+        from_json(json.dumps(document))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "the column 'part_id' is missing"),
+        ("part_id,title,library,count,last_used\np,t,A,x,2026-11-21\n", "line 2 of the history is damaged: its count"),
+        ("part_id,title,library,count,last_used\np,t,,1,2026-11-21\n", "it names no part or no library"),
+        ('part_id,title,library,count,last_used\n"p,t,A,1,2026-11-21\n', "this is no CSV"),
+    ],
+)
+def test_a_damaged_table_is_refused(text: str, message: str) -> None:
+    with pytest.raises(SourceError, match=message):
+        from_csv(text)
 
 
 @pytest.mark.parametrize("use", [lambda h: h.choices("p", "t"), lambda h: h.record("p", "t", "A"), lambda h: h.entries()])
@@ -110,7 +161,7 @@ def test_damaged_and_foreign_files(tmp_path: Path, use: Callable[[History], obje
     folder.mkdir()
     History(newer).record("p", "t", "A")
     with sqlite3.connect(newer) as db:
-        db.execute("PRAGMA user_version=2")
+        db.execute("PRAGMA user_version=3")
     for path in (damaged, foreign, folder, newer):
         before = path.read_bytes() if path.is_file() else b""
         with pytest.raises(SourceError) as caught:
@@ -122,19 +173,100 @@ def test_damaged_and_foreign_files(tmp_path: Path, use: Callable[[History], obje
 
 
 def test_an_empty_file_is_an_empty_history(tmp_path: Path) -> None:
+    (tmp_path / "empty").touch()
     empty = History(tmp_path / "empty")
-    empty.path.touch()
     assert empty.choices("p", "t") == {}
     empty.record("p", "t", "A")
     assert empty.choices("p", "t") == {"A": 1}
+
+
+def test_a_file_of_format_1_is_read_and_brought_up_to_date(tmp_path: Path) -> None:
+    old = tmp_path / "old.sqlite"
+    with closing(sqlite3.connect(old)) as db:
+        db.executescript((DATA / "history_1.sql").read_text())
+    history = History(old)
+    assert history.entries() == [Entry("p", "t", "A", 3, "2026-11-20")]
+    history.record("p", "t", "A", day=DAY)
+    assert history.entries() == [Entry("p", "t", "A", 4, "2026-11-21")]
+
+
+def test_a_history_that_cannot_be_used_has_no_choices_and_says_why(tmp_path: Path) -> None:
+    damaged = tmp_path / "damaged"
+    damaged.write_bytes(b"this is no database, and long enough to be taken for one" * 20)
+    history = ForgivingHistory(damaged)
+    assert history.choices("p", "t") == history.choices_for_model("m1") == {}
+    assert history.trouble is not None
+    assert "cannot be used" in history.trouble.message
+    assert ForgivingHistory(tmp_path / "absent").trouble is None
+
+
+def test_many_runs_write_at_once_and_nothing_is_lost(tmp_path: Path) -> None:
+    code = "import sys; from robosmi.recommend.history import History; h = History(sys.argv[1])\n"
+    code += "for n in range(20): h.record('p', 't', 'A')"
+    command = [sys.executable, "-c", code, str(tmp_path / "shared.sqlite")]
+    runs = [subprocess.Popen(command, cwd=ROOT) for _ in range(4)]
+    assert [run.wait() for run in runs] == [0] * 4
+    assert History(tmp_path / "shared.sqlite").choices("p", "t") == {"A": 80}
+
+
+@pytest.fixture(params=["sqlite", "server"])
+def url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
+    """An SQLAlchemy URL: of a file, and of a server where ROBOSMI_TEST_DATABASE names one."""
+    pytest.importorskip("sqlalchemy")
+    if request.param == "sqlite":
+        return f"sqlite:///{tmp_path / 'team.sqlite'}"
+    server = os.environ.get("ROBOSMI_TEST_DATABASE")
+    if not server:
+        pytest.skip("ROBOSMI_TEST_DATABASE names no database server")
+    History(server).forget(everything=True)
+    return server
+
+
+def test_a_shared_database(url: str) -> None:
+    history = History(url)
+    assert history.choices("p", "t") == {}
+    history.record("p", "x'); DROP TABLE robosmi_choice; --", "A", day=DAY)
+    for library in ("A", "B", "A"):
+        history.record("p", "t", library, version="1", day=DAY)
+    assert list(history.choices("p", "t").items()) == [("A", 2), ("B", 1)]
+    assert History(url).choices("p", "t") == {"A": 2, "B": 1}
+    assert history.take_over([Entry("p", "t", "B", 5, "2027-01-01", "1")]) == 1
+    assert history.choices("p", "t") == {"B": 5, "A": 2}
+    assert history.forget("p", library="A") == 2
+    assert [(e.library, e.count, e.last_used) for e in history.entries()] == [("B", 5, "2027-01-01")]
+
+
+def test_many_write_into_a_shared_database(url: str) -> None:
+    History(url).record("p", "t", "A")
+
+    def five() -> None:
+        for _ in range(5):
+            History(url).record("p", "t", "A")
+
+    threads = [threading.Thread(target=five) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert History(url).choices("p", "t") == {"A": 21}
+
+
+def test_a_wrong_url_and_a_place_that_is_not_there() -> None:
+    pytest.importorskip("sqlalchemy")
+    with pytest.raises((SourceError, MissingToolError)) as wrong:
+        History("nosuchkind://user:secret@host/name").entries()
+    assert "secret" not in str(wrong.value)
+    with pytest.raises(SourceError) as caught:
+        History("sqlite:////no/such/folder/x.sqlite").record("p", "t", "A")
+    assert "cannot be used" in str(caught.value)
 
 
 def test_a_failed_write_leaves_nothing_half_done(history: History) -> None:
     history.record("p", "t", "A", day=DAY)
 
     def stop_halfway() -> None:
-        with history._writing() as db:
-            db.execute("DELETE FROM choice")
+        with history._database.writing() as statements:
+            statements.run("DELETE FROM {table}", {})
             raise RuntimeError
 
     with pytest.raises(RuntimeError):
@@ -145,7 +277,9 @@ def test_a_failed_write_leaves_nothing_half_done(history: History) -> None:
 def test_where_the_history_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("ROBOSMI_HOME", str(tmp_path))
     monkeypatch.delenv("ROBOSMI_HISTORY", raising=False)
-    assert default_path() == tmp_path / "history.sqlite"
+    assert default_place() == tmp_path / "history.sqlite"
     monkeypatch.setenv("ROBOSMI_HISTORY", str(tmp_path / "mine"))
-    assert History().path == tmp_path / "mine"
-    assert History(tmp_path / "given").path == tmp_path / "given"
+    assert History().place == str(tmp_path / "mine")
+    assert History(tmp_path / "given").place == str(tmp_path / "given")
+    monkeypatch.setenv("ROBOSMI_HISTORY", "sqlite:///team.sqlite")
+    assert default_place() == "sqlite:///team.sqlite"

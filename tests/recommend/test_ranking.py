@@ -33,6 +33,7 @@ def test_json_form(tiny: LibraryIndex) -> None:
         "id": "7",
         "decision": "library",
         "confidence": 0.0,
+        "reasons": [],
         "candidates": [
             {
                 "library": "Servo",

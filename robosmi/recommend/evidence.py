@@ -1,0 +1,189 @@
+"""What speaks for a library: its words (BM25F over the fields of `index.FIELDS`), model numbers, its name, and the rest.
+
+Each piece is measured by itself, so that a ranking can say why: the text score is saturated, that a long description does
+not drown a model number; a model number counts by the field that has it and by how few libraries do; name coverage is how
+much of the library's own name the part explains. How the pieces are put together is in `device_ranker`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from robosmi.recommend.index import FIELDS, LibraryIndex
+from robosmi.recommend.part_words import PartWords
+from robosmi.recommend.words import StopWords, chunks, is_model, parts
+
+FIELD_WEIGHTS = (3.0, 2.0, 1.0, 1.6, 0.35)
+"""What a word counts by the field of the library that has it: name, header, keyword, meta, ident (BM25F)."""
+
+_LENGTH = (0.5, 0.5, 0.6, 0.6, 0.7)  # b of BM25F for each field: how much a long one counts less
+_K1 = 1.5
+_SATURATION = 10.0
+_EVERYWHERE = 0.4  # a word that this share of the libraries has tells nothing
+_MODEL_FIELDS = (1.0, 1.0, 0.75, 0.8, 0.4)
+_SHORTER, _LONGER, _WILDCARD = 0.95, 0.9, 0.85  # SHT15C by SHT15, LIS331 by LIS331HH, SHT15 by SHT1x
+_PER_LETTER = 0.93
+_MOST_LETTERS = 4
+
+
+@dataclass(slots=True)
+class Evidence:
+    """What speaks for one library.
+
+    Attributes:
+        library: its number.
+        text: saturated BM25F, 0..1.
+        model: best model number, 0..1; with the number of the part, the word of the library, and the field.
+        model_reason: these three.
+        name: how much of its name the part explains, 0..1.
+        usual: how usual it is for such a device, 0..1.
+    """
+
+    library: int
+    text: float = 0.0
+    model: float = 0.0
+    model_reason: tuple[str, str, str] = ("", "", "")
+    name: float = 0.0
+    usual: float = 0.0
+
+
+class EvidenceFinder:
+    """Measures libraries of an index against what a part asks for.
+
+    Args:
+        index: the libraries.
+        stop: words that say nothing.
+    """
+
+    def __init__(self, index: LibraryIndex, stop: StopWords) -> None:
+        self.index, self.stop = index, stop
+        filled = [sum(1 for length in lengths if length) for lengths in index.lengths]
+        self._average = [sum(lengths) / max(count, 1) or 1.0 for lengths, count in zip(index.lengths, filled, strict=True)]
+        self._hits = lru_cache(maxsize=1024)(self._model_hits)
+        self._words_of = lru_cache(maxsize=4096)(self._name_words)
+        self._scored = lru_cache(maxsize=512)(self._word_scores)
+
+    def rarity(self, word: str) -> float:
+        """ln(1 + (N - df + 0.5) / (df + 0.5)), the idf of BM25; 0 for a word that no library has."""
+        found = len(self.index.facts(word)[0])
+        return math.log(1 + (len(self.index) - found + 0.5) / (found + 0.5)) if found else 0.0
+
+    def having(self, word: str) -> Sequence[int]:
+        """The numbers of the libraries that have a word, ascending."""
+        return self.index.facts(word)[0]
+
+    def gather(self, part: PartWords, most: int) -> list[Evidence]:
+        """The libraries that most speaks for, by text, model numbers and custom; their names are looked at, too."""
+        found: dict[int, Evidence] = {}
+        for library, score in self._texts(part).items():
+            found[library] = Evidence(library, text=score / (score + _SATURATION))
+        for number, weight in part.models.items():
+            for library, value, word, field in self._hits(number):
+                entry = found.setdefault(library, Evidence(library))
+                if weight * value > entry.model:
+                    entry.model, entry.model_reason = weight * value, (number, word, field)
+        for library, (value, _) in part.usual.items():
+            found.setdefault(library, Evidence(library)).usual = value
+        first = sorted(found.values(), key=lambda e: (-(e.text + 1.5 * e.model + 1.5 * e.usual), e.library))[:most]
+        for entry in first:
+            entry.name = self._coverage(entry.library, part)
+        return first
+
+    def _texts(self, part: PartWords) -> dict[int, float]:
+        scores: dict[int, float] = {}
+        get = scores.get
+        for word, weight in part.words.items():
+            for library, score in self._scored(word):
+                scores[library] = get(library, 0.0) + weight * score
+        return scores
+
+    def _word_scores(self, word: str) -> list[tuple[int, float]]:
+        """Score of one word for each library that has it."""
+        libraries, columns = self.index.facts(word)
+        if not libraries or len(libraries) > _EVERYWHERE * len(self.index) > 20:
+            return []
+        rarity = self.rarity(word)
+        used = [
+            (FIELD_WEIGHTS[n], _LENGTH[n], self._average[n], self.index.lengths[n], column)
+            for n, column in enumerate(columns)
+            if column
+        ]
+        found = []
+        for place, library in enumerate(libraries):
+            tf = 0.0
+            for weight, b, average, lengths, column in used:
+                if column[place]:
+                    tf += weight * column[place] / (1 - b + b * lengths[library] / average)
+            found.append((library, rarity * tf / (_K1 + tf)))
+        return found
+
+    def _model_hits(self, number: str) -> list[tuple[int, float, str, str]]:
+        """Libraries that have a model number or a like one: library, value, the word they have, the field."""
+        found: dict[int, tuple[float, str, str]] = {}
+        for word, likeness in self._like(number):
+            libraries, columns = self.index.facts(word)
+            rare = min(1.0, self.rarity(word) / math.log(1 + len(self.index) / 3)) if libraries else 0.0
+            for place, library in enumerate(libraries):
+                field = max((n for n, c in enumerate(columns) if c and c[place]), key=lambda n: _MODEL_FIELDS[n])
+                value = _MODEL_FIELDS[field] * likeness * rare
+                if value > found.get(library, (0.0,))[0]:
+                    found[library] = (value, word, FIELDS[field])
+        return [(library, *value) for library, value in found.items()]
+
+    def _like(self, number: str) -> Iterable[tuple[str, float]]:
+        """A model number, and what may be written for it, with how alike that is."""
+        yield number, 1.0
+        if len(number) < 4:
+            return
+        for cut in range(1, _MOST_LETTERS):
+            shorter = number[:-cut]
+            if len(shorter) >= 4 and is_model(shorter):
+                yield shorter, _SHORTER * _PER_LETTER ** (cut - 1)
+        for cut in (1, 2):
+            if number[-cut:].isdigit() and len(number) > cut + 2:
+                yield number[:-cut] + "x" * cut, _WILDCARD
+        stem = number.rstrip("x")
+        for longer in self.index.terms_from(stem) if len(stem) >= 3 else ():
+            if stem != number and len(longer) == len(number):
+                yield longer, _WILDCARD
+            elif stem == number and len(number) >= 5 and 0 < len(longer) - len(number) <= _MOST_LETTERS:
+                yield longer, _LONGER * _PER_LETTER ** (len(longer) - len(number) - 1)
+
+    def _coverage(self, library: int, part: PartWords) -> float:
+        """The best share of its name, or of the name of a main header, that the part's words explain, by their rarity."""
+        best = 0.0
+        for name in self._words_of(library):
+            total = got = 0.0
+            for pieces, rarity in name:
+                total += rarity
+                got += rarity * min(self._explained(pieces, part), 1.0)
+            if total:
+                best = max(best, got / total * got / (got + 2.0))  # a name of common words alone says little
+        return best
+
+    def _explained(self, pieces: tuple[str, ...], part: PartWords) -> float:
+        def weight(word: str) -> float:
+            return max(part.words.get(word, 0.0), part.models.get(word, 0.0))
+
+        if value := weight(pieces[0]):
+            return value
+        if len(pieces) > 1:
+            halves = [weight(piece) for piece in pieces[1:] if piece not in self.stop]
+            return sum(halves) / len(halves) if halves else 0.0
+        if is_model(pieces[0]):
+            like = (w for n, w in part.models.items() if n.startswith(pieces[0]) or pieces[0].startswith(n))
+            return 0.85 * max(like, default=0.0)
+        return 0.0
+
+    def _name_words(self, library: int) -> list[list[tuple[tuple[str, ...], float]]]:
+        """The telling words of its name and of its first main headers, each with its pieces and its rarity."""
+        facts = self.index.library(library)
+        names = [facts.name, *(file.rsplit(".", 1)[0] for file in facts.main[:3])]
+        found = []
+        for name in names:
+            telling = [pieces for chunk in chunks(name) if (pieces := parts(chunk))[0] not in self.stop]
+            found.append([(pieces, max(map(self.rarity, pieces))) for pieces in telling])
+        return found

@@ -1,0 +1,108 @@
+"""The history of choices as text for others: JSON and CSV, read back with every mistake named.
+
+The same as a model is made in `transformations`, since it needs a metamodel. Nothing is written here but texts.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, fields
+from datetime import date
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.recommend.history import Entry
+
+SCHEMA = "robosmi/history/1"
+"""Names the JSON form."""
+
+COLUMNS = tuple(field.name for field in fields(Entry))
+_TEXTS = tuple(name for name in COLUMNS if name != "count")
+_NEEDED = ("part_id", "title", "library", "count", "last_used")
+
+
+def to_json(entries: Iterable[Entry]) -> str:
+    """`{"schema", "entries": [{part_id, title, library, count, last_used, version, target, component}]}`."""
+    return json.dumps({"schema": SCHEMA, "entries": [asdict(entry) for entry in entries]}, indent=1, ensure_ascii=False) + "\n"
+
+
+def to_csv(entries: Iterable[Entry]) -> str:
+    """A table with a heading; lines end in CRLF (RFC 4180)."""
+    out = io.StringIO()
+    writer = csv.writer(out)
+    writer.writerow(COLUMNS)
+    writer.writerows([getattr(entry, name) for name in COLUMNS] for entry in entries)
+    return out.getvalue()
+
+
+def from_json(text: str, location: Location | None = None) -> list[Entry]:
+    """What `to_json` gave.
+
+    Raises:
+        SourceError: not of that form; the first wrong entry is named.
+    """
+    fix = f'take a document that was exported: {{"schema": "{SCHEMA}", "entries": [...]}}'
+    try:
+        document = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise SourceError(f"this is not JSON: {error}", location=location, fix=fix) from error
+    if not isinstance(document, dict) or document.get("schema") != SCHEMA or not isinstance(document.get("entries"), list):
+        raise SourceError("this is not an exported history", location=location, fix=fix)
+    return [entry_of(item, f"entry {number}", location) for number, item in enumerate(document["entries"], 1)]
+
+
+def from_csv(text: str, location: Location | None = None) -> list[Entry]:
+    """What `to_csv` gave; columns in any order, those beyond `part_id, title, library, count, last_used` may be missing.
+
+    Raises:
+        SourceError: not of that form; the first wrong line is named.
+    """
+    try:
+        table = csv.DictReader(io.StringIO(text.removeprefix("\ufeff")), strict=True)
+        missing = [name for name in _NEEDED if name not in (table.fieldnames or ())]
+        if missing:
+            raise SourceError(f"the column '{missing[0]}' is missing", location=location, fix=f"begin with {','.join(COLUMNS)}")
+        found = []
+        for row in table:
+            item: dict[str, Any] = {name: row.get(name) or "" for name in COLUMNS}
+            item["count"] = int(item["count"]) if item["count"].isascii() and item["count"].isdigit() else None
+            found.append(entry_of(item, f"line {table.line_num}", location))
+        return found
+    except csv.Error as error:
+        raise SourceError(f"this is no CSV: {error}", location=location, fix="correct the quotes") from error
+
+
+def entry_of(item: object, where: str, location: Location | None) -> Entry:
+    """The entry behind plain values.
+
+    Raises:
+        SourceError: a value is missing or of the wrong kind.
+    """
+    wrong = _wrong(item)
+    if wrong or not isinstance(item, dict):
+        fix = "an entry has a part (part_id or title), a library, a count above 0 and a day such as 2026-11-21"
+        raise SourceError(f"{where} of the history is damaged: {wrong}", location=location, fix=fix)
+    return Entry(**{name: item.get(name, "") for name in COLUMNS})
+
+
+def _wrong(item: object) -> str:
+    if not isinstance(item, Mapping):
+        return "it is no entry"
+    texts = [item.get(name, "" if name not in _NEEDED else None) for name in _TEXTS]
+    if not all(isinstance(text, str) and not any("\ud800" <= letter <= "\udfff" for letter in text) for text in texts):
+        return "a text is missing or is none"
+    if not item["library"] or not (item["part_id"] or item["title"]):
+        return "it names no part or no library"
+    count = item.get("count")
+    if not isinstance(count, int) or isinstance(count, bool) or not 0 < count < 2**31:
+        return "its count is no whole number above 0"
+    try:
+        return (
+            "" if date.fromisoformat(item["last_used"]).isoformat() == item["last_used"] else "its day is not written YYYY-MM-DD"
+        )
+    except ValueError:
+        return "its day is not written YYYY-MM-DD"

@@ -1,0 +1,172 @@
+"""The device lexicon: what the parts of drawings are, by their model numbers, trade names and kinds. Data, read from tables.
+
+An entry says by which names a device goes, which more general devices it is one of, whether a program needs a library for
+it, and how it is spoken to; what an entry leaves out, it has from those it is one of. Which entries a part names is found
+in `recognition`; which libraries are usual for a device is another table, read by `transformations`.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, cast, get_args
+
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.recommend.words import plain
+
+Need = Literal["library", "optional", "none", ""]
+"""A program needs a library for it; a library helps, plain calls do as well; plain calls do; not known."""
+
+COLUMNS = ("names", "is", "need", "interface")
+"""The columns of a table. `names` apart by |, the first being the one it is called by; a model number may end in *, which
+stands for any ending. `is`: names of other entries, apart by +."""
+
+_FIX = f"write {','.join(COLUMNS)}; names apart by |"
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """One entry.
+
+    Attributes:
+        names: as written.
+        kinds: numbers of the entries that it is one of or made of; need and interface come from the first.
+        stands_for: the same as written: a model number among them says which of an entry's names is meant.
+        need: own or inherited.
+        interface: own or inherited: i2c, spi, onewire, serial, analog, digital, pwm, pulse or nothing.
+        depth: how many entries are above it, counted along the first kinds.
+    """
+
+    names: tuple[str, ...]
+    kinds: tuple[int, ...]
+    stands_for: tuple[str, ...]
+    need: Need
+    interface: str
+    depth: int
+
+    @property
+    def name(self) -> str:
+        """The name it is called by."""
+        return self.names[0].removesuffix("*")
+
+
+class Lexicon:
+    """The entries of some tables.
+
+    Args:
+        paths: CSV tables with `COLUMNS`. A name that two entries have belongs to the first.
+
+    Raises:
+        PlatformDataError: a table cannot be read, or says what makes no sense.
+    """
+
+    def __init__(self, paths: Iterable[Path]) -> None:
+        rows = [row for path in paths for row in _rows(path)]
+        self._exact: dict[str, int] = {}
+        self._prefixes: dict[str, int] = {}
+        for number, row in enumerate(rows):
+            for name in row.names:
+                (self._prefixes if name.endswith("*") else self._exact).setdefault(plain(name), number)
+        self.devices = _resolved(rows, self.number_of)
+
+    def number_of(self, name: str) -> int | None:
+        """The entry of that name, letter case and punctuation apart; of a model number also by its beginning; or None."""
+        key = plain(name)
+        return self._prefixes[key] if key in self._prefixes and key not in self._exact else self.by_model(key)
+
+    def exactly(self, key: str) -> int | None:
+        """The entry that has this name, given as `words.plain` gives it; no endings are guessed."""
+        return self._exact.get(key)
+
+    def by_model(self, key: str) -> int | None:
+        """The entry of a model number in lower case: as listed, else by the longest beginning that is listed with a *.
+
+        After a beginning that ends in a letter, a digit must follow, so that not every word fits.
+        """
+        if key in self._exact:
+            return self._exact[key]
+        for length in range(len(key), 2, -1):
+            number = self._prefixes.get(key[:length])
+            if number is not None and (length == len(key) or key[length - 1].isdigit() or key[length].isdigit()):
+                return number
+        return None
+
+    def lineage(self, device: int) -> list[tuple[int, int]]:
+        """An entry and all that it is one of or made of: number and distance, nearest first, each once."""
+        found = {device: 0}
+        waiting = [device]
+        for number in waiting:  # grows while it is walked: breadth first
+            for above in self.devices[number].kinds:
+                if above not in found:
+                    found[above] = found[number] + 1
+                    waiting.append(above)
+        return list(found.items())
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    names: tuple[str, ...]
+    kinds: tuple[str, ...]
+    need: Need
+    interface: str
+    place: Location
+
+
+def _rows(path: Path) -> Iterator[_Row]:
+    place = Location(str(path))
+    try:
+        with path.open(encoding="utf-8", newline="") as lines:
+            table = csv.reader(lines, strict=True)
+            if tuple(next(table, ())) != COLUMNS:
+                raise PlatformDataError("is not a table of devices", location=place, fix=_FIX)
+            for row in table:
+                if row:  # a blank line
+                    yield _row(row, Location(str(path), table.line_num))
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise PlatformDataError(f"the table of devices cannot be read: {error}", location=place, fix="correct it") from error
+
+
+def _row(row: list[str], place: Location) -> _Row:
+    if len(row) != len(COLUMNS):
+        raise PlatformDataError(f"this line has {len(row)} columns, not {len(COLUMNS)}", location=place, fix=_FIX)
+    names = tuple(part.strip() for part in row[0].split("|") if part.strip())
+    if not names:
+        raise PlatformDataError("this line names no device", location=place, fix=_FIX)
+    kinds = tuple(part.strip() for part in row[1].split("+") if part.strip())
+    need = row[2].strip()
+    if need not in get_args(Need):
+        known = [each for each in get_args(Need) if each]
+        raise PlatformDataError(
+            f"'{need}' is no need{did_you_mean(need, known)}", location=place, fix=f"use one of: {', '.join(known)}"
+        )
+    return _Row(names, kinds, cast(Need, need), row[3].strip(), place)
+
+
+def _resolved(rows: list[_Row], number_of: Callable[[str], int | None]) -> list[Device]:
+    """The entries with what they inherit.
+
+    Raises:
+        PlatformDataError: an entry is one of something that no table has.
+    """
+    above = [tuple(_number(kind, row, number_of) for kind in row.kinds) for row in rows]
+    devices = []
+    for number, row in enumerate(rows):
+        chain = [number]
+        while above[chain[-1]] and above[chain[-1]][0] not in chain:  # a ring ends where it began
+            chain.append(above[chain[-1]][0])
+        need: Need = next((rows[n].need for n in chain if rows[n].need), "")
+        interface = next((rows[n].interface for n in chain if rows[n].interface), "")
+        devices.append(Device(row.names, above[number], row.kinds, need, interface, len(chain) - 1))
+    return devices
+
+
+def _number(kind: str, row: _Row, number_of: Callable[[str], int | None]) -> int:
+    found = number_of(kind)
+    if found is None:
+        raise PlatformDataError(
+            f"'{row.names[0]}' is said to be a '{kind}', which no table has", location=row.place, fix="name an entry of a table"
+        )
+    return found

@@ -1,0 +1,4 @@
+#include <Wire.h>
+#include "inner.h"
+class DescribedSensor : public Base {
+};

@@ -1,0 +1,2 @@
+// Mühle
+class Latin {};

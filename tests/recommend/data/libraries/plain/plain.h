@@ -1,0 +1,5 @@
+/* Reads a RoboSense 9 sensor. */
+class Plain {
+ public:
+  int readDistance();  // in "cm"
+};
