@@ -2,12 +2,13 @@
 # make test   set everything up (system packages too, where this may) and run all tests
 # make lint   ruff and mypy, in an environment of its own
 # make bench  the figures of the README, measured
+# make fuzz  damaged inputs for the readers, by hand (not in CI)
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-.PHONY: demo test lint bench wheel readme metamodels system-packages clean
+.PHONY: demo test lint bench fuzz wheel readme metamodels system-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -30,6 +31,14 @@ lint:
 
 bench: $(VENV)/.ready
 	$(BIN)/python tests/bench/bench.py
+	$(BIN)/python tests/bench/xmi.py
+	$(BIN)/python tests/bench/rules.py
+	$(BIN)/python tests/bench/query.py
+	$(BIN)/python tests/bench/generate.py
+
+fuzz: $(VENV)/.ready
+	$(BIN)/python -m tests.fuzz.hardware
+	$(BIN)/python -m tests.fuzz.xmi
 
 wheel:
 	@sh .ci/wheel

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from robosmi.api import (
+        check_model,
         compile_sketch,
         generate_sketch,
         load_code,
@@ -30,6 +31,7 @@ if not (_here / "transformations").is_dir() and (_here.parent / "transformations
     __path__.append(str(_here.parent))
 
 __all__ = [
+    "check_model",
     "compile_sketch",
     "generate_sketch",
     "load_code",

@@ -118,6 +118,22 @@ def generate_sketch(plan: str | Path, output: str | Path, *, dry_run: bool = Fal
     return content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict)
 
 
+def check_model(path: str | Path) -> Any:
+    """Hold a drawing, a stored plan or any other model against all constraints registered for its metamodel.
+
+    Args:
+        path: the file.
+
+    Returns:
+        What was checked; `.findings` in order, `.result` as the JSON contract has it.
+
+    Raises:
+        SourceError: it cannot be read.
+        ModelError: it contradicts its metamodel.
+    """
+    return content("chain", "check")(path)
+
+
 def compile_sketch(sketch: str | Path, board: str | None = None) -> Any:
     """Compile a generated sketch with the target's real toolchain.
 

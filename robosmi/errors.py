@@ -50,6 +50,10 @@ class SourceError(RobosmiError):
     exit_code = 3
 
 
+class RuleError(SourceError):
+    """A constraint, rule or template of the user's is wrong or raises; the place is its own file and line (exit code 3)."""
+
+
 class PlatformDataError(RobosmiError):
     """An entry of the platform repository is damaged or contradicts another (exit code 3)."""
 

@@ -33,7 +33,8 @@ ABOVE: dict[str, tuple[str, ...]] = {
     "report": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
     "verify": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
     "recommend": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
-    "cli": ("api", "report", "verify", "recommend", "generate", "validate", "transform", "query", "model", *FOUNDATION),
+    "chain": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
+    "cli": ("api", "chain", "report", "verify", "recommend", "generate", "validate", "transform", "query", "model", *FOUNDATION),
 }
 """Room of the framework -> the rooms that it may import (and itself). The foundation's own arrows are a test below."""
 

@@ -11,18 +11,38 @@ from robosmi.plugins import Registry
 _CONTENT = {
     ("program reader", "c_source"): "t2m.c_source:read_program",
     ("drawing reader", "fritzing"): "t2m.fritzing:read_circuit",
+    ("drawing reader", "pin_table"): "t2m.pin_table:read_circuit",
+    ("ranker", "devices"): "m2m.library_ranking:device_ranker",
     ("ranker", "tfidf"): "m2m.library_ranking:tfidf_ranker",
     ("generator", "arduino_sketch"): "m2t.arduino_sketch:generate",
     ("chain", "analyse"): "chains.analyse:analyse",
     ("chain", "hardware"): "chains.hardware:hardware",
+    ("chain", "parts_import"): "chains.parts:import_parts",
+    ("chain", "history_export"): "chains.history:export_history",
+    ("chain", "history_import"): "chains.history:import_history",
+    ("chain", "libraries_import"): "chains.libraries:import_libraries",
     ("chain", "recommend"): "chains.recommend:recommend",
     ("chain", "migrate"): "chains.migrate:migrate",
     ("chain", "plan"): "chains.migrate:plan_migration",
     ("chain", "generate"): "chains.generate:generate",
+    ("chain", "check"): "chains.check:check",
+    ("constraints", "ccode"): "constraints.code:code",
+    ("constraints", "hardware"): "constraints.hardware:circuit",
+    ("constraints", "migration"): "constraints.plan:plan",
 }
+
+
+_DRIVERS = {
+    "c": "robosmi.transformations.t2m.c_source.on_demand:open_program",
+    **dict.fromkeys((".c", ".cc", ".cpp", ".cxx", ".h"), "robosmi.transformations.t2m.c_source.on_demand:open_program"),
+    **dict.fromkeys((".fz", ".fzp"), "robosmi.model.plain_xml:open_xml"),
+}
+"""Drivers of models by name, and by the endings of the files that they open."""
 
 
 def registry(target: Registry) -> None:
     """Offer everything of this package (the value of its entry point)."""
     for (kind, name), place in _CONTENT.items():
         target.add(kind, name, f"robosmi.transformations.{place}")
+    for name, place in _DRIVERS.items():
+        target.add("driver", name, place)

@@ -6,24 +6,38 @@ Generated from ccode.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import pyecore.ecore as Ecore
-from pyecore.ecore import EBoolean, EDouble, EInt, ELong, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
-
 from robosmi.model.strict import Element
+from robosmi.model.strict_package import (
+    EAttribute,
+    EBoolean,
+    EDouble,
+    EInt,
+    ELong,
+    EReference,
+    EString,
+    MetaEClass,
+    abstract,
+    enumeration,
+    find_classifier,
+    package,
+)
+
+if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
 
 name = "ccode"
 nsURI = "http://robosmi.org/ccode/1"
 nsPrefix = "ccode"
 
-eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClass = package(name, nsURI, nsPrefix)
 eClassifiers: dict[str, Any] = {}
-getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+eSubpackages: list[Any] = []
+eSuperPackage: Any = None
+getEClassifier = find_classifier(eClassifiers)
 
 if TYPE_CHECKING:
-    from robosmi.model.strict import EnumLiteral
 
     class Storage(EnumLiteral):
         """Storage class specifier of a declaration (ISO C99 6.7.1)."""
@@ -65,23 +79,49 @@ if TYPE_CHECKING:
         typeUse: ClassVar[SymbolUse]
 
 else:
-    from robosmi.model.strict import enumeration
-
-    Storage = enumeration("Storage", {"unspecified": 0, "externStorage": 1, "staticStorage": 2, "registerStorage": 3, "autoStorage": 4})
-    Linkage = enumeration("Linkage", {"defined": 0, "declaredInHeader": 1, "inferred": 2})
-    RecordKind = enumeration("RecordKind", {"structType": 0, "unionType": 1, "classType": 2})
+    Storage = enumeration(
+        "Storage",
+        {
+            "unspecified": 0,
+            "externStorage": 1,
+            "staticStorage": 2,
+            "registerStorage": 3,
+            "autoStorage": 4,
+        },
+    )
+    Linkage = enumeration(
+        "Linkage",
+        {"defined": 0, "declaredInHeader": 1, "inferred": 2},
+    )
+    RecordKind = enumeration(
+        "RecordKind",
+        {"structType": 0, "unionType": 1, "classType": 2},
+    )
     LoopForm = enumeration("LoopForm", {"whileLoop": 0, "doLoop": 1, "forLoop": 2})
-    SymbolUse = enumeration("SymbolUse", {"called": 0, "constantUse": 1, "writtenUse": 2, "indexedUse": 3, "typeUse": 4})
+    SymbolUse = enumeration(
+        "SymbolUse",
+        {
+            "called": 0,
+            "constantUse": 1,
+            "writtenUse": 2,
+            "indexedUse": 3,
+            "typeUse": 4,
+        },
+    )
 
 
 class Program(Element, metaclass=MetaEClass):
     """One program: all source units that are compiled together."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Base name of the first source file, without extension."""
     languages: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Languages of the units, e.g. C."""
-    includeFolders: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    includeFolders: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
     """Folders given for include search, as given."""
     defines: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Macros defined from outside, NAME or NAME=VALUE."""
@@ -111,11 +151,11 @@ class SourceUnit(Element, metaclass=MetaEClass):
     """The program it belongs to."""
     path: str = EAttribute(eType=EString, lower=1)
     """Path relative to the model's own folder once stored, else as given."""
-    encoding: str = EAttribute(eType=EString, default_value='UTF-8')
+    encoding: str = EAttribute(eType=EString, default_value="UTF-8")
     """Encoding of the bytes."""
-    digest: str = EAttribute(eType=EString, default_value='')
+    digest: str = EAttribute(eType=EString, default_value="")
     """SHA-256 of the bytes, hexadecimal."""
-    language: str = EAttribute(eType=EString, default_value='C')
+    language: str = EAttribute(eType=EString, default_value="C")
     """C or C++."""
     size: int = EAttribute(eType=EInt)
     """Length in bytes."""
@@ -133,7 +173,10 @@ class SourceUnit(Element, metaclass=MetaEClass):
     """Declarations at file scope, in text order."""
     comments: MutableSequence[Comment] = EReference(upper=-1, containment=True)
     """Comments, in text order."""
-    conditionals: MutableSequence[PreprocessorConditional] = EReference(upper=-1, containment=True)
+    conditionals: MutableSequence[PreprocessorConditional] = EReference(
+        upper=-1,
+        containment=True,
+    )
     """Conditional directives."""
     unresolved: MutableSequence[UnresolvedCall] = EReference(upper=-1, containment=True)
     """Calls seen in the tokens that the parser lost."""
@@ -202,7 +245,7 @@ class Include(Located):
     """The name as written, without its delimiters."""
     system: bool = EAttribute(eType=EBoolean)
     """True for angle brackets, false for quotes."""
-    resolvedPath: str = EAttribute(eType=EString, default_value='')
+    resolvedPath: str = EAttribute(eType=EString, default_value="")
     """Path of the file found, empty when none was found."""
 
     if TYPE_CHECKING:
@@ -231,7 +274,7 @@ class Macro(Located):
     """True when it takes parameters."""
     parameters: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Names of its parameters."""
-    body: str = EAttribute(eType=EString, default_value='')
+    body: str = EAttribute(eType=EString, default_value="")
     """The replacement text."""
     uses: MutableSequence[MacroUse] = EReference(upper=-1)
     """Where it is used."""
@@ -260,11 +303,11 @@ class MacroUse(Located):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Name of the macro."""
-    text: str = EAttribute(eType=EString, default_value='')
+    text: str = EAttribute(eType=EString, default_value="")
     """The use as written, with arguments."""
     functionLike: bool = EAttribute(eType=EBoolean)
     """True when used with arguments."""
-    header: str = EAttribute(eType=EString, default_value='')
+    header: str = EAttribute(eType=EString, default_value="")
     """Header that defines the macro when it is not the program's own, empty when unknown."""
     macro: Macro | None = EReference()
     """The program's own macro, if it is one."""
@@ -293,7 +336,7 @@ class PreprocessorConditional(Located):
 
     directive: str = EAttribute(eType=EString, lower=1)
     """The directive's word."""
-    condition: str = EAttribute(eType=EString, default_value='')
+    condition: str = EAttribute(eType=EString, default_value="")
     """Its condition as written."""
     active: bool = EAttribute(eType=EBoolean)
     """True when the text it governs was compiled."""
@@ -318,7 +361,7 @@ class PreprocessorConditional(Located):
 class Comment(Located):
     """A comment."""
 
-    text: str = EAttribute(eType=EString, default_value='')
+    text: str = EAttribute(eType=EString, default_value="")
     """Its text with its delimiters."""
 
     if TYPE_CHECKING:
@@ -360,7 +403,7 @@ class UnresolvedCall(Located):
 class SyntaxProblem(Located):
     """A complaint of the parser that is not about a missing declaration."""
 
-    message: str = EAttribute(eType=EString, default_value='')
+    message: str = EAttribute(eType=EString, default_value="")
     """The parser's words."""
     fatal: bool = EAttribute(eType=EBoolean)
     """True when text was lost by it."""
@@ -386,7 +429,7 @@ class TypeUse(Element, metaclass=MetaEClass):
 
     spelling: str = EAttribute(eType=EString, lower=1)
     """The type as written."""
-    canonical: str = EAttribute(eType=EString, default_value='')
+    canonical: str = EAttribute(eType=EString, default_value="")
     """The type with typedefs resolved."""
     bits: int = EAttribute(eType=EInt)
     """Width on the source platform in bits; 0 when it has none or it is not known."""
@@ -394,7 +437,7 @@ class TypeUse(Element, metaclass=MetaEClass):
     """True for a signed arithmetic type of the source platform."""
     pointerDepth: int = EAttribute(eType=EInt)
     """Number of pointer levels."""
-    arrayDims: str = EAttribute(eType=EString, default_value='')
+    arrayDims: str = EAttribute(eType=EString, default_value="")
     """Array dimensions as written, e.g. [4][2], empty for none."""
     constant: bool = EAttribute(eType=EBoolean)
     """True for a const-qualified type."""
@@ -421,13 +464,13 @@ class TypeUse(Element, metaclass=MetaEClass):
 class Declaration(Located):
     """A named declaration."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Its name; empty for an unnamed record or enumeration."""
     linkage: Linkage = EAttribute(eType=Linkage, default_value=Linkage.defined)
     """How it is known."""
-    header: str = EAttribute(eType=EString, default_value='')
+    header: str = EAttribute(eType=EString, default_value="")
     """Header that declares it, empty for the program's own and for inferred ones."""
-    comment: str = EAttribute(eType=EString, default_value='')
+    comment: str = EAttribute(eType=EString, default_value="")
     """The comment that stands directly before it or behind it on its line, with delimiters."""
     references: MutableSequence[NameReference] = EReference(upper=-1)
     """Where its name is used."""
@@ -460,7 +503,7 @@ class Function(Declaration):
     """True when it takes further arguments."""
     definition: bool = EAttribute(eType=EBoolean)
     """True when it has a body here."""
-    signature: str = EAttribute(eType=EString, default_value='')
+    signature: str = EAttribute(eType=EString, default_value="")
     """The declarator as written, from the return type to the closing parenthesis (the paper's raw signature)."""
     returnType: TypeUse | None = EReference(containment=True)
     """Type of its value."""
@@ -652,7 +695,10 @@ class Record(Declaration):
 class Enumeration(Declaration):
     """An enumeration."""
 
-    literals: MutableSequence[EnumerationLiteral] = EReference(upper=-1, containment=True)
+    literals: MutableSequence[EnumerationLiteral] = EReference(
+        upper=-1,
+        containment=True,
+    )
     """Its constants."""
 
     if TYPE_CHECKING:
@@ -1047,7 +1093,7 @@ class Return(Statement):
 class Goto(Statement):
     """A goto."""
 
-    labelName: str = EAttribute(eType=EString, default_value='')
+    labelName: str = EAttribute(eType=EString, default_value="")
     """Name of the label."""
 
     if TYPE_CHECKING:
@@ -1068,7 +1114,7 @@ class Goto(Statement):
 class Label(Statement):
     """A label and its statement."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Its name."""
     statement: Statement | None = EReference(containment=True)
     """The labelled statement."""
@@ -1151,7 +1197,7 @@ class EmptyStatement(Statement):
 class UnknownStatement(Statement):
     """A statement of a form that the reader does not take apart."""
 
-    text: str = EAttribute(eType=EString, default_value='')
+    text: str = EAttribute(eType=EString, default_value="")
     """The statement as written."""
 
     if TYPE_CHECKING:
@@ -1190,7 +1236,7 @@ class Expression(Located):
 class Call(Expression):
     """A function call."""
 
-    calleeName: str = EAttribute(eType=EString, lower=1)
+    calleeName: str = EAttribute(eType=EString, default_value="")
     """The called name as the user wrote it, empty for a computed callee."""
     viaMacro: bool = EAttribute(eType=EBoolean)
     """True when the call stands in the body of one of the program's own macros that is used here."""
@@ -1247,7 +1293,7 @@ class NameReference(Expression):
 class Member(Expression):
     """A member of a record."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Name of the member."""
     arrow: bool = EAttribute(eType=EBoolean)
     """True for access through a pointer."""
@@ -1298,7 +1344,7 @@ class Index(Expression):
 class Unary(Expression):
     """An operator with one operand."""
 
-    operator: str = EAttribute(eType=EString, default_value='')
+    operator: str = EAttribute(eType=EString, default_value="")
     """The operator."""
     postfix: bool = EAttribute(eType=EBoolean)
     """True when it stands behind the operand."""
@@ -1325,7 +1371,7 @@ class Unary(Expression):
 class Binary(Expression):
     """An operator with two operands."""
 
-    operator: str = EAttribute(eType=EString, default_value='')
+    operator: str = EAttribute(eType=EString, default_value="")
     """The operator."""
     left: Expression | None = EReference(containment=True)
     """The left operand."""
@@ -1352,7 +1398,7 @@ class Binary(Expression):
 class Assignment(Expression):
     """An assignment, plain or compound."""
 
-    operator: str = EAttribute(eType=EString, default_value='')
+    operator: str = EAttribute(eType=EString, default_value="")
     """The operator."""
     left: Expression | None = EReference(containment=True)
     """What is assigned to."""
@@ -1571,7 +1617,7 @@ class InitializerList(Expression):
 class UnknownExpression(Expression):
     """An expression of a form that the reader does not take apart."""
 
-    text: str = EAttribute(eType=EString, default_value='')
+    text: str = EAttribute(eType=EString, default_value="")
     """The expression as written."""
 
     if TYPE_CHECKING:
@@ -1590,6 +1636,8 @@ class UnknownExpression(Expression):
 
 
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    from robosmi.model.strict_package import classifier
+
     Program.units.eType = SourceUnit
     Program.externals.eType = Declaration
     SourceUnit.program.eType = Program
@@ -1659,13 +1707,8 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Macro.uses.eOpposite = MacroUse.macro
     Declaration.references.eOpposite = NameReference.target
     Function.calls.eOpposite = Call.callee
-    eClassifiers["Storage"] = Storage
-    eClass.eClassifiers.append(Storage)
-    eClassifiers["Linkage"] = Linkage
-    eClass.eClassifiers.append(Linkage)
-    eClassifiers["RecordKind"] = RecordKind
-    eClass.eClassifiers.append(RecordKind)
-    eClassifiers["LoopForm"] = LoopForm
-    eClass.eClassifiers.append(LoopForm)
-    eClassifiers["SymbolUse"] = SymbolUse
-    eClass.eClassifiers.append(SymbolUse)
+    classifier(__name__, Storage)
+    classifier(__name__, Linkage)
+    classifier(__name__, RecordKind)
+    classifier(__name__, LoopForm)
+    classifier(__name__, SymbolUse)

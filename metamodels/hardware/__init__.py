@@ -6,24 +6,34 @@ Generated from hardware.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import pyecore.ecore as Ecore
-from pyecore.ecore import EBoolean, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
-
 from robosmi.model.strict import Element
+from robosmi.model.strict_package import (
+    EAttribute,
+    EBoolean,
+    EReference,
+    EString,
+    MetaEClass,
+    enumeration,
+    find_classifier,
+    package,
+)
+
+if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
 
 name = "hardware"
 nsURI = "http://robosmi.org/hardware/1"
 nsPrefix = "hardware"
 
-eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClass = package(name, nsURI, nsPrefix)
 eClassifiers: dict[str, Any] = {}
-getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+eSubpackages: list[Any] = []
+eSuperPackage: Any = None
+getEClassifier = find_classifier(eClassifiers)
 
 if TYPE_CHECKING:
-    from robosmi.model.strict import EnumLiteral
 
     class Role(EnumLiteral):
         """What a component is for the software: the board itself, gives input, takes output, both, is walked through, supplies, or does not matter (paper 3.2, "auxiliary" is Passive)."""
@@ -46,26 +56,39 @@ if TYPE_CHECKING:
         ground: ClassVar[ConnectorKind]
 
 else:
-    from robosmi.model.strict import enumeration
-
-    Role = enumeration("Role", {"Unknown": 0, "Board": 1, "Input": 2, "Output": 3, "Both": 4, "Passive": 5, "Power": 6, "Decoration": 7})
-    ConnectorKind = enumeration("ConnectorKind", {"unknown": 0, "signal": 1, "supply": 2, "ground": 3})
+    Role = enumeration(
+        "Role",
+        {
+            "Unknown": 0,
+            "Board": 1,
+            "Input": 2,
+            "Output": 3,
+            "Both": 4,
+            "Passive": 5,
+            "Power": 6,
+            "Decoration": 7,
+        },
+    )
+    ConnectorKind = enumeration(
+        "ConnectorKind",
+        {"unknown": 0, "signal": 1, "supply": 2, "ground": 3},
+    )
 
 
 class Circuit(Element, metaclass=MetaEClass):
     """A whole drawing."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Base name of the file, without extension."""
-    path: str = EAttribute(eType=EString, default_value='')
+    path: str = EAttribute(eType=EString, default_value="")
     """Path relative to the model's own folder once stored, else as given."""
-    digest: str = EAttribute(eType=EString, default_value='')
+    digest: str = EAttribute(eType=EString, default_value="")
     """SHA-256 of the file's bytes, hexadecimal."""
-    tool: str = EAttribute(eType=EString, default_value='')
+    tool: str = EAttribute(eType=EString, default_value="")
     """Name of the drawing tool."""
-    toolVersion: str = EAttribute(eType=EString, default_value='')
+    toolVersion: str = EAttribute(eType=EString, default_value="")
     """Its version as written in the file."""
-    view: str = EAttribute(eType=EString, default_value='')
+    view: str = EAttribute(eType=EString, default_value="")
     """The view of the drawing from which the connections were read."""
     components: MutableSequence[Component] = EReference(upper=-1, containment=True)
     """Everything placed in the drawing but wires."""
@@ -98,19 +121,19 @@ class Component(Element, metaclass=MetaEClass):
     """The drawing."""
     elementId: str = EAttribute(eType=EString, lower=1)
     """Identity in the drawing (for Fritzing the model index)."""
-    title: str = EAttribute(eType=EString, default_value='')
+    title: str = EAttribute(eType=EString, default_value="")
     """Its label in the drawing, not unique."""
-    partId: str = EAttribute(eType=EString, default_value='')
+    partId: str = EAttribute(eType=EString, default_value="")
     """Identity of the part in the tool's catalogue (for Fritzing the module id)."""
-    partTitle: str = EAttribute(eType=EString, default_value='')
+    partTitle: str = EAttribute(eType=EString, default_value="")
     """Title of the part."""
-    family: str = EAttribute(eType=EString, default_value='')
+    family: str = EAttribute(eType=EString, default_value="")
     """Family of the part."""
     tags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Tags of the part."""
     role: Role = EAttribute(eType=Role)
     """What it is for the software."""
-    roleEvidence: str = EAttribute(eType=EString, default_value='')
+    roleEvidence: str = EAttribute(eType=EString, default_value="")
     """Why it has that role."""
     driver: bool = EAttribute(eType=EBoolean)
     """True when it drives a load of its own (motor driver, transistor, shift register)."""
@@ -147,7 +170,7 @@ class Property(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
-    value: str = EAttribute(eType=EString, default_value='')
+    value: str = EAttribute(eType=EString, default_value="")
     """Its value."""
 
     if TYPE_CHECKING:
@@ -167,11 +190,11 @@ class Connector(Element, metaclass=MetaEClass):
     """The component."""
     connectorId: str = EAttribute(eType=EString, lower=1)
     """Identity in the part."""
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Its name in the drawing."""
     kind: ConnectorKind = EAttribute(eType=ConnectorKind)
     """What it carries."""
-    pin: str = EAttribute(eType=EString, default_value='')
+    pin: str = EAttribute(eType=EString, default_value="")
     """For a board the normalised label of its pin (D9, A0), else empty."""
     net: Net | None = EReference()
     """The net it is in."""
@@ -193,7 +216,7 @@ class Connector(Element, metaclass=MetaEClass):
 class Bus(Element, metaclass=MetaEClass):
     """Connectors joined inside a component."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Its identity in the part."""
     connectors: MutableSequence[Connector] = EReference(upper=-1)
     """The connectors."""
@@ -217,9 +240,9 @@ class Net(Element, metaclass=MetaEClass):
     """Made of the smallest connector in it, stable between runs."""
     rail: bool = EAttribute(eType=EBoolean)
     """True when it distributes a supply or ground."""
-    railEvidence: str = EAttribute(eType=EString, default_value='')
+    railEvidence: str = EAttribute(eType=EString, default_value="")
     """Why it is a rail."""
-    voltage: str = EAttribute(eType=EString, default_value='')
+    voltage: str = EAttribute(eType=EString, default_value="")
     """Label of the supply, empty when unknown."""
     connectors: MutableSequence[Connector] = EReference(upper=-1)
     """The connectors in it."""
@@ -243,7 +266,7 @@ class Wire(Element, metaclass=MetaEClass):
 
     elementId: str = EAttribute(eType=EString, lower=1)
     """Identity in the drawing."""
-    color: str = EAttribute(eType=EString, default_value='')
+    color: str = EAttribute(eType=EString, default_value="")
     """Its colour."""
     ends: MutableSequence[Connector] = EReference(upper=-1)
     """The connectors of components at its ends; fewer than two where it ends at another wire."""
@@ -263,6 +286,8 @@ class Wire(Element, metaclass=MetaEClass):
 
 
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    from robosmi.model.strict_package import classifier
+
     Circuit.components.eType = Component
     Circuit.nets.eType = Net
     Circuit.wires.eType = Wire
@@ -281,7 +306,5 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Circuit.nets.eOpposite = Net.circuit
     Component.connectors.eOpposite = Connector.component
     Connector.net.eOpposite = Net.connectors
-    eClassifiers["Role"] = Role
-    eClass.eClassifiers.append(Role)
-    eClassifiers["ConnectorKind"] = ConnectorKind
-    eClass.eClassifiers.append(ConnectorKind)
+    classifier(__name__, Role)
+    classifier(__name__, ConnectorKind)

@@ -6,30 +6,51 @@ Generated from migration.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import pyecore.ecore as Ecore
-from pyecore.ecore import EBoolean, EDouble, EInt, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
-
 from robosmi.model.strict import Element
+from robosmi.model.strict_package import (
+    EAttribute,
+    EBoolean,
+    EDouble,
+    EInt,
+    EReference,
+    EString,
+    MetaEClass,
+    abstract,
+    enumeration,
+    find_classifier,
+    package,
+)
 
 if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
+
     from ..ccode import Call, Located, NameReference, Program, SourceUnit
     from ..hardware import Circuit, Component, Connector
-    from ..platform import Adapter, ApiFunction, ApiSymbol, Board, Library, Pin, PinConvention, Platform
+    from ..platform import (
+        Adapter,
+        ApiFunction,
+        ApiSymbol,
+        Board,
+        Library,
+        Pin,
+        PinConvention,
+        Platform,
+    )
     from ..trace import Trace
 
 name = "migration"
 nsURI = "http://robosmi.org/migration/1"
 nsPrefix = "migration"
 
-eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClass = package(name, nsURI, nsPrefix)
 eClassifiers: dict[str, Any] = {}
-getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+eSubpackages: list[Any] = []
+eSuperPackage: Any = None
+getEClassifier = find_classifier(eClassifiers)
 
 if TYPE_CHECKING:
-    from robosmi.model.strict import EnumLiteral
 
     class ChosenBy(EnumLiteral):
         """Who made a choice."""
@@ -88,12 +109,29 @@ if TYPE_CHECKING:
         bus: ClassVar[Signal]
 
 else:
-    from robosmi.model.strict import enumeration
-
-    ChosenBy = enumeration("ChosenBy", {"nobody": 0, "rule": 1, "history": 2, "person": 3, "defaultValue": 4})
-    Action = enumeration("Action", {"retain": 0, "adapt": 1, "drop": 2, "hoist": 3, "rewrite": 4, "unsupported": 5})
-    Step = enumeration("Step", {"none": 0, "code": 1, "hardware": 2, "libraries": 3, "generation": 4})
-    AdapterStatus = enumeration("AdapterStatus", {"todo": 0, "filled": 1, "care": 2, "unsupported": 3})
+    ChosenBy = enumeration(
+        "ChosenBy",
+        {"nobody": 0, "rule": 1, "history": 2, "person": 3, "defaultValue": 4},
+    )
+    Action = enumeration(
+        "Action",
+        {
+            "retain": 0,
+            "adapt": 1,
+            "drop": 2,
+            "hoist": 3,
+            "rewrite": 4,
+            "unsupported": 5,
+        },
+    )
+    Step = enumeration(
+        "Step",
+        {"none": 0, "code": 1, "hardware": 2, "libraries": 3, "generation": 4},
+    )
+    AdapterStatus = enumeration(
+        "AdapterStatus",
+        {"todo": 0, "filled": 1, "care": 2, "unsupported": 3},
+    )
     SeverityLevel = enumeration("SeverityLevel", {"info": 0, "warning": 1, "error": 2})
     ProgramStructure = enumeration("ProgramStructure", {"loopForever": 0, "runOnce": 1})
     Signal = enumeration("Signal", {"read": 0, "write": 1, "bus": 2})
@@ -104,7 +142,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Name of the sketch to be made."""
-    toolVersion: str = EAttribute(eType=EString, default_value='')
+    toolVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the tool that made the plan."""
     structure: ProgramStructure = EAttribute(eType=ProgramStructure)
     """How main is divided."""
@@ -128,7 +166,10 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """Which board pin reaches which component (paper, MAPPINGS)."""
     portBindings: MutableSequence[PortBinding] = EReference(upper=-1, containment=True)
     """Which port of the source is which connection of the target."""
-    libraryChoices: MutableSequence[LibraryChoice] = EReference(upper=-1, containment=True)
+    libraryChoices: MutableSequence[LibraryChoice] = EReference(
+        upper=-1,
+        containment=True,
+    )
     """Which library drives which component."""
     adapterUses: MutableSequence[AdapterUse] = EReference(upper=-1, containment=True)
     """The platform functions that are called, and how each is adapted."""
@@ -178,9 +219,9 @@ class Input(Element, metaclass=MetaEClass):
     """Its copy, relative to the plan."""
     digest: str = EAttribute(eType=EString, lower=1)
     """SHA-256 of its bytes, hexadecimal."""
-    kind: str = EAttribute(eType=EString, default_value='')
+    kind: str = EAttribute(eType=EString, default_value="")
     """source, drawing, code, hardware or platform."""
-    origin: str = EAttribute(eType=EString, default_value='')
+    origin: str = EAttribute(eType=EString, default_value="")
     """Base name of the file as given."""
 
     if TYPE_CHECKING:
@@ -207,7 +248,7 @@ class Decision(Element, metaclass=MetaEClass):
     """What speaks for the choice."""
     open: bool = EAttribute(eType=EBoolean)
     """True when nothing is chosen."""
-    choice: str = EAttribute(eType=EString, default_value='')
+    choice: str = EAttribute(eType=EString, default_value="")
     """Label of the chosen option, empty when open."""
     options: MutableSequence[Option] = EReference(upper=-1, containment=True)
     """The options, best first."""
@@ -252,9 +293,9 @@ class Disposition(Decision):
 
     action: Action = EAttribute(eType=Action)
     """What is done."""
-    rule: str = EAttribute(eType=EString, default_value='')
+    rule: str = EAttribute(eType=EString, default_value="")
     """Id of the rule that decided."""
-    reason: str = EAttribute(eType=EString, default_value='')
+    reason: str = EAttribute(eType=EString, default_value="")
     """Why, one sentence."""
     element: Located | None = EReference()
     """The element."""
@@ -322,9 +363,9 @@ class PortBinding(Decision):
     """Its number on the source board, -1 when not known."""
     signal: Signal = EAttribute(eType=Signal)
     """Direction of its uses in the program."""
-    origin: str = EAttribute(eType=EString, default_value='')
+    origin: str = EAttribute(eType=EString, default_value="")
     """declaration, literal or convention."""
-    what: str = EAttribute(eType=EString, default_value='')
+    what: str = EAttribute(eType=EString, default_value="")
     """What the source says is connected there."""
     element: Located | None = EReference()
     """The declaration or the first use."""
@@ -367,7 +408,7 @@ class LibraryChoice(Decision):
     """The library chosen."""
     candidates: MutableSequence[Library] = EReference(upper=-1)
     """The candidates, best first."""
-    recommendation: str = EAttribute(eType=EString, default_value='')
+    recommendation: str = EAttribute(eType=EString, default_value="")
     """library, optional or none."""
 
     if TYPE_CHECKING:
@@ -393,11 +434,11 @@ class AdapterUse(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
-    signature: str = EAttribute(eType=EString, default_value='')
+    signature: str = EAttribute(eType=EString, default_value="")
     """Its raw signature."""
-    targetSignature: str = EAttribute(eType=EString, default_value='')
+    targetSignature: str = EAttribute(eType=EString, default_value="")
     """The signature that is generated: the widths of the source platform, written for the target."""
-    signatureSource: str = EAttribute(eType=EString, default_value='')
+    signatureSource: str = EAttribute(eType=EString, default_value="")
     """header or repository."""
     status: AdapterStatus = EAttribute(eType=AdapterStatus)
     """Its state."""
@@ -432,7 +473,7 @@ class SymbolUse(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
-    placeholder: str = EAttribute(eType=EString, default_value='')
+    placeholder: str = EAttribute(eType=EString, default_value="")
     """The declaration that is generated for it."""
     status: AdapterStatus = EAttribute(eType=AdapterStatus)
     """Its state."""
@@ -463,9 +504,9 @@ class Edit(Element, metaclass=MetaEClass):
     """Offset of the first byte replaced."""
     endOffset: int = EAttribute(eType=EInt)
     """Offset behind the last byte replaced."""
-    replacement: str = EAttribute(eType=EString, default_value='')
+    replacement: str = EAttribute(eType=EString, default_value="")
     """The new text."""
-    reason: str = EAttribute(eType=EString, default_value='')
+    reason: str = EAttribute(eType=EString, default_value="")
     """Why."""
     step: Step = EAttribute(eType=Step)
     """The step of the method that wants it."""
@@ -490,21 +531,21 @@ class Edit(Element, metaclass=MetaEClass):
 class PlanTask(Element, metaclass=MetaEClass):
     """Work that is left for a person."""
 
-    rule: str = EAttribute(eType=EString, default_value='')
+    rule: str = EAttribute(eType=EString, default_value="")
     """Id of the rule."""
     severity: SeverityLevel = EAttribute(eType=SeverityLevel)
     """How urgent."""
-    message: str = EAttribute(eType=EString, default_value='')
+    message: str = EAttribute(eType=EString, default_value="")
     """What to do, one sentence."""
-    path: str = EAttribute(eType=EString, default_value='')
+    path: str = EAttribute(eType=EString, default_value="")
     """File it is about, relative to the model's own folder."""
     line: int = EAttribute(eType=EInt)
     """Line in it, 0 for none."""
     column: int = EAttribute(eType=EInt)
     """Column in it, 0 for none."""
-    effort: str = EAttribute(eType=EString, default_value='')
+    effort: str = EAttribute(eType=EString, default_value="")
     """Rough effort: small, medium or large."""
-    fix: str = EAttribute(eType=EString, default_value='')
+    fix: str = EAttribute(eType=EString, default_value="")
     """How, if known."""
     elements: MutableSequence[Element] = EReference(upper=-1)
     """Elements it is about."""
@@ -546,10 +587,72 @@ class PlanFinding(PlanTask):
         ) -> None: ...
 
 
+class EarlierChoices(Element, metaclass=MetaEClass):
+    """The history of choices (paper 3.3), for exchange."""
+
+    choices: MutableSequence[EarlierChoice] = EReference(upper=-1, containment=True)
+    """The choices."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            choices: Iterable[EarlierChoice] | None = None,
+        ) -> None: ...
+
+
+class EarlierChoice(Element, metaclass=MetaEClass):
+    """How often a library was chosen for a part."""
+
+    partId: str = EAttribute(eType=EString, default_value="")
+    """Identifier of the part in its catalogue."""
+    title: str = EAttribute(eType=EString, default_value="")
+    """Title of the part."""
+    library: str = EAttribute(eType=EString, lower=1)
+    """Name of the library."""
+    version: str = EAttribute(eType=EString, default_value="")
+    """Its version."""
+    target: str = EAttribute(eType=EString, default_value="")
+    """The target board."""
+    component: str = EAttribute(eType=EString, default_value="")
+    """What the drawing called the component last."""
+    count: int = EAttribute(eType=EInt)
+    """How often."""
+    lastUsed: str = EAttribute(eType=EString, default_value="")
+    """Day of the last choice, ISO 8601."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            partId: str | None = None,
+            title: str | None = None,
+            library: str | None = None,
+            version: str | None = None,
+            target: str | None = None,
+            component: str | None = None,
+            count: int | None = None,
+            lastUsed: str | None = None,
+        ) -> None: ...
+
+
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    from robosmi.model.strict_package import EObject, classifier
+
     from ..ccode import Call, Located, NameReference, Program, SourceUnit
     from ..hardware import Circuit, Component, Connector
-    from ..platform import Adapter, ApiFunction, ApiSymbol, Board, Library, Pin, PinConvention, Platform
+    from ..platform import (
+        Adapter,
+        ApiFunction,
+        ApiSymbol,
+        Board,
+        Library,
+        Pin,
+        PinConvention,
+        Platform,
+    )
     from ..trace import Trace
 
     MigrationPlan.program.eType = Program
@@ -591,17 +694,11 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Edit.unit.eType = SourceUnit
     Edit.decision.eType = Decision
     PlanTask.elements.eType = EObject
-    eClassifiers["ChosenBy"] = ChosenBy
-    eClass.eClassifiers.append(ChosenBy)
-    eClassifiers["Action"] = Action
-    eClass.eClassifiers.append(Action)
-    eClassifiers["Step"] = Step
-    eClass.eClassifiers.append(Step)
-    eClassifiers["AdapterStatus"] = AdapterStatus
-    eClass.eClassifiers.append(AdapterStatus)
-    eClassifiers["SeverityLevel"] = SeverityLevel
-    eClass.eClassifiers.append(SeverityLevel)
-    eClassifiers["ProgramStructure"] = ProgramStructure
-    eClass.eClassifiers.append(ProgramStructure)
-    eClassifiers["Signal"] = Signal
-    eClass.eClassifiers.append(Signal)
+    EarlierChoices.choices.eType = EarlierChoice
+    classifier(__name__, ChosenBy)
+    classifier(__name__, Action)
+    classifier(__name__, Step)
+    classifier(__name__, AdapterStatus)
+    classifier(__name__, SeverityLevel)
+    classifier(__name__, ProgramStructure)
+    classifier(__name__, Signal)

@@ -6,24 +6,36 @@ Generated from platform.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import pyecore.ecore as Ecore
-from pyecore.ecore import EBoolean, EDouble, EInt, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
-
 from robosmi.model.strict import Element
+from robosmi.model.strict_package import (
+    EAttribute,
+    EBoolean,
+    EDouble,
+    EInt,
+    EReference,
+    EString,
+    MetaEClass,
+    enumeration,
+    find_classifier,
+    package,
+)
+
+if TYPE_CHECKING:
+    from robosmi.model.strict import EnumLiteral
 
 name = "platform"
 nsURI = "http://robosmi.org/platform/1"
 nsPrefix = "platform"
 
-eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClass = package(name, nsURI, nsPrefix)
 eClassifiers: dict[str, Any] = {}
-getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+eSubpackages: list[Any] = []
+eSuperPackage: Any = None
+getEClassifier = find_classifier(eClassifiers)
 
 if TYPE_CHECKING:
-    from robosmi.model.strict import EnumLiteral
 
     class HeaderKind(EnumLiteral):
         """Where a header comes from: the platform, the C standard library, or POSIX."""
@@ -72,13 +84,35 @@ if TYPE_CHECKING:
         semantic: ClassVar[AdapterKind]
 
 else:
-    from robosmi.model.strict import enumeration
-
     HeaderKind = enumeration("HeaderKind", {"platform": 0, "standard": 1, "posix": 2})
-    Meaning = enumeration("Meaning", {"plain": 0, "pin": 1, "milliseconds": 2, "microseconds": 3, "ticks": 4, "hertz": 5, "level": 6, "angle": 7, "speed": 8, "text": 9, "channel": 10})
-    Direction = enumeration("Direction", {"unknown": 0, "input": 1, "output": 2, "both": 3})
-    SymbolKind = enumeration("SymbolKind", {"constant": 0, "register": 1, "variable": 2, "macro": 3})
-    AdapterKind = enumeration("AdapterKind", {"oneToOne": 0, "oneToMany": 1, "manyToOne": 2, "semantic": 3})
+    Meaning = enumeration(
+        "Meaning",
+        {
+            "plain": 0,
+            "pin": 1,
+            "milliseconds": 2,
+            "microseconds": 3,
+            "ticks": 4,
+            "hertz": 5,
+            "level": 6,
+            "angle": 7,
+            "speed": 8,
+            "text": 9,
+            "channel": 10,
+        },
+    )
+    Direction = enumeration(
+        "Direction",
+        {"unknown": 0, "input": 1, "output": 2, "both": 3},
+    )
+    SymbolKind = enumeration(
+        "SymbolKind",
+        {"constant": 0, "register": 1, "variable": 2, "macro": 3},
+    )
+    AdapterKind = enumeration(
+        "AdapterKind",
+        {"oneToOne": 0, "oneToMany": 1, "manyToOne": 2, "semantic": 3},
+    )
 
 
 class PlatformRepository(Element, metaclass=MetaEClass):
@@ -104,7 +138,7 @@ class Platform(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
-    language: str = EAttribute(eType=EString, default_value='C')
+    language: str = EAttribute(eType=EString, default_value="C")
     """Language of its programs."""
     intBits: int = EAttribute(eType=EInt)
     """Width of int in bits."""
@@ -118,11 +152,11 @@ class Platform(Element, metaclass=MetaEClass):
     """True when plain char is signed."""
     hasCogs: bool = EAttribute(eType=EBoolean)
     """True when it runs several cores that a program starts itself."""
-    architecture: str = EAttribute(eType=EString, default_value='')
+    architecture: str = EAttribute(eType=EString, default_value="")
     """Name of the processor architecture as libraries declare it."""
-    coreVersion: str = EAttribute(eType=EString, default_value='')
+    coreVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the target's core that a project names."""
-    mainHeader: str = EAttribute(eType=EString, default_value='')
+    mainHeader: str = EAttribute(eType=EString, default_value="")
     """Header that every program of the platform includes."""
     headers: MutableSequence[Header] = EReference(upper=-1, containment=True)
     """Headers of its API."""
@@ -193,9 +227,9 @@ class ApiFunction(Element, metaclass=MetaEClass):
     """The header that declares it."""
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
-    signature: str = EAttribute(eType=EString, default_value='')
+    signature: str = EAttribute(eType=EString, default_value="")
     """Return type, name and parameters as declared."""
-    returnType: str = EAttribute(eType=EString, default_value='')
+    returnType: str = EAttribute(eType=EString, default_value="")
     """Type of its value."""
     variadic: bool = EAttribute(eType=EBoolean)
     """True when it takes further arguments."""
@@ -231,15 +265,15 @@ class ApiFunction(Element, metaclass=MetaEClass):
 class ApiParameter(Element, metaclass=MetaEClass):
     """A parameter of an API function."""
 
-    name: str = EAttribute(eType=EString, default_value='')
+    name: str = EAttribute(eType=EString, default_value="")
     """Its name."""
-    spelling: str = EAttribute(eType=EString, default_value='')
+    spelling: str = EAttribute(eType=EString, default_value="")
     """Its type as declared."""
     meaning: Meaning = EAttribute(eType=Meaning)
     """What it means for migration."""
     direction: Direction = EAttribute(eType=Direction)
     """For a pin, its direction."""
-    componentRole: str = EAttribute(eType=EString, default_value='')
+    componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component it addresses, empty when it does not matter."""
 
     if TYPE_CHECKING:
@@ -262,9 +296,9 @@ class PinConvention(Element, metaclass=MetaEClass):
     """Its number on the source board."""
     direction: Direction = EAttribute(eType=Direction)
     """Its direction."""
-    what: str = EAttribute(eType=EString, default_value='')
+    what: str = EAttribute(eType=EString, default_value="")
     """What is connected there."""
-    setBy: str = EAttribute(eType=EString, default_value='')
+    setBy: str = EAttribute(eType=EString, default_value="")
     """Function that replaces the convention when the program calls it."""
 
     if TYPE_CHECKING:
@@ -288,9 +322,9 @@ class ApiSymbol(Element, metaclass=MetaEClass):
     """Its name."""
     symbolKind: SymbolKind = EAttribute(eType=SymbolKind)
     """Its kind."""
-    typeName: str = EAttribute(eType=EString, default_value='')
+    typeName: str = EAttribute(eType=EString, default_value="")
     """Its type."""
-    meaning: str = EAttribute(eType=EString, default_value='')
+    meaning: str = EAttribute(eType=EString, default_value="")
     """What it stands for."""
 
     if TYPE_CHECKING:
@@ -311,11 +345,11 @@ class Board(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Short name."""
-    title: str = EAttribute(eType=EString, default_value='')
+    title: str = EAttribute(eType=EString, default_value="")
     """Full name."""
-    fqbn: str = EAttribute(eType=EString, default_value='')
+    fqbn: str = EAttribute(eType=EString, default_value="")
     """Fully qualified board name of the target's tools."""
-    mcu: str = EAttribute(eType=EString, default_value='')
+    mcu: str = EAttribute(eType=EString, default_value="")
     """Its processor."""
     flashBytes: int = EAttribute(eType=EInt)
     """Program memory in bytes."""
@@ -349,15 +383,15 @@ class Pin(Element, metaclass=MetaEClass):
     """The board."""
     label: str = EAttribute(eType=EString, lower=1)
     """Normalised label (D9, A0)."""
-    literal: str = EAttribute(eType=EString, default_value='')
+    literal: str = EAttribute(eType=EString, default_value="")
     """How a program of the platform writes it."""
     aliases: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Other labels."""
     abilities: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """What it can do: digital, pwm, analog_in, interrupt, uart, i2c, spi."""
-    timer: str = EAttribute(eType=EString, default_value='')
+    timer: str = EAttribute(eType=EString, default_value="")
     """Timer that makes its PWM, empty for none."""
-    reserved: str = EAttribute(eType=EString, default_value='')
+    reserved: str = EAttribute(eType=EString, default_value="")
     """What it is reserved for, empty for nothing."""
 
     if TYPE_CHECKING:
@@ -380,17 +414,17 @@ class PartFact(Element, metaclass=MetaEClass):
 
     partId: str = EAttribute(eType=EString, lower=1)
     """Identity in the drawing tool's catalogue."""
-    title: str = EAttribute(eType=EString, default_value='')
+    title: str = EAttribute(eType=EString, default_value="")
     """Its title."""
-    family: str = EAttribute(eType=EString, default_value='')
+    family: str = EAttribute(eType=EString, default_value="")
     """Its family."""
     tags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Its tags."""
-    role: str = EAttribute(eType=EString, default_value='')
+    role: str = EAttribute(eType=EString, default_value="")
     """Its role, a literal of hardware Role."""
     driver: bool = EAttribute(eType=EBoolean)
     """True when it drives a load of its own."""
-    source: str = EAttribute(eType=EString, default_value='')
+    source: str = EAttribute(eType=EString, default_value="")
     """Where the fact comes from."""
 
     if TYPE_CHECKING:
@@ -413,17 +447,25 @@ class Library(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name in the index."""
-    version: str = EAttribute(eType=EString, default_value='')
+    version: str = EAttribute(eType=EString, default_value="")
     """Its version."""
     headers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Headers that a program includes."""
-    architectures: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    architectures: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
     """Architectures it declares."""
     depends: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Libraries it needs."""
+    timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Timers of the processor that it takes."""
+    pins: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Labels of the pins that it takes."""
     installed: bool = EAttribute(eType=EBoolean)
     """True when it was found on this machine."""
-    url: str = EAttribute(eType=EString, default_value='')
+    url: str = EAttribute(eType=EString, default_value="")
     """Its page."""
 
     if TYPE_CHECKING:
@@ -436,6 +478,8 @@ class Library(Element, metaclass=MetaEClass):
             headers: Iterable[str] | None = None,
             architectures: Iterable[str] | None = None,
             depends: Iterable[str] | None = None,
+            timers: Iterable[str] | None = None,
+            pins: Iterable[str] | None = None,
             installed: bool | None = None,
             url: str | None = None,
         ) -> None: ...
@@ -450,7 +494,7 @@ class Adapter(Element, metaclass=MetaEClass):
     """Signatures of the source functions it stands for."""
     adapterKind: AdapterKind = EAttribute(eType=AdapterKind)
     """How the calls correspond."""
-    fidelity: str = EAttribute(eType=EString, default_value='')
+    fidelity: str = EAttribute(eType=EString, default_value="")
     """How faithful it is."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """What it does not do."""
@@ -462,9 +506,9 @@ class Adapter(Element, metaclass=MetaEClass):
     """Statements it needs at start."""
     libraries: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Libraries it needs."""
-    componentRole: str = EAttribute(eType=EString, default_value='')
+    componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component it needs."""
-    source: str = EAttribute(eType=EString, default_value='')
+    source: str = EAttribute(eType=EString, default_value="")
     """Relative path of its text in the repository."""
     needs: MutableSequence[Adapter] = EReference(upper=-1)
     """Other adapters it needs."""
@@ -490,6 +534,8 @@ class Adapter(Element, metaclass=MetaEClass):
 
 
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    from robosmi.model.strict_package import classifier
+
     PlatformRepository.platforms.eType = Platform
     PlatformRepository.parts.eType = PartFact
     Platform.headers.eType = Header
@@ -510,13 +556,8 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Header.functions.eOpposite = ApiFunction.header
     Header.symbols.eOpposite = ApiSymbol.header
     Board.pins.eOpposite = Pin.board
-    eClassifiers["HeaderKind"] = HeaderKind
-    eClass.eClassifiers.append(HeaderKind)
-    eClassifiers["Meaning"] = Meaning
-    eClass.eClassifiers.append(Meaning)
-    eClassifiers["Direction"] = Direction
-    eClass.eClassifiers.append(Direction)
-    eClassifiers["SymbolKind"] = SymbolKind
-    eClass.eClassifiers.append(SymbolKind)
-    eClassifiers["AdapterKind"] = AdapterKind
-    eClass.eClassifiers.append(AdapterKind)
+    classifier(__name__, HeaderKind)
+    classifier(__name__, Meaning)
+    classifier(__name__, Direction)
+    classifier(__name__, SymbolKind)
+    classifier(__name__, AdapterKind)

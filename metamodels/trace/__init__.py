@@ -6,21 +6,28 @@ Generated from trace.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar
-
-import pyecore.ecore as Ecore
-from pyecore.ecore import EInt, EString, EAttribute, EObject, EPackage, EReference, MetaEClass, abstract
+from typing import TYPE_CHECKING, Any
 
 from robosmi.model.strict import Element
+from robosmi.model.strict_package import (
+    EAttribute,
+    EInt,
+    EReference,
+    EString,
+    MetaEClass,
+    find_classifier,
+    package,
+)
 
 name = "trace"
 nsURI = "http://robosmi.org/trace/1"
 nsPrefix = "trace"
 
-eClass = EPackage(name=name, nsURI=nsURI, nsPrefix=nsPrefix)
+eClass = package(name, nsURI, nsPrefix)
 eClassifiers: dict[str, Any] = {}
-getEClassifier = partial(Ecore.getEClassifier, searchspace=eClassifiers)
+eSubpackages: list[Any] = []
+eSuperPackage: Any = None
+getEClassifier = find_classifier(eClassifiers)
 
 
 class Trace(Element, metaclass=MetaEClass):
@@ -46,7 +53,7 @@ class TraceLink(Element, metaclass=MetaEClass):
 
     rule: str = EAttribute(eType=EString, lower=1)
     """Name of the rule."""
-    step: str = EAttribute(eType=EString, default_value='')
+    step: str = EAttribute(eType=EString, default_value="")
     """Step of the method."""
     sources: MutableSequence[Element] = EReference(upper=-1)
     """What it was made from."""
@@ -74,9 +81,9 @@ class TextTrace(Element, metaclass=MetaEClass):
     """First line, from 1."""
     endLine: int = EAttribute(eType=EInt)
     """Last line."""
-    step: str = EAttribute(eType=EString, default_value='')
+    step: str = EAttribute(eType=EString, default_value="")
     """Step of the method that made them."""
-    rule: str = EAttribute(eType=EString, default_value='')
+    rule: str = EAttribute(eType=EString, default_value="")
     """Part of the template that made them."""
     elements: MutableSequence[Element] = EReference(upper=-1)
     """The elements they come from."""
@@ -96,6 +103,8 @@ class TextTrace(Element, metaclass=MetaEClass):
 
 
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
+    from robosmi.model.strict_package import EObject
+
     Trace.links.eType = TraceLink
     Trace.texts.eType = TextTrace
     TraceLink.sources.eType = EObject

@@ -1,19 +1,23 @@
-"""`robosmi hardware SKETCH`: which pin of the drawn board drives which component."""
+"""`robosmi hardware SKETCH`: which pin of the drawn board drives which component; as a table, a model, a picture."""
 
 from __future__ import annotations
 
 import argparse
+import shutil
 from pathlib import Path
 
 from robosmi.cli.common import project_of, write_model
+from robosmi.model.files import write_atomic
 from robosmi.plugins import content
 from robosmi.report import Report
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
-    parser.add_argument("sketch", metavar="SKETCH", type=Path, help="the drawing")
+    parser.add_argument("sketch", metavar="SKETCH", type=Path, help="the drawing, or a pin table (.csv, .toml)")
     parser.add_argument("-o", dest="output", metavar="hardware.xmi", type=Path, help="store the hardware model as XMI")
+    parser.add_argument("--svg", metavar="FILE", type=Path, help="draw board, nets and components (with Graphviz if it is there)")
+    parser.add_argument("--write-table", metavar="FILE", type=Path, help="write the wiring as a pin table (.csv or .toml)")
 
 
 def run(arguments: argparse.Namespace) -> Report:
@@ -25,4 +29,13 @@ def run(arguments: argparse.Namespace) -> Report:
     report.judge(project.severity, project.accept)
     if arguments.output:
         report.artifacts.append(write_model(done.circuit, arguments.output))
+    if arguments.svg:
+        _write(report, arguments.svg, done.picture(dot=shutil.which("dot")), "picture")
+    if arguments.write_table:
+        _write(report, arguments.write_table, done.pin_table(arguments.write_table), "pin table")
     return report
+
+
+def _write(report: Report, path: Path, text: str, kind: str) -> None:
+    write_atomic(path, text.encode())
+    report.artifacts.append({"path": str(path), "kind": kind})

@@ -36,7 +36,13 @@ COMMANDS = {
     "recommend": "which library drives which component",
     "migrate": "move a program to the board of a drawing",
     "generate": "make the sketch again from a stored plan",
+    "check": "hold a drawing, a plan or any model against its constraints",
     "compile": "compile a generated sketch",
+    "history": "earlier choices of libraries",
+    "libraries": "add installed libraries to the index",
+    "run": "run a chain of load, validate, transform and generate; only what has changed",
+    "query": "ask a model of any technology",
+    "parts": "add the parts of a drawing tool to the catalogue",
     "metamodels": "hand out the metamodels, or generate Python packages from one",
     "doctor": "what is installed and what is missing",
 }

@@ -1,4 +1,4 @@
-"""`robosmi metamodels export DIR` and `robosmi metamodels generate X.ecore -o DIR`."""
+"""`robosmi metamodels export DIR` and `robosmi metamodels generate X.ecore... -o DIR`."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ def configure(parser: argparse.ArgumentParser) -> None:
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     export = actions.add_parser("export", help="write the .ecore files for Eclipse users")
     export.add_argument("folder", metavar="DIR", type=Path)
-    generate = actions.add_parser("generate", help="generate Python packages from an .ecore file")
-    generate.add_argument("metamodel", metavar="X.ecore", type=Path)
+    generate = actions.add_parser("generate", help="generate typed Python packages from .ecore files and what they refer to")
+    generate.add_argument("metamodels", metavar="X.ecore", type=Path, nargs="+")
     generate.add_argument("-o", dest="output", metavar="DIR", type=Path, required=True)
     for sub in (export, generate):
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
@@ -23,14 +23,14 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("metamodels")
-    written = _export(arguments.folder) if arguments.action == "export" else _generate(arguments.metamodel, arguments.output)
-    report.artifacts = [{"path": str(path), "kind": "metamodel" if path.suffix == ".ecore" else "python"} for path in written]
-    report.result = {"written": [str(path) for path in written], "skipped": [], "missing": []}
-    report.lines = [f"wrote {path}" for path in written]
+    if arguments.action == "export":
+        _export(report, arguments.folder)
+    else:
+        _generate(report, arguments.metamodels, arguments.output)
     return report
 
 
-def _export(folder: Path) -> list[Path]:
+def _export(report: Report, folder: Path) -> None:
     from robosmi.model.files import write_atomic
     from robosmi.resources import built_in
 
@@ -38,10 +38,26 @@ def _export(folder: Path) -> list[Path]:
     for source in sorted(built_in("metamodels").glob("*.ecore")):
         write_atomic(folder / source.name, source.read_bytes())
         written.append(folder / source.name)
-    return written
+    report.artifacts = [{"path": str(path), "kind": "metamodel"} for path in written]
+    report.result = {"written": [str(path) for path in written], "skipped": [], "missing": []}
+    report.lines = [f"wrote {path}" for path in written]
 
 
-def _generate(metamodel: Path, folder: Path) -> list[Path]:
-    from robosmi.model.codegen import generate
+def _generate(report: Report, metamodels: list[Path], folder: Path) -> None:
+    from robosmi.generate.packages import generate_packages
 
-    return generate(metamodel, folder)
+    made = generate_packages(metamodels, folder)
+    report.artifacts = [{"path": str(path), "kind": "python"} for path in sorted(made.sources)]
+    report.result = {
+        "written": [str(path) for path in made.written],
+        "skipped": [{"path": str(path), "why": "unchanged"} for path in made.unchanged],
+        "missing": [],
+        "removed": [str(path) for path in made.removed],
+        "sources": {str(path): str(source) for path, source in sorted(made.sources.items())},
+        "classes": made.classes,
+    }
+    report.findings = made.findings
+    report.lines = [f"wrote {path}" for path in made.written]
+    report.lines += [f"removed {path}" for path in made.removed]
+    if made.unchanged:
+        report.lines.append(f"{len(made.unchanged)} file(s) are up to date")

@@ -17,6 +17,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("sketch", metavar="SKETCH", nargs="?", type=Path, help="the drawing")
     parser.add_argument("--components", metavar="FILE.json", type=Path, help="components as JSON instead of a drawing")
     parser.add_argument("--ranker", metavar="NAME", help="how to rank")
+    parser.add_argument(
+        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+    )
 
 
 def run(arguments: argparse.Namespace) -> Report:
@@ -30,6 +33,7 @@ def run(arguments: argparse.Namespace) -> Report:
         components=arguments.components,
         ranker=arguments.ranker or defaults()["rank"]["ranker"],
         roles=project.roles,
+        history=arguments.history,
     )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)

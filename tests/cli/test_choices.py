@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from robosmi.project import defaults
 from robosmi.recommend.history import History
 from tests.running import Outcome, run, tree
 
@@ -77,7 +78,23 @@ def test_a_choice_of_one_run_is_history_for_the_next_and_counted_once(line_follo
     assert (choice["library"], choice["chosen_by"]) == ("Servo", "history")
 
 
-def test_what_nobody_chose_stays_open_with_candidates_and_a_task(line_follower: Path, tmp_path: Path) -> None:
+def test_the_ranking_chooses_where_it_is_sure(line_follower: Path, tmp_path: Path) -> None:
+    without(line_follower.parent / "robosmi.toml", '"Basic Servo')
+    plan = plan_of(run("migrate", line_follower, "-o", tmp_path / "out", "--json"))
+    servo, led, sensor = library(plan, SERVO), library(plan, "Red (633nm)-LED1"), library(plan, "HIH4030 1")
+    assert (servo["library"], servo["open"], servo["chosen_by"]) == ("Servo", False, "rule")
+    assert servo["confidence"] >= 0.8
+    assert (led["decision"], led["library"], led["open"], led["chosen_by"]) == ("none", None, False, "rule")
+    assert (sensor["decision"], sensor["library"], sensor["open"]) == ("optional", None, False)
+    assert sensor["candidates"][0]["library"] == "HIH4030"
+    assert "#include <Servo.h>" in (tmp_path / "out" / "line_follower" / "line_follower.ino").read_text()
+    assert History().entries() == [], "what a rule chose is no choice of a person"
+
+
+def test_what_nobody_chose_stays_open_with_candidates_and_a_task(
+    line_follower: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(defaults()["choices"], "limit", 1.01)
     without(line_follower.parent / "robosmi.toml", '"Basic Servo')
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--json")
     choice = library(plan_of(outcome), SERVO)
@@ -195,7 +212,7 @@ def test_of_two_components_with_one_title_the_index_names_one(cases: Path, tmp_p
             "--json",
         )
     )
-    assert {c["component_model_index"]: c["library"] for c in plan["libraries"]} == {"2": None, "3": "Servo"}
+    assert {c["component_model_index"]: c["chosen_by"] for c in plan["libraries"]} == {"2": "rule", "3": "person"}
 
 
 def test_a_library_without_a_drawing_is_wrong_usage(cases: Path, tmp_path: Path) -> None:

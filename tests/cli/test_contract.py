@@ -278,3 +278,14 @@ def test_a_file_name_that_is_no_text_is_printed_all_the_same(tmp_path: Path, cas
     done = subprocess.run([sys.executable, "-m", "robosmi", "analyse", source, "--json"], capture_output=True, check=False)
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["result"]["units"][0]["path"].endswith("robot\udcff.c")
+
+
+def test_hardware_writes_a_picture_and_a_table(tmp_path: Path, examples: Path) -> None:
+    drawing = examples / "line_follower" / "line_following_robot.fzz"
+    outcome = run("hardware", drawing, "--svg", tmp_path / "a.svg", "--write-table", tmp_path / "a.csv", "--json")
+    assert outcome.code == 0
+    assert [a["kind"] for a in outcome.document["artifacts"]] == ["picture", "pin table"]
+    assert (tmp_path / "a.svg").read_text().count("Basic Servo1") >= 1
+    again = run("hardware", tmp_path / "a.csv", "--json")
+    assert [m["name"] for m in again.result["mappings"]] == [m["name"] for m in outcome.result["mappings"]]
+    assert run("hardware", drawing, "--write-table", tmp_path / "a.txt").code == 2

@@ -11,6 +11,7 @@ import pytest
 
 from robosmi.cli import doctor
 from robosmi.cli.main import main
+from robosmi.project import defaults
 from tests.running import run, tree
 from tests.tools import require_tools
 
@@ -81,7 +82,10 @@ def test_4_is_a_missing_tool(migrated: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert "install" in outcome.document["findings"][0]["fix"]
 
 
-def test_5_is_an_open_choice_under_strict_and_writes_nothing(line_follower: Path, tmp_path: Path) -> None:
+def test_5_is_an_open_choice_under_strict_and_writes_nothing(
+    line_follower: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(defaults()["choices"], "limit", 1.01)  # no ranking is that sure
     before = tree(tmp_path)
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--strict")
     assert outcome.code == 5

@@ -1,4 +1,4 @@
-"""Migrate and compile every program of a corpus, without a drawing, and print what became of them.
+"""Migrate every program of a corpus without a drawing, generate it again from its plan, compile it, print what became of them.
 
 Usage: python -m tests.corpus.migrate_corpus FOLDER [--keep OUT] [--only TEXT]. A program is a .c file with a main; the .c
 files beside it without one belong to it only if its folder has no other program. Run by hand, and by `test_corpus.py`
@@ -96,6 +96,9 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     path = str(files[0].relative_to(corpus))
     try:
         made = robosmi.migrate(list(files), output)
+        again = robosmi.generate_sketch(output / "models" / "plan.xmi", output.with_name(f"{output.name}-again"))
+        if again.contents != made.contents:
+            return Outcome(path, "crashed", message="the stored plan gives another sketch")
     except (InternalError, ModelError) as error:
         return Outcome(path, "crashed", message=str(error))
     except RobosmiError as error:

@@ -43,14 +43,15 @@ def test_a_board_file_says_what_the_core_says(board: Board) -> None:
     root = KNOWN_PLACES["arduino-core-avr"].parents[2]
     listed = (root / "boards.txt").read_text()
     for key, value in (("upload.maximum_size", board.flash_bytes), ("upload.maximum_data_size", board.ram_bytes)):
-        found = re.findall(
-            rf"^{board.name}\.(?:menu\.cpu\.{board.mcu.removesuffix('p')}\.)?{re.escape(key)}=(\d+)", listed, re.MULTILINE
-        )
+        _, _, name, *options = board.fqbn.split(":")
+        chip = board.mcu.removesuffix("p")
+        option = options[0].removeprefix("cpu=") if options else rf"(?:16MHz)?{chip}"
+        found = re.findall(rf"^{name}\.(?:menu\.cpu\.{option}\.)?{re.escape(key)}=(\d+)", listed, re.MULTILINE)
         assert str(value) in found
     assert f"build.board={board.define}\n" in listed
     header = (root / "variants" / board.variant / "pins_arduino.h").read_text()
-    if board.name == "nano":
-        header = (root / "variants" / "standard" / "pins_arduino.h").read_text()
+    while other := re.search(r'#include "\.\./(\w+)/pins_arduino\.h"', header):  # a variant that only adds to another
+        header = (root / "variants" / other[1] / "pins_arduino.h").read_text()
     rows = re.findall(r"NOT_ON_TIMER|TIMER(\d)([ABCD])", _timers(header))
     by_number = {pin.number: pin for pin in board.pins}
     for number, (timer, channel) in enumerate(rows):
@@ -78,11 +79,7 @@ def test_the_uno_as_everybody_knows_it() -> None:
 
 def test_all_pins_are_drawn_on_the_common_part_of_each_board() -> None:
     for board in BOARDS.values():
-        wanted = (
-            {pin.label for pin in board.pins} - {"D14", "D15", "D16"}
-            if board.name == "leonardo"
-            else {p.label for p in board.pins}
-        )
+        wanted = {pin.label for pin in board.pins if pin.reserved not in ("on the ICSP header only", "not brought out")}
         assert wanted <= set(board.drawn_as[0].connectors.values())
 
 

@@ -156,7 +156,7 @@ def test_little_ram_is_a_warning() -> None:
 
 @needs_tools
 @pytest.mark.parametrize("board", ["uno", "nano", "mega", "leonardo"])
-@pytest.mark.parametrize(("case", "library"), [("servo", "Servo"), ("dht", "DHT sensor library")])
+@pytest.mark.parametrize(("case", "library"), [("servo", "Servo"), ("dht", "DHT sensor library"), ("infrared", "IRremote")])
 def test_a_stand_in_is_used_and_named(case: str, library: str, board: str) -> None:
     report = compiled(case, board)
     assert report.ok

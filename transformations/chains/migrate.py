@@ -16,11 +16,13 @@ from robosmi.metamodels import ccode
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, load_project
 from robosmi.query import ancestor_of_kind
-from robosmi.recommend.history import History
+from robosmi.recommend.history import ForgivingHistory
+from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.reading import check_source_platform, read_drawing, read_program
+from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.circuit import the_board
@@ -75,6 +77,9 @@ def plan_migration(
     places = _store_units(program)
     for path in paths:
         stored[places[str(path)]] = path.read_bytes()
+    names = {place: path for path, place in places.items()}
+    for unit in program.units:
+        findings = [*findings, *remarks(unit, stored[unit.path], names[unit.path])]
     if drawing_path is not None:
         drawing = read_drawing(drawing_path, project.roles)
         component = the_board(drawing.circuit)
@@ -108,9 +113,11 @@ def plan_migration(
     if choices.libraries and drawn is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     ranker = content("ranker", defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
+    earlier = ForgivingHistory()
+    findings = [*findings, *history_findings(earlier)]
     plan, repository = make_plan(
         _sketch_name(main), __version__, program, drawn, board or load_board(facts.board), api, facts, choices, ranker,
-        History(), stored, findings, places,
+        earlier, stored, findings, places,
     )  # fmt: skip
     return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})
 

@@ -16,7 +16,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
-from robosmi.model.xmi_reader import read_models
+from robosmi.model.versions import read_current
 from robosmi.model.xmi_writer import to_xmi
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
@@ -74,7 +74,7 @@ def load_models(path: Path) -> MigrationModels:
         ModelError: a model contradicts its metamodel.
     """
     folder = Path(os.path.realpath(path)).parent
-    roots = {file.name: root for file, root in read_models(path, built_in()).items() if file.parent == folder}
+    roots = {file.name: root for file, root in read_current(path, built_in()).items() if file.parent == folder}
     plan = roots.get(path.name)
     if not isinstance(plan, migration.MigrationPlan):
         kind = type(plan).__name__

@@ -6,17 +6,19 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
-from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.plugins import content, registry
 from robosmi.project import defaults
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 from robosmi.transformations.t2m.boards import drawn_board, load_board
+
+if TYPE_CHECKING:
+    from robosmi.metamodels import ccode, hardware, migration, platform
 
 
 def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:

@@ -12,8 +12,9 @@ from robosmi.plugins import content
 from robosmi.project import defaults
 from robosmi.query import Q
 from robosmi.recommend.component import ComponentQuery, read_components
-from robosmi.recommend.history import History
+from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Recommendation
+from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.m2m.library_choice import component_query
 from robosmi.transformations.queries.circuit import boards, the_board
@@ -34,11 +35,13 @@ class Recommendations:
         return {"recommendations": [answer.to_json() for answer in self.answers]}
 
     def lines(self) -> list[str]:
-        """What a person reads: the best five for each component, with the first reason."""
+        """What a person reads: the decision with its reason, and where a library is of use the best five, each with a reason."""
         lines: list[str] = []
         for query, answer in zip(self.queries, self.answers, strict=True):
-            lines.append(f"{query.label or query.title} ({query.title}): {answer.decision}")
-            for candidate in answer.candidates[:5]:
+            sure = f" ({answer.confidence:.0%} sure)" if answer.confidence else ""
+            why = f": {answer.reasons[0]}" if answer.reasons else ""
+            lines.append(f"{query.label or query.title} ({query.title}): {answer.decision}{sure}{why}")
+            for candidate in answer.candidates[: 5 if answer.decision != "none" else 0]:
                 lines.append(
                     f"  {candidate.score:6.3f}  {candidate.library} <{candidate.header}>  {next(iter(candidate.reasons), '')}"
                 )
@@ -52,6 +55,7 @@ def recommend(
     ranker: str | None = None,
     target: str | None = None,
     roles: Mapping[str, str] | None = None,
+    history: str | None = None,
 ) -> Recommendations:
     """Rank libraries for the components that a board pin reaches, or for listed ones.
 
@@ -61,6 +65,7 @@ def recommend(
         ranker: name of the ranker.
         target: the target board.
         roles: COMPONENT -> role, as the project file says.
+        history: place of earlier choices, a file or a URL; the user's own if None.
 
     Raises:
         SourceError: the input cannot be read, or is a drawing without a board.
@@ -79,5 +84,6 @@ def recommend(
         queries = [component_query(c) for c in reached if c is not None]
     facts = target_facts(target or defaults()["migrate"]["target"])
     rank = content("ranker", ranker or defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
-    history = History()
-    return Recommendations(queries, [rank.rank(query, history) for query in queries], findings)
+    earlier = ForgivingHistory(history)
+    answers = [rank.rank(query, earlier) for query in queries]
+    return Recommendations(queries, answers, [*findings, *history_findings(earlier)])

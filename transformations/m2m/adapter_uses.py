@@ -7,6 +7,7 @@ say it. No function is known by its name.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from robosmi.metamodels import ccode, migration, platform
@@ -16,6 +17,9 @@ from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
 from robosmi.transformations.t2m.target_platform import TargetFacts
+
+_RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
+"""Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""
 
 
 def called_functions(
@@ -34,6 +38,7 @@ def called_functions(
     for view in views:
         for function in [*view.called().values(), *_referenced(view)]:
             there = function.header in target.standard_headers and function.name not in names.absent
+            there = there and not _RESERVED.match(function.name)
             if there or function.name in own or (function.entry is None and not function.calls):
                 continue
             known = found.setdefault(function.name, function)
@@ -69,6 +74,16 @@ def _referenced(view: CodeView) -> Iterable[CalledFunction]:
             yield CalledFunction(other, calls, known, known.header if known else "", callee=calls[0].callee if calls else None)
 
 
+def handed_on(program: ccode.Program) -> set[str]:
+    """Names of functions from elsewhere that are values somewhere: their types must be the ones the program expects."""
+    references = (r for unit in program.units for r in all_of_kind(unit, ccode.NameReference))
+    return {
+        r.name
+        for r in references
+        if isinstance(r.target, ccode.ExternalSymbol) or (isinstance(r.target, ccode.Function) and not r.target.definition)
+    }
+
+
 def own_prototypes(program: ccode.Program) -> dict[str, ccode.Function]:
     """The first prototype of each function that the program declares and defines nowhere."""
     own = _own_names(program)
@@ -87,6 +102,8 @@ def adapter(
     source: str,
     target: TargetFacts,
     names: TargetNames,
+    *,
+    handed: bool = False,
 ) -> migration.AdapterUse:
     """The adapter of one function.
 
@@ -97,19 +114,20 @@ def adapter(
         source: name of the source platform, for a name that the target has already.
         target: the target.
         names: the target's names.
+        handed: the function is also handed on as a value.
     """
     name = called.name
     signature, raw, origin = _signature(called, function, prototype)
     if raw.endswith("(...)"):  # a macro: nothing is declared, so the call sites say what it takes
         raw = signature.named().text()
-    kept = origin == OWN_PROTOTYPE or name in names.absent
+    kept = handed or origin == OWN_PROTOTYPE or name in names.absent
     reserved = names.macros | names.keywords
     wide = for_target(signature, {} if kept else target.widths, reserved)
     if not kept and name in names.declared | names.macros:
         wide = Signature(f"{source}_{name}", wide.returns, wide.parameters, wide.variadic)
     return migration.AdapterUse(
         name=name, signature=raw, targetSignature=wide.text(), signatureSource=origin, status=migration.AdapterStatus.todo,
-        notes=_notes(called, function, origin, wide.name), function=function, calls=called.calls,
+        notes=_notes(called, function, origin, wide.name, handed), function=function, calls=called.calls,
     )  # fmt: skip
 
 
@@ -131,7 +149,10 @@ def _signature(
     if inferred is not None and called.calls:
         meanings = [p.meaning.name for p in function.parameters] if function is not None else []
         types = tuple(
-            (_spelling(p.valueType), p.name or (meanings[i] if i < len(meanings) and meanings[i] != "plain" else ""))
+            (
+                _handler(i, called.calls) or _spelling(p.valueType),
+                p.name or (meanings[i] if i < len(meanings) and meanings[i] != "plain" else ""),
+            )
             for i, p in enumerate(inferred.parameters)
         )
         signature = Signature(name, _spelling(inferred.returnType) or "int", types, inferred.variadic)
@@ -141,13 +162,27 @@ def _signature(
     return signature, function.signature if function is not None else signature.text(), "inferred"
 
 
+def _handler(position: int, calls: Iterable[ccode.Call]) -> str:
+    """The type of a function pointer where every call gives a function of the program there, and all of one type."""
+    found: set[str] = set()
+    for call in calls:
+        value = call.arguments[position] if position < len(call.arguments) else None
+        inner = value.operand if isinstance(value, ccode.Unary) and value.operator == "&" else value
+        function = inner.target if isinstance(inner, ccode.NameReference) else None
+        if not isinstance(function, ccode.Function) or not function.definition:
+            return ""
+        taken = ", ".join([_spelling(p.valueType) for p in function.parameters] + ["..."] * bool(function.variadic))
+        found.add(f"{_spelling(function.returnType) or 'int'} (*)({taken or 'void'})")
+    return found.pop() if len(found) == 1 else ""
+
+
 def _fits(signature: Signature, calls: Iterable[ccode.Call]) -> bool:
     """Whether every call gives as many arguments as the signature takes; old programs call old versions of an API."""
     count = len([p for p in signature.parameters if p[0] != "void" or p[1]])
     return all(len(c.arguments) >= count if signature.variadic else len(c.arguments) == count for c in calls)
 
 
-def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin: str, generated: str) -> list[str]:
+def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin: str, generated: str, handed: bool) -> list[str]:
     lines = ", ".join(str(line) for line in sorted(set(called.lines)))
     notes = (
         [f"called in line{'s' if ',' in lines else ''} {lines}"] if lines else ["used without a call, or in the body of a macro"]
@@ -160,6 +195,8 @@ def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin
         notes.append("it blocks")
     if function is not None and function.startsCog:
         notes.append("it starts code on another core there")
+    if handed and origin != OWN_PROTOTYPE:
+        notes.append("it is handed on as a value, so its types are those it had")
     if generated != called.name:
         notes.append(f"the target has a {called.name} of its own, so this one has another name there")
     return notes

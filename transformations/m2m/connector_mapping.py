@@ -15,10 +15,14 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
-from robosmi.transformations.t2m.parts_catalogue import Rules, conducts_by_bus_only, name_direction, rules
+from robosmi.transformations.t2m.part_names import Names, conducts_by_bus_only, name_direction, names
 
 Role = hardware.Role
+
+MAX_MAPPINGS = 20_000
+"""Connections of pins to components in one drawing; the largest public one has under 100."""
 
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 _BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
@@ -49,7 +53,7 @@ class _Mapped:
 
 @dataclass(slots=True)
 class _State:
-    rules: Rules
+    known: Names
     path: str
     findings: list[Finding] = field(default_factory=list)
 
@@ -58,7 +62,7 @@ class _State:
 
 
 def map_connectors(
-    circuit: hardware.Circuit, boards: Mapping[str, platform.Board] | None = None, known: Rules | None = None
+    circuit: hardware.Circuit, boards: Mapping[str, platform.Board] | None = None, known: Names | None = None
 ) -> tuple[list[migration.Connection], list[Finding]]:
     """The connections of every board of a circuit: one for each pin and component that it reaches, in the order of pins.
 
@@ -69,13 +73,23 @@ def map_connectors(
 
     Returns:
         The connections with their names, and what was odd (rules RS220 to RS227). A circuit without a board has none.
+
+    Raises:
+        SourceError: there are more connections than any circuit has.
     """
-    state = _State(known or rules(), circuit.path)
+    state = _State(known or names(), circuit.path)
     mapped: list[_Mapped] = []
     for board in circuit.components:
         if board.role is Role.Board:
-            mapped += _map_board(board, (boards or {}).get(board.elementId), state)
-    names = _names(mapped, state)
+            for one in _map_board(board, (boards or {}).get(board.elementId), state):
+                mapped.append(one)
+                if len(mapped) > MAX_MAPPINGS:
+                    raise SourceError(
+                        f"more than {MAX_MAPPINGS:,} connections of pins to components",
+                        location=Location(circuit.path),
+                        fix="check what is wired to the pins; a net with all in it is no circuit",
+                    )
+    called = _names(mapped, state)
     connections = [
         migration.Connection(
             name=name,
@@ -86,7 +100,7 @@ def map_connectors(
             connectors=one.reached.connectors,
             via=one.reached.via,
         )
-        for one, name in zip(mapped, names, strict=True)
+        for one, name in zip(mapped, called, strict=True)
     ]
     return connections, state.findings
 
@@ -101,7 +115,7 @@ def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
 
 
 def walk(
-    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: Rules
+    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: Names
 ) -> list[Reached]:
     """What is reached from some nets, nearest first: across two-terminal passive parts, never into a rail or a blocked net.
 
@@ -130,7 +144,7 @@ def walk(
     return list(found.values())
 
 
-def behind(driver: hardware.Component, known: Rules | None = None) -> tuple[list[hardware.Component], list[hardware.Component]]:
+def behind(driver: hardware.Component, known: Names | None = None) -> tuple[list[hardware.Component], list[hardware.Component]]:
     """What a driver drives and what it senses: outputs and inputs beyond its connectors that lead to no board.
 
     They are told for the whole device, not channel by channel, and have no mapping of their own.
@@ -138,9 +152,18 @@ def behind(driver: hardware.Component, known: Rules | None = None) -> tuple[list
     nets = list(dict.fromkeys(c.net for c in driver.connectors if c.net is not None and not c.net.rail))
     free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]
     signals = [c.net for board in _boards_of(driver) for c in board.connectors if c.pin and c.net is not None]
-    reached = [r.component for r in walk(free, signals, driver, known or rules()) if not r.component.driver]
-    reached.sort(key=lambda component: _natural(component.elementId))
+    reached = [r.component for r in walk(free, signals, driver, known or names()) if not r.component.driver]
+    reached.sort(key=lambda component: natural_key(component.elementId))
     return [c for c in reached if c.role is Role.Output], [c for c in reached if c.role is Role.Input]
+
+
+def either_side(
+    component: hardware.Component, known: Names | None = None
+) -> tuple[list[hardware.Component], list[hardware.Component]]:
+    """`behind` for a chip that may be on either side of the board (names.toml), nothing for any other component."""
+    known = known or names()
+    about = f"{component.family} / {component.partTitle}"
+    return behind(component, known) if component.driver and about in known.either else ([], [])
 
 
 def algorithm_1_as_printed(board: hardware.Component) -> list[tuple[hardware.Connector, hardware.Connector]]:
@@ -198,7 +221,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None
-        reached = walk(nets, signal_nets, board, state.rules)
+        reached = walk(nets, signal_nets, board, state.known)
         if reached and target is not None and pin is None:
             state.report(
                 "RS223",
@@ -206,8 +229,8 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
                 f"{target.title} has no pin {label}, to which '{_title(reached[0].component)}' is wired",
             )
         drawn = [c for c in connectors if c.net is not None]
-        for one in sorted(reached, key=lambda r: _natural(r.component.elementId)):
-            yield _Mapped(board, label, place, pin, drawn, one, _signal(one, state.rules))
+        for one in sorted(reached, key=lambda r: natural_key(r.component.elementId)):
+            yield _Mapped(board, label, place, pin, drawn, one, _signal(one, label, pin, state.known))
             if one.component.role is Role.Unknown:
                 state.report(
                     "RS220",
@@ -253,11 +276,29 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             )
 
 
-def _signal(reached: Reached, known: Rules) -> str:
-    names = [name_direction(connector.name, known) for connector in reached.connectors]
-    told = next((way for way in ("bus", "write", "read") if way in names), None)
-    default = _BY_ROLE[reached.component.role.name]
-    return told if (told is not None and default != "write") or told == "bus" else default
+def _signal(reached: Reached, label: str, pin: platform.Pin | None, known: Names) -> str:
+    """The direction on a pin: what the connector's name tells, else what the role and the place of the part tell."""
+    component = reached.component
+    ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
+    told = next((way for way in ("bus", "write", "read") if way in ways), None)
+    default = _BY_ROLE[component.role.name]
+    if told == "bus":
+        return told
+    if component.driver:
+        return told if told is not None and component.role is not Role.Both else _driver_signal(component, default, known)
+    about = f"{component.family} / {component.partTitle}"
+    analog = "analog_in" in pin.abilities if pin is not None else label[0] == "A" and label[1:].isdecimal()
+    if default == "write" and analog and about in known.read_on_analog and about not in known.not_read_on_analog:
+        return "read"
+    return told if told is not None and default != "write" else default
+
+
+def _driver_signal(component: hardware.Component, default: str, known: Names) -> str:
+    """For a chip that may be on either side of the board: read where it only senses, written where it only drives."""
+    drives, senses = either_side(component, known)
+    if bool(drives) != bool(senses):
+        return "write" if drives else "read"
+    return default
 
 
 def _names(mapped: list[_Mapped], state: _State) -> list[str]:
@@ -265,9 +306,9 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
     by_component: dict[hardware.Component, list[int]] = {}
     for place, one in enumerate(mapped):
         by_component.setdefault(one.reached.component, []).append(place)
-    names = [""] * len(mapped)
+    result = [""] * len(mapped)
     taken: dict[str, hardware.Component] = {}
-    for component in sorted(by_component, key=lambda c: _natural(c.elementId)):
+    for component in sorted(by_component, key=lambda c: natural_key(c.elementId)):
         wanted = identifier(component.title) or identifier(component.partTitle) or "Component"
         base = wanted
         while base in taken:
@@ -283,8 +324,8 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
         order = {connector: number for number, connector in enumerate(component.connectors)}
         places = sorted(by_component[component], key=lambda p: (min(order[c] for c in mapped[p].reached.connectors), p))
         for number, place in enumerate(places, 1):
-            names[place] = f"{base}{_SUFFIX[mapped[place].signal]}{number}"
-    return names
+            result[place] = f"{base}{_SUFFIX[mapped[place].signal]}{number}"
+    return result
 
 
 def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hardware.Connector]]]:
@@ -295,7 +336,7 @@ def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hard
     return list(groups.items())
 
 
-def _other_side(component: hardware.Component, net: hardware.Net, known: Rules) -> hardware.Net | None:
+def _other_side(component: hardware.Component, net: hardware.Net, known: Names) -> hardware.Net | None:
     """The net at the other terminal of a two-terminal passive part, None for any other part."""
     if conducts_by_bus_only(component.family, known):
         return None
@@ -304,6 +345,8 @@ def _other_side(component: hardware.Component, net: hardware.Net, known: Rules) 
     for connector in component.connectors:
         if not any(connector in bus and any(t in bus for t in terminals) for bus in joined):
             terminals.append(connector)
+            if len(terminals) > 2:
+                return None
     if len(terminals) != 2:
         return None
     others = [t.net for t in terminals if t.net is not None and t.net is not net]
@@ -318,9 +361,11 @@ def _title(component: hardware.Component) -> str:
     return component.title or component.partTitle or f"#{component.elementId}"
 
 
-def _natural(text: str) -> tuple[tuple[int, str], ...]:
-    return tuple((int(piece), "") if piece.isdecimal() else (-1, piece) for piece in re.split(r"(\d+)", text) if piece)
+def natural_key(text: str) -> tuple[tuple[int, str], ...]:
+    """A sort key by which connector2 comes before connector10."""
+    pieces = re.split(r"([0-9]{1,18})", text)  # int() refuses very long numbers
+    return tuple((int(piece), "") if piece[0] in "0123456789" else (-1, piece) for piece in pieces if piece)
 
 
 def _label_order(label: str) -> tuple[int, tuple[tuple[int, str], ...]]:
-    return ("DA".find(label[0]) if label[0] in "DA" and label[1:].isdecimal() else 2, _natural(label))
+    return ("DA".find(label[0]) if label[0] in "DA" and label[1:].isdecimal() else 2, natural_key(label))

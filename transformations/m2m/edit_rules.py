@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from robosmi.metamodels import ccode
+from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, is_header
 from robosmi.transformations.queries.tokens import name_tokens
@@ -23,9 +23,14 @@ def _line(element: ccode.Located, choice: str, text: SourceText) -> list[Replace
     """The whole line goes; its comment stays as a line."""
     start, end = text.line_start(element.startOffset), text.line_end(element.endOffset)
     comments = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end]
-    if not comments:
-        return [(start, end, "")]
-    return [(start, comments[0].startOffset, "")]
+    return [(start, comments[0].startOffset if comments else end, "")]
+
+
+def _line_with_comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """The whole line goes, with a comment on it: that says what the header was for, or goes with the include to the head."""
+    end = text.line_end(element.endOffset)
+    longer = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end < c.endOffset]
+    return [(text.line_start(element.startOffset), longer[0].startOffset if longer else end, "")]
 
 
 def _keyword(word: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
@@ -94,13 +99,54 @@ def _parentheses(element: Any, choice: str, text: SourceText) -> list[Replacemen
     return [(found.end() - 1, found.end() - 1, choice)] if found else []
 
 
+def _parameters_behind(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """The list takes the declarations behind it; what is commented there stays, behind the list."""
+    start = text.data.find(b"(", text.data.find(element.name.encode(), element.startOffset)) + 1
+    end = element.startOffset + len(text.data[element.startOffset : element.body.startOffset].rstrip())
+    comments = [c for c in text.unit.comments if start <= c.startOffset < end]
+    end = comments[0].startOffset if comments and comments[0].startOffset > text.data.rfind(b";", start, end) else end
+    shown = [text.slice(c.startOffset, c.endOffset)[0].strip() for c in comments if c.startOffset < end]
+    return [(start, end, f"{choice})" + "".join(f"\n{line}" for line in shown))]
+
+
+def _return_at_end(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    brace = element.body.endOffset - 1
+    start = text.line_start(brace)
+    if text.blank(start, brace):
+        indent = text.data[start:brace].decode("latin-1")
+        return [(start, start, f"{indent}  return {choice};\n")]
+    return [(brace, brace, f"return {choice}; ")]
+
+
+def _replace(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.startOffset, element.endOffset, choice)]
+
+
+def _compound(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.startOffset, element.right.startOffset, choice), (element.endOffset, element.endOffset, "))")]
+
+
+def _insert(words: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
+    return lambda element, choice, text: [(element.startOffset, element.startOffset, words)]
+
+
+def _behind_return(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    place = element.startOffset + len("return")
+    return [(place, place, f" {choice}")]
+
+
+def _zero_value(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.endOffset, element.endOffset, f" = {choice}")]
+
+
+def _assign_behind(variable: Any, choice: str, text: SourceText) -> list[Replacement]:
+    place = name_place(variable, text.data) + len(variable.name.encode())
+    return [(place, place, f"; {choice}")]
+
+
 def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     place = element.startOffset + int(choice)
     return [(place, place, "int ")]
-
-
-def _declare_only(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    return [(element.startOffset, element.startOffset, "extern ")]
 
 
 def _define_extern(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -134,8 +180,8 @@ def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement
 
 
 RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
-    "platform-include": _line,
-    "standard-include": _line,
+    "platform-include": _line_with_comment,
+    "standard-include": _line_with_comment,
     "posix-include": _line,
     "unknown-include": _line,
     "own-header": _own_header,
@@ -149,13 +195,39 @@ RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
     "convert": _convert,
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,
+    "parameters-behind": _parameters_behind,
+    "return-at-end": _return_at_end,
     "implicit-int": _implicit_int,
-    "declare-only": _declare_only,
+    "declare-only": _insert("extern "),
+    "share": _insert("__attribute__((weak)) "),
+    "replace": _replace,
+    "compound-of-enumeration": _compound,
+    "return-with-value": _behind_return,
+    "return-without-value": _void_value,
+    "zero-value": _zero_value,
+    "assign-behind": _assign_behind,
     "take-out": _out,
     "define-extern": _define_extern,
     "adapter-in-place": _body,
 }
 """Rule of a disposition -> the changes of text that it asks for."""
+
+AND, _NEXT = "+", ";"
+"""Between the rules of a disposition that has several, and between their choices."""
+
+
+def joined(rules: tuple[str, str], choices: tuple[str, str], reasons: tuple[str, str]) -> tuple[str, str, str]:
+    """Rule, choice and reason of a disposition that two rules apply to."""
+    return AND.join(rules), _NEXT.join(choices), "; ".join(reasons)
+
+
+def rules_of(disposition: migration.Disposition) -> list[tuple[str, str]]:
+    """The rules of a disposition that change text, each with its choice."""
+    if AND not in disposition.rule:
+        return [(disposition.rule, disposition.choice)] if disposition.rule in RULES else []
+    pairs = zip(disposition.rule.split(AND), disposition.choice.split(_NEXT), strict=False)
+    return [(rule, choice) for rule, choice in pairs if rule in RULES]
+
 
 EVERYWHERE = frozenset({"rename"})
 """Rules that change every unit of the program, not only their element's."""

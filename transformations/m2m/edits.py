@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement
+from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement, rules_of
 from robosmi.transformations.queries.source_text import SourceText
 
 RETAINED = frozenset({"own-macro", "own-function", "own-declaration", "main-once", "main-repeated"})
@@ -34,7 +34,7 @@ def derive_edits(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) ->
     texts = [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else []
     derived: list[migration.Edit] = []
     for binding in plan.portBindings:
-        derived += _binding_edits(binding)
+        derived += _binding_edits(binding, texts)
     for disposition in plan.dispositions:
         derived += _disposition_edits(disposition, texts)
     plan.edits.clear()
@@ -84,14 +84,16 @@ def _unit(element: ccode.Located) -> ccode.SourceUnit:
 
 def _disposition_edits(disposition: migration.Disposition, texts: Sequence[SourceText]) -> list[migration.Edit]:
     element = disposition.element
-    if element is None or disposition.rule not in RULES:
+    rules = rules_of(disposition)
+    if element is None or not rules:
         return []
     unit = _unit(element)
     made: list[migration.Edit] = []
-    for text in texts:
-        if text.unit is unit or disposition.rule in EVERYWHERE:
-            found = RULES[disposition.rule](element, disposition.choice, text)
-            made += [_edit(text.unit, replacement, disposition, disposition.reason) for replacement in found]
+    for rule, choice in rules:
+        for text in texts:
+            if text.unit is unit or rule in EVERYWHERE:
+                found = RULES[rule](element, choice, text)
+                made += [_edit(text.unit, replacement, disposition, disposition.reason) for replacement in found]
     return made
 
 
@@ -103,13 +105,13 @@ def _edit(unit: ccode.SourceUnit, replacement: Replacement, decision: migration.
     )
 
 
-def _binding_edits(binding: migration.PortBinding) -> list[migration.Edit]:
+def _binding_edits(binding: migration.PortBinding, texts: Sequence[SourceText]) -> list[migration.Edit]:
     """The edit that gives a port of the source its new pin; none for a convention, whose pin stands in no text."""
     value = port_value(binding)
     if value is None or binding.element is None or binding.origin == "convention":
         return []
     place = port_place(binding.element)
-    if place is None:
+    if place is None or not _whole(binding.element, place, texts):
         raise ModelError(
             f"the port '{binding.name}' cannot be given another pin: its value is not written as one expression",
             fix="remove the binding, or write the port as a constant of its own in the source",
@@ -118,6 +120,14 @@ def _binding_edits(binding: migration.PortBinding) -> list[migration.Edit]:
     if isinstance(binding.element, ccode.EnumerationLiteral):
         value = f"{binding.element.name} = {value}"
     return [_edit(_unit(binding.element), (start, end, value), binding, f"the port is {binding.choice} on the target")]
+
+
+def _whole(element: ccode.Located, place: tuple[int, int], texts: Sequence[SourceText]) -> bool:
+    """Whether the place holds what the model says: a macro's body with comments or over several lines has no one place."""
+    if not isinstance(element, ccode.Macro):
+        return True
+    text = next(t for t in texts if t.unit is _unit(element))
+    return text.data[place[0] : place[1]] == element.body.encode(text.unit.encoding or "utf-8", errors="replace")
 
 
 def port_value(binding: migration.PortBinding) -> str | None:

@@ -1,17 +1,20 @@
 """C that is no C++: what a compiler of the target's language refuses although C allows it, and the edit that fits each.
 
-A table of rules over the code model. Each finds elements and says which rule of `edits` changes their text; what no
-simple edit mends is a finding with its place. Which way a value is converted is read off `queries.expression_type`.
+A table of rules over the code model. Each finds elements and says which rule of `edit_rules` changes their text; what no
+simple edit mends is a finding with its place. Which way a value is converted is read off `queries.expression_type`;
+declarations in the manner of old C are in `old_c`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
 
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
+from robosmi.transformations.m2m import old_c
+from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.queries.expression_type import (
     FunctionType,
     ValueType,
@@ -20,29 +23,9 @@ from robosmi.transformations.queries.expression_type import (
     of_use,
     type_of,
 )
+from robosmi.transformations.queries.source_text import is_header
 
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
-_QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
-
-
-@dataclass(frozen=True)
-class Change:
-    """A change of text that C++ wants.
-
-    Attributes:
-        element: what is changed.
-        rule: the rule of `edits` that changes it.
-        text: what the rule puts in.
-        reason: why, one sentence.
-    """
-
-    element: ccode.Located
-    rule: str
-    text: str
-    reason: str
-
-
-Rule = Callable[[ccode.SourceUnit, bytes, Mapping[str, FunctionType]], Iterator[Change]]
 
 
 def changes(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> list[Change]:
@@ -65,7 +48,8 @@ def changes(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Functio
 def _conversions(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     for value, wanted in expectations(unit, functions):
         text = data[value.startOffset : value.endOffset]
-        if text and not _NULLS.fullmatch(text) and (reason := _conversion(value, wanted, functions)):
+        null = _NULLS.fullmatch(text) and (wanted.depth or wanted.function)
+        if text and not null and (reason := _conversion(value, wanted, functions)):
             yield Change(value, "convert" if _primary(value) else "convert-compound", wanted.spelling, reason)
 
 
@@ -87,7 +71,7 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     if wanted.arithmetic and isinstance(value.eContainer(), ccode.InitializerList):
         return "" if _fits(value, wanted) else "C++ narrows no value in a list on its own"
     given = type_of(value, functions)
-    if given is None or given.function:
+    if given is None or given.function or given.spelling.replace(" ", "") == wanted.spelling.replace(" ", ""):
         return ""
     if wanted.depth and given.depth:
         return _pointers(given, wanted)
@@ -181,30 +165,51 @@ def _primary(value: ccode.Expression) -> bool:
     return isinstance(value, kinds)
 
 
-def _prototypes(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`f()` says nothing of its parameters in C and that there are none in C++."""
-    defined = {d.name: d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition}
-    for function in all_of_kind(unit, ccode.Function):
-        if function.parameters or function.variadic or function.name == "main" or not re.search(r"\(\s*\)$", function.signature):
-            continue
-        known = defined.get(function.name)
-        if known is not None and known.parameters and not function.definition:
-            start = known.signature.find("(", known.signature.find(known.name))
-            yield Change(
-                function, "empty-parentheses", known.signature[start + 1 : -1], "in C++ an empty list means no parameters"
-            )
-        elif any(c.arguments for f in (function, known) if f is not None for c in f.calls):
-            yield Change(function, "empty-parentheses", "...", "it is called with arguments that it does not take")
+def _enumerations(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Counting and adding in an enumeration: the sum is a number in C++, which has to be made a value again."""
+    for step in all_of_kind(unit, ccode.Unary):
+        kind = _enumeration(step.operand, functions) if step.operator in ("++", "--") else ""
+        if kind and step.operand is not None and not all_of_kind(step.operand, ccode.Call):
+            text = _text(step.operand, data)
+            used = not isinstance(step.eContainer(), (ccode.ExpressionStatement, ccode.For))
+            made = f"({text} = ({kind})({text} {step.operator[0]} 1))"
+            if step.postfix and used:
+                made = f"({kind})({made} {'-' if step.operator == '++' else '+'} 1)"
+            yield Change(step, "replace", made if used else made[1:-1], "C++ does not count in an enumeration")
+    for assignment in all_of_kind(unit, ccode.Assignment):
+        kind = _enumeration(assignment.left, functions) if assignment.operator != "=" else ""
+        if kind and assignment.left is not None and not all_of_kind(assignment.left, ccode.Call):
+            text = f"{_text(assignment.left, data)} = ({kind})({_text(assignment.left, data)} {assignment.operator[:-1]} ("
+            yield Change(assignment, "compound-of-enumeration", text, "C++ does not calculate in an enumeration")
 
 
-def _implicit_int(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    for element in (*all_of_kind(unit, ccode.Function), *all_of_kind(unit, ccode.Variable)):
-        if element.name == "main" or (isinstance(element, ccode.Variable) and declared_with_others(element)):
+def _text(expression: ccode.Expression, data: bytes) -> str:
+    return data[expression.startOffset : expression.endOffset].decode("utf-8", errors="replace")
+
+
+def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> str:
+    """How the enumeration is written that an expression is of, empty for any other type."""
+    kind = type_of(expression, functions)
+    plain = kind is not None and kind.depth == 0 and isinstance(kind.declaration, ccode.Enumeration)
+    return re.sub(r"\b(?:static|const|volatile|register)\b\s*", "", kind.spelling) if plain and kind is not None else ""
+
+
+def _shared(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A variable that a header declares without extern: one for all files in C, one for each in C++."""
+    units = [u for u in unit.program.units if not is_header(u)] if is_header(unit) and unit.program is not None else []
+    defined = {
+        d.name
+        for u in units
+        for d in u.declarations
+        if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and d.name
+    }
+    for variable in unit.declarations if units else ():
+        if not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified" or variable.initialised:
             continue
-        head = data[element.startOffset : element.endOffset].decode("latin-1")
-        found = re.search(rf"\b{re.escape(element.name)}\b", head)
-        if found is not None and _QUALIFIERS.fullmatch(head[: found.start()]) and element.name:
-            yield Change(element, "implicit-int", str(found.start()), "C++ wants the type int written")
+        if variable.name in defined:
+            yield Change(variable, "declare-only", "", "a file of the program defines it")
+        elif len(units) > 1 and not (variable.valueType is not None and variable.valueType.constant):
+            yield Change(variable, "share", "", "all files that include the header share it")
 
 
 def _tentative(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -247,17 +252,49 @@ def _extern(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Functio
             yield Change(declaration, "define-extern", declaration.name, "the program defines it nowhere")
 
 
-RULES: tuple[Rule, ...] = (_conversions, _prototypes, _implicit_int, _tentative, _extern)
+RULES: tuple[Rule, ...] = (_enumerations, _conversions, *old_c.RULES, _tentative, _shared, _extern)
+TEXT_RULES = frozenset(
+    {
+        "empty-parentheses",
+        "parameters-behind",
+        "implicit-int",
+        "return-at-end",
+        "declare-only",
+        "define-extern",
+        "share",
+        "zero-value",
+    }
+)
+"""Rules that each change a place of their own in a declaration, so that several may apply to one."""
 
 
-def remarks(unit: ccode.SourceUnit, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
-    """What no simple edit mends: the element and what is to be known of it."""
+def remarks(unit: ccode.SourceUnit, data: bytes, path: str) -> Iterator[Finding]:
+    """RS312: what no simple edit mends.
+
+    Args:
+        unit: the unit.
+        data: its bytes.
+        path: the unit's file as the user knows it.
+    """
+    if unit.language != "C":
+        return
+    for element, message in _unmended(unit, data):
+        place = Location(path, element.line, element.column)
+        yield Finding("RS312", Severity.warning, message, place, fix="write it in C++ in the sketch, or otherwise in the source")
+
+
+def _unmended(unit: ccode.SourceUnit, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
     for value in (*all_of_kind(unit, ccode.UnknownExpression), *all_of_kind(unit, ccode.InitializerList)):
         text = data[value.startOffset : value.endOffset].decode("latin-1")
         if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):
             yield value, "a list that names the elements of an array by their index is no C++"
         elif re.search(r"[{,]\s*\.\w+\s*=(?!=)", text):
-            yield value, "a list that names members is C++ only where it names all of them in their order"
+            yield value, "a list that names members is C++ only where it names them in their order"
+    for literal in all_of_kind(unit, ccode.StringLiteral):
+        variable = literal.eContainer()
+        use = variable.valueType if isinstance(variable, ccode.Variable) else None
+        if use is not None and use.arrayDims.strip("[] ") == str(len(literal.text)) and use.pointerDepth == 0:
+            yield literal, "the array has no room for the zero byte at the end of its text"
     for variable in all_of_kind(unit, ccode.Variable):
         kind = of_use(variable.valueType)
         if kind is not None and "restrict" in kind.spelling:

@@ -1,7 +1,8 @@
 """Which library drives which component: the ranking as decisions of the plan (paper 3.3).
 
-A choice is made by a person (flag, project file) or by history; a ranking alone chooses nothing, it gives options. Every
-component that a board pin reaches gets a decision. How libraries are ranked is `library_ranking`'s business.
+A choice is made by a person (flag, project file), by history, or by the ranking where it is sure enough; else it stays open.
+Every component that a board pin reaches gets a decision, with the candidates, the evidence and who chose. How libraries are
+ranked is `library_ranking`'s business, how a person is asked the command line's.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from dataclasses import dataclass, field
 
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
-from robosmi.recommend.history import History, chosen_from_history
+from robosmi.recommend.history import chosen_from_history
 from robosmi.recommend.index import LibraryIndex
-from robosmi.recommend.ranking import Ranker, Recommendation
+from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.transformations.m2m.library_ranking import library_in, library_index
+from robosmi.transformations.m2m.library_takes import Takes, library_takes
 from robosmi.transformations.queries.circuit import component_named
 
 NO_LIBRARY = "none"
@@ -55,6 +57,7 @@ class LibraryModels:
             facts = library_in(self._index, name)
             name = facts.name  # as the index writes it
             if name not in self.elements:
+                takes = library_takes(self.target).get(name, Takes())
                 self.elements[name] = platform.Library(
                     name=name,
                     version=facts.version,
@@ -62,10 +65,20 @@ class LibraryModels:
                     architectures=list(facts.architectures),
                     depends=list(facts.depends),
                     url=facts.library.url,
+                    installed=facts.library.installed,
+                    timers=list(takes.timers),
+                    pins=list(takes.pins),
                 )
                 for needed in facts.dependencies:
                     self.get(needed.name)
         return self.elements[name]
+
+    def taken_by(self, library: platform.Library | None) -> list[Takes]:
+        """What a library and those that it depends on take of the target, as far as is known."""
+        if library is None:
+            return []
+        known = library_takes(self.target)
+        return [known[name] for name in (library.name, *library.depends) if name in known]
 
 
 def choose_libraries(
@@ -74,8 +87,9 @@ def choose_libraries(
     chosen: Mapping[str, str],
     ranker: Ranker,
     models: LibraryModels,
-    history: History,
+    history: Choices,
     limit: int,
+    sure: float = 1.0,
 ) -> list[migration.LibraryChoice]:
     """A decision for each component.
 
@@ -87,22 +101,26 @@ def choose_libraries(
         models: where library elements are made.
         history: earlier choices.
         limit: how many candidates a decision keeps.
+        sure: the confidence from which on the ranking's own answer is taken.
 
     Raises:
         UsageError: a component or library does not exist, or a title is ambiguous.
     """
     by_person = {component_named(circuit, name).elementId: library for name, library in chosen.items()}
-    ranked: dict[tuple[str, str, bool], Recommendation] = {}  # like parts are ranked once
+    ranked: dict[tuple[object, ...], Recommendation] = {}  # like parts are ranked once
 
     def rank(query: ComponentQuery, weigh_history: bool) -> Recommendation:
-        key = (query.part_id, query.title, weigh_history)
+        key = (
+            query.part_id, query.title, query.family, query.tags, tuple(query.properties.items()), query.connectors,
+            weigh_history,
+        )  # fmt: skip
         if key not in ranked:
             ranked[key] = ranker.rank(query, history if weigh_history else None, limit)
         return ranked[key]
 
     listed = list(components)
     listed += [c for c in circuit.components if c.elementId in by_person and c not in listed]
-    return [_decide(c, by_person.get(c.elementId), rank, models, history) for c in listed]
+    return [_decide(c, by_person.get(c.elementId), rank, models, history, sure) for c in listed]
 
 
 def _decide(
@@ -110,7 +128,8 @@ def _decide(
     said: str | None,
     rank: Callable[[ComponentQuery, bool], Recommendation],
     models: LibraryModels,
-    history: History,
+    history: Choices,
+    sure: float,
 ) -> migration.LibraryChoice:
     query = component_query(component)
     refused = said is not None and said.lower() == NO_LIBRARY
@@ -122,22 +141,37 @@ def _decide(
         by, why = migration.ChosenBy.person, "chosen by flag or project file"
     elif earlier := chosen_from_history(query.part_id, query.title, history):
         name, by, why = earlier, migration.ChosenBy.history, "chosen for this part before"
+    elif 0 < recommendation.confidence >= sure:
+        by = migration.ChosenBy.rule
+        name, why = _by_rule(recommendation)
+        refused = name == NO_LIBRARY
     library = models.get(name) if name and not refused else None
     options = _options(recommendation)
     if library is not None and all(o.label != library.name for o in options):
         options.append(migration.Option(label=library.name, reasons=[why]))
+    by_ranking = by in (migration.ChosenBy.nobody, migration.ChosenBy.rule)
     return migration.LibraryChoice(
         component=component,
         chosen=library,
         candidates=[models.get(o.label) for o in options],
         recommendation=recommendation.decision,
-        confidence=1.0 if name else recommendation.confidence,
+        confidence=recommendation.confidence if by_ranking else 1.0,
         chosenBy=by,
-        evidence=[why] if why else [],
-        open=not name and recommendation.decision != "none",
+        evidence=[*([why] if why else []), *(str(taken) for taken in models.taken_by(library))],
+        # a ranker that estimates nothing says nothing about parts for which it finds nothing
+        open=not name and (recommendation.decision != "none" or recommendation.confidence > 0),
         choice=library.name if library is not None else NO_LIBRARY if refused else "",
         options=options,
     )
+
+
+def _by_rule(recommendation: Recommendation) -> tuple[str, str]:
+    """What follows from an answer that is sure enough: a library or none, and why."""
+    first = recommendation.candidates[0]
+    if recommendation.decision == "library":
+        return first.library, "; ".join([*first.reasons[:1], *recommendation.reasons])
+    helper = f"; {first.library} is the one" if recommendation.decision == "optional" else ""
+    return NO_LIBRARY, "; ".join(recommendation.reasons) + helper
 
 
 def _options(recommendation: Recommendation) -> list[migration.Option]:

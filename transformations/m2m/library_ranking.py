@@ -15,9 +15,12 @@ from pathlib import Path
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.recommend.component import ComponentQuery
+from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
+from robosmi.recommend.layered_index import LayeredIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.recommend.tfidf_ranker import TfidfRanker
+from robosmi.transformations.m2m.device_knowledge import device_knowledge
 
 _VERSION = re.compile(r"\s*\([^()]*\)\s*$")
 
@@ -63,7 +66,7 @@ class LibraryFacts:
 
 
 def library_index(platform: str = "arduino", project: Path | None = None) -> LibraryIndex:
-    """The index of a target's libraries, opened once for each file and state of the file.
+    """The index of a target's libraries, opened once for each state of its files; with it those that the user has imported.
 
     Args:
         platform: folder of the target in the platform repository.
@@ -72,16 +75,23 @@ def library_index(platform: str = "arduino", project: Path | None = None) -> Lib
     Raises:
         PlatformDataError: there is none, or it is damaged.
     """
-    path = resources.find("platform_repo", f"{platform}/libraries/index.sqlite", project)
+    paths = [resources.find("platform_repo", f"{platform}/libraries/index.sqlite", project)]
+    if (own := installed_index(platform)).is_file():
+        paths.append(own)
     try:
-        return _opened(path, path.stat().st_mtime_ns)
+        return _opened(tuple(paths), tuple(path.stat().st_mtime_ns for path in paths))
     except OSError as error:
-        raise PlatformDataError(f"{path}: cannot be read: {error.strerror}", fix="install robosmi again") from error
+        raise PlatformDataError(f"{paths[0]}: cannot be read: {error.strerror}", fix="install robosmi again") from error
+
+
+def installed_index(platform: str) -> Path:
+    """The user's own index of installed libraries, which `libraries import` writes. It need not exist."""
+    return resources.user_data() / "platform_repo" / platform / "libraries" / "installed.sqlite"
 
 
 @lru_cache(maxsize=4)
-def _opened(path: Path, mtime_ns: int) -> LibraryIndex:  # the time is part of the key: a rebuilt index is opened anew
-    return LibraryIndex(path)
+def _opened(paths: tuple[Path, ...], times: tuple[int, ...]) -> LibraryIndex:  # by time: a rebuilt index is opened anew
+    return LibraryIndex(paths[0]) if len(paths) == 1 else LayeredIndex(paths)
 
 
 def tfidf_ranker(platform: str = "arduino", *, architecture: str | None = None, project: Path | None = None) -> Ranker:
@@ -98,6 +108,25 @@ def tfidf_ranker(platform: str = "arduino", *, architecture: str | None = None, 
     return TfidfRanker(library_index(platform, project), architecture)
 
 
+def device_ranker(platform: str = "arduino", *, architecture: str | None = None, project: Path | None = None) -> DeviceRanker:
+    """The default ranker over a target's libraries; registered as ranker "devices".
+
+    Args:
+        platform: folder of the target in the platform repository.
+        architecture: the target's architecture as libraries name it (`avr`); None if it does not matter.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: there is no index, or a data file is damaged.
+    """
+    return _device_ranker(library_index(platform, project), device_knowledge(platform, project), architecture)
+
+
+@lru_cache(maxsize=4)
+def _device_ranker(index: LibraryIndex, knowledge: Knowledge, architecture: str | None) -> DeviceRanker:
+    return DeviceRanker(index, knowledge, architecture)
+
+
 def rank_component(
     query: ComponentQuery,
     history: Choices | None = None,
@@ -107,8 +136,8 @@ def rank_component(
     architecture: str | None = None,
     project: Path | None = None,
 ) -> Recommendation:
-    """The recommendation of the default ranker for one component; see `tfidf_ranker` and `ranking.Ranker.rank`."""
-    return tfidf_ranker(platform, architecture=architecture, project=project).rank(query, history, limit)
+    """The recommendation of the default ranker for one component; see `device_ranker` and `ranking.Ranker.rank`."""
+    return device_ranker(platform, architecture=architecture, project=project).rank(query, history, limit)
 
 
 def library_by_name(name: str, platform: str = "arduino", project: Path | None = None) -> LibraryFacts:

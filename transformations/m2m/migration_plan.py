@@ -13,9 +13,9 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest
 from robosmi.query import Q
-from robosmi.recommend.history import History
+from robosmi.recommend.ranking import Choices as EarlierChoices
 from robosmi.recommend.ranking import Ranker
-from robosmi.transform import TraceRecorder
+from robosmi.transform import Trace
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import partition
@@ -60,7 +60,7 @@ def make_plan(
     target: TargetFacts,
     choices: Choices,
     ranker: Ranker,
-    history: History,
+    history: EarlierChoices,
     files: Mapping[str, bytes],
     findings: list[Finding],
     paths: Mapping[str, str],
@@ -88,7 +88,7 @@ def make_plan(
     Raises:
         UsageError: a choice names what does not exist.
     """
-    trace = TraceRecorder()
+    trace = Trace()
     dependence = partition(program, api, target, files, trace)
     assert dependence.source is not None
     connections = list(drawn.connections) if drawn else []
@@ -104,7 +104,7 @@ def make_plan(
     if drawn is not None:
         reached = [c for c in Q(connections).collect(lambda c: c.component).distinct() if c is not None]
         library_choices = choose_libraries(
-            drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates
+            drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit
         )
         for choice in library_choices:
             trace.link("library ranking", "libraries", [choice.component], [choice])
@@ -144,8 +144,8 @@ def make_plan(
 
 def complete(plan: migration.MigrationPlan, findings: list[Finding], paths: Mapping[str, str]) -> None:
     """Derive the plan's tasks and findings from its decisions."""
-    plan.tasks.extend(plan_tasks(plan))
     plan.findings.extend(plan_findings(plan, findings, paths))
+    plan.tasks.extend(plan_tasks(plan))
 
 
 def _is_source(path: str, program: ccode.Program) -> bool:

@@ -17,6 +17,7 @@ from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
 from robosmi.transformations.queries.record_members import members
+from robosmi.transformations.queries.signature_text import type_names
 from robosmi.transformations.t2m.c_source.prelude import STANDARD_NAMES
 from robosmi.transformations.t2m.target_platform import TargetFacts
 
@@ -69,7 +70,17 @@ def used_symbols(
             entry = view.resolve(reference.name)
             if (entry is None or entry.header not in target.standard_headers) and reference.name not in STANDARD_NAMES:
                 found.setdefault(reference.name, []).append(reference)
+    for name in size_names(program) - there - names.macros - STANDARD_NAMES.keys():
+        if not any((entry := view.resolve(name)) is not None and entry.header in target.standard_headers for view in views):
+            found.setdefault(name, [])
     return dict(sorted(found.items()))
+
+
+def size_names(program: ccode.Program) -> set[str]:
+    """Names in the sizes of arrays that nothing in the program declares: the model has sizes as text."""
+    written = {w for u in program.units for t in all_of_kind(u, ccode.TypeUse) for w in _WORD.findall(t.arrayDims or "")}
+    declared = {d.name for u in program.units for d in all_of_kind(u, ccode.Declaration)} if written else set()
+    return written - declared - _own(program) - _NO_TYPES - {"sizeof"}
 
 
 def _own(program: ccode.Program) -> set[str]:
@@ -199,8 +210,8 @@ def type_uses(
         for t in all_of_kind(u, ccode.TypeUse)
         if isinstance(t.declaration, ccode.ExternalSymbol)
     }
-    pointed = {word for text in signatures if "*" in text for word in _WORD.findall(text.partition("*")[0])}
-    found = (in_program | {word for text in signatures for word in _WORD.findall(text)}) - there
+    pointed = {word for text in signatures if "*" in text for word in type_names(text.partition("*")[0])}
+    found = (in_program | {word for text in signatures for word in type_names(text)}) - there
     made = []
     for name in sorted(found):
         entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
@@ -243,7 +254,11 @@ def _listed(name: str, program: ccode.Program) -> int:
 def _computed(name: str, program: ccode.Program) -> bool:
     """Whether a value of the type is calculated with or is given a number."""
     for unit in program.units:
-        for variable in (*all_of_kind(unit, ccode.Variable), *all_of_kind(unit, ccode.Parameter)):
+        variables: tuple[ccode.Variable | ccode.Parameter, ...] = (
+            *all_of_kind(unit, ccode.Variable),
+            *all_of_kind(unit, ccode.Parameter),
+        )
+        for variable in variables:
             use = variable.valueType
             if use is None or use.declaration is None or use.declaration.name != name or use.pointerDepth or use.arrayDims:
                 continue

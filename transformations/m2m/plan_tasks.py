@@ -12,6 +12,8 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import Q, all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
+from robosmi.transformations.queries.plan import needs_own_types
+from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
 
 Task = migration.PlanTask
 Level = migration.SeverityLevel
@@ -72,7 +74,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.open = not choice
 
 
-DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503"})
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504"})
 """Rules whose tasks follow from decisions, so that they are made anew when a decision changes."""
 
 
@@ -81,6 +83,12 @@ def _place(element: ccode.Located | None) -> dict[str, object]:
     if element is None or unit is None:
         return {}
     return {"path": unit.path, "line": element.line, "column": element.column}
+
+
+def _where(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
+    """Which file has the adapter."""
+    beside = adapter.signatureSource == OWN_PROTOTYPE or needs_own_types(plan, adapter)
+    return "in the sketch" if beside else "in adapters.h"
 
 
 def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -93,7 +101,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
             severity=Level.warning,
             message=f"write the body of '{adapter.targetSignature}', called {count} time{'s' * (count != 1)}",
             effort="medium" if adapter.function is not None and adapter.function.startsCog else "small",
-            fix=f"in adapters.h: do on the target what '{adapter.signature}' does",
+            fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does",
             elements=[adapter, *adapter.calls],
             **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
         )
@@ -158,6 +166,22 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
             )  # fmt: skip
 
 
+def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Text that is no C: it is carried over as it is, so the sketch does not compile before a person has mended it."""
+    for finding in plan.findings:
+        if finding.rule == "RS101":
+            yield Task(
+                rule="RS504",
+                severity=Level.error,
+                message=f"mend the source, which is no C here and was carried over as it is ({finding.message})",
+                effort="small",
+                fix="correct the source and migrate it again, or correct the sketch",
+                path=finding.path,
+                line=finding.line,
+                column=finding.column,
+            )
+
+
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Drawn components that no port of the program is bound to."""
     bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
@@ -175,7 +199,7 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _adapters, _symbols, _bindings, _libraries, _unsupported, _unused,
+    _unparsed, _adapters, _symbols, _bindings, _libraries, _unsupported, _unused,
 )  # fmt: skip
 
 

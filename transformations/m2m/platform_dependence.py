@@ -7,15 +7,25 @@ platforms; no rule knows a function by its name.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind
-from robosmi.transform import TraceRecorder
-from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, own_prototypes
+from robosmi.transform import Trace
+from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes
+from robosmi.transformations.m2m.edit_rules import AND, joined
+from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
 from robosmi.transformations.m2m.language_gap import changes
-from robosmi.transformations.m2m.placeholders import implied_headers, symbol_use, type_uses, used_symbols, wanted_types
+from robosmi.transformations.m2m.placeholders import (
+    implied_headers,
+    size_names,
+    symbol_use,
+    type_uses,
+    used_symbols,
+    wanted_types,
+)
 from robosmi.transformations.m2m.renaming import REDEFINE, RENAME, redefined, renamings
 from robosmi.transformations.m2m.target_names import TargetNames, target_names
 from robosmi.transformations.queries.code import CodeView
@@ -26,7 +36,10 @@ from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.target_platform import TargetFacts
 
+_WORD = re.compile(r"\b[A-Za-z_]\w*")
 STEP = "code"
+TEXT_RULES = LANGUAGE_RULES | {RENAME}
+"""Rules that each change a little of an element's text, so that several of them can apply to it."""
 
 
 @dataclass
@@ -41,7 +54,7 @@ class Dependence:
 
 
 def partition(
-    program: ccode.Program, api: ApiIndex, target: TargetFacts, sources: Mapping[str, bytes], trace: TraceRecorder
+    program: ccode.Program, api: ApiIndex, target: TargetFacts, sources: Mapping[str, bytes], trace: Trace
 ) -> Dependence:
     """Judge every element of the program.
 
@@ -61,7 +74,11 @@ def partition(
     result.source = api.to_model([*called, *used], includes)
     known = {f.name: f for h in result.source.headers for f in h.functions}
     prototypes = own_prototypes(program)
-    result.adapters = [adapter(c, known.get(name), prototypes.get(name), api.name, target, names) for name, c in called.items()]
+    values = handed_on(program)
+    result.adapters = [
+        adapter(c, known.get(name), prototypes.get(name), api.name, target, names, handed=name in values)
+        for name, c in called.items()
+    ]
     functions = {a.name: function_type(a.targetSignature) for a in result.adapters}
     result.symbols = _symbols(result, program, views, used, functions, sources, api, target, names)
     for unit in program.units:
@@ -94,10 +111,11 @@ def _symbols(
     wanted = wanted_types(program, functions)
     attributes = set(api.settings["parser"].get("attribute_macros", ()))
     several = sum(not is_header(u) for u in program.units) > 1
+    sizes = size_names(program)
     values = []
     for number, (name, uses) in enumerate(used.items(), 1):
         symbol = known.get(name)
-        attribute = name in attributes or (symbol is None and not uses)
+        attribute = name in attributes or (symbol is None and not uses and name not in sizes)
         values.append(
             symbol_use(name, uses, symbol, number, attribute, wanted.get(name, ""), api.name, target, names, several=several)
         )
@@ -127,6 +145,9 @@ def _change_unit_texts(
 
     def change(element: ccode.Located, rule: str, choice: str, reason: str) -> None:
         old = by_element.get(id(element))
+        if old is not None and old.action is migration.Action.rewrite and set(old.rule.split(AND)) <= TEXT_RULES - {rule}:
+            old.rule, old.choice, old.reason = joined((old.rule, rule), (old.choice, choice), (old.reason, reason))
+            return
         if old is not None and old.action is not migration.Action.retain:
             return  # it does not stay as it is anyway
         made = old if old is not None else _disposition(element, migration.Action.rewrite, rule, reason)
@@ -135,7 +156,8 @@ def _change_unit_texts(
             result.dispositions.append(made)
             by_element[id(element)] = made
 
-    for renaming in renamings(program, sources, names):
+    renamed = {r.name: r for r in renamings(program, sources, names)}
+    for renaming in renamed.values():
         change(renaming.element, RENAME, renaming.new, renaming.reason)
     adapted = {a.name for a in result.adapters if a.signatureSource == OWN_PROTOTYPE}
     for name, prototype in prototypes.items():
@@ -151,7 +173,8 @@ def _change_unit_texts(
         for macro in redefined(unit, names):
             change(macro, REDEFINE, macro.name, f"the target has a macro '{macro.name}' of its own, which gives way")
         for found in changes(unit, sources[unit.path], functions):
-            change(found.element, found.rule, found.text, found.reason)
+            text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
+            change(found.element, found.rule, text, found.reason)
 
 
 def _judge_unit(unit: ccode.SourceUnit, api: ApiIndex, target: TargetFacts, result: Dependence, names: TargetNames) -> None:
@@ -176,6 +199,7 @@ def _judge_externals(program: ccode.Program, result: Dependence) -> Iterable[mig
     """What the program uses and does not declare: adapted, given a placeholder, or there on the target as it is."""
     adapted = {a.name for a in result.adapters if a.signatureSource != OWN_PROTOTYPE}
     placed = {s.name for s in result.symbols}
+    own = {m.name for u in program.units for m in u.macros} | {d.name for u in program.units for d in u.declarations}
     for external in program.externals:
         if external.name in adapted:
             yield _disposition(
@@ -183,6 +207,8 @@ def _judge_externals(program: ccode.Program, result: Dependence) -> Iterable[mig
             )
         elif external.name in placed:
             yield _disposition(external, migration.Action.adapt, "platform-symbol", "a placeholder takes its place")
+        elif external.name in own:
+            yield _plain(external, "own-name", "another file of the program has it")
         else:
             yield _plain(external, "target-name", "the target has it")
 

@@ -8,28 +8,55 @@ the parts stay with the part that follows, those behind the loop come last.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.generate.environment import render
 from robosmi.generate.text import Part
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2m.edit_rules import rules_of
+from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.source_text import Piece, SourceText, comments_in, reindent
 
 HOISTS = ("hoist-local", "hoist-local-split")
 
 
-def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
-    """The parts that take main's place: hoisted locals, `setup`, `loop`."""
-    assert main.body is not None
-    inside = [d for d in plan.dispositions if d.element is not None and ancestor_of_kind(d.element, ccode.Function) is main]
-    loop = next((d.element for d in inside if d.rule == "main-loop"), None)
-    hoisted = sorted((d for d in inside if d.rule in HOISTS), key=lambda d: d.element.startOffset if d.element is not None else 0)
+def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
+    """The locals that move out of main, at file scope."""
+    hoisted = _hoists(plan, main)
+    renamed = {d.element.name: new for d in plan.dispositions for rule, new in rules_of(d) if rule == RENAME}  # type: ignore[union-attr]
     for disposition in hoisted:
-        yield from _hoisted(source, disposition)
+        yield from _hoisted(source, disposition, renamed)
     if hoisted:
         yield Part("\n", "generation", "blank", [main])
+
+
+def _inside(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
+    return [d for d in plan.dispositions if d.element is not None and ancestor_of_kind(d.element, ccode.Function) is main]
+
+
+def _hoists(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
+    hoisted = (d for d in _inside(plan, main) if d.rule in HOISTS)
+    return sorted(hoisted, key=lambda d: d.element.startOffset if d.element is not None else 0)
+
+
+def heading(source: SourceText, main: ccode.Function) -> int:
+    """Where the comments begin that stand directly above main and so belong to it."""
+    position = int(main.startOffset)
+    for comment in reversed(comments_in(source.unit, 0, position)):
+        gap = source.data[comment.endOffset : position]
+        if gap.strip() or gap.count(b"\n") > 1 or not source.blank(source.line_start(comment.startOffset), comment.startOffset):
+            break
+        position = source.line_start(comment.startOffset)
+    return position
+
+
+def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
+    """The parts that take main's place: `setup`, `loop`."""
+    assert main.body is not None
+    hoisted = _hoists(plan, main)
+    loop = next((d.element for d in _inside(plan, main) if d.rule == "main-loop"), None)
     cuts = [_moved(source, d.element) for d in hoisted if d.rule == "hoist-local" and d.element is not None]
     body = main.body
     statements = list(body.statements)
@@ -100,7 +127,7 @@ def _moved(source: SourceText, variable: ccode.Located) -> tuple[int, int]:
     return (first, last) if alone and behind < last else (start, end)
 
 
-def _hoisted(source: SourceText, disposition: migration.Disposition) -> Iterator[Part]:
+def _hoisted(source: SourceText, disposition: migration.Disposition, renamed: Mapping[str, str]) -> Iterator[Part]:
     """The declaration of a local that main's loop uses, at file scope."""
     variable = disposition.element
     assert isinstance(variable, ccode.Variable)
@@ -110,6 +137,7 @@ def _hoisted(source: SourceText, disposition: migration.Disposition) -> Iterator
     else:
         end = max((e.endOffset for e in source.edits if e.decision is disposition), default=variable.startOffset)
         head = _without_const(source.slice(variable.startOffset, end, disposition)[0])
+        head = re.sub(r"\b[A-Za-z_]\w*", lambda word: renamed.get(word[0], word[0]), head)  # its edits went with the text
         name = source.slice(end, end + len(variable.name.encode()))[0]
         text = f"{head}{name};"
     yield Part(text + "\n", "code", "hoisted local", [variable, disposition])

@@ -14,8 +14,10 @@ from robosmi.generate.text import GeneratedFile
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import FILE as ADAPTERS
-from robosmi.transformations.m2t.main_text import main_parts
-from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
+from robosmi.transformations.m2t.adapters import adapter_text
+from robosmi.transformations.m2t.main_text import heading, hoisted_parts, main_parts
+from robosmi.transformations.queries.plan import needs_own_types
+from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, comments_in, is_header
 
 
 def program_files(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Iterator[GeneratedFile]:
@@ -32,7 +34,7 @@ def program_files(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -
                 file.add(piece.text, "code", "retained header", piece.elements or [unit])
         else:
             file = GeneratedFile(f"{plan.name}/{plan.name}.ino" if main is not None else f"{plan.name}/{_stem(own, plan)}.cpp")
-            _head(file, plan, unit)
+            _head(file, plan, text)
             _body(file, plan, text, main)
         yield file
 
@@ -45,8 +47,16 @@ def _stem(own: str, plan: migration.MigrationPlan) -> str:
     return stem if len(same) == 1 and stem != plan.name else own.replace(".", "_")
 
 
-def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> None:
+def _comment_beside(include: ccode.Include, source: SourceText) -> str:
+    """The comment on the line of an include, if it ends there."""
+    end = source.line_end(include.endOffset)
+    found = [c for c in comments_in(source.unit, include.endOffset, end) if c.endOffset <= end]
+    return source.slice(found[0].startOffset, found[-1].endOffset)[0].strip() if found else ""
+
+
+def _head(file: GeneratedFile, plan: migration.MigrationPlan, source_text: SourceText) -> None:
     """Title, includes, ports: the first two parts of the paper's template."""
+    unit = source_text.unit
     assert plan.board is not None
     assert plan.target is not None
     source = plan.source.name if plan.source else "its platform"
@@ -59,7 +69,7 @@ def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.Source
         "header",
         [plan],
     )
-    file.add(render("arduino/include.j2", header=plan.target.mainHeader), "generation", "main header", [plan.target])
+    file.add(render("arduino/include.j2", header=plan.target.mainHeader, comment=""), "generation", "main header", [plan.target])
     for disposition in plan.dispositions:
         element = disposition.element
         if (
@@ -67,16 +77,16 @@ def _head(file: GeneratedFile, plan: migration.MigrationPlan, unit: ccode.Source
             and isinstance(element, ccode.Include)
             and ancestor_of_kind(element, ccode.SourceUnit) is unit
         ):
-            file.add(
-                render("arduino/include.j2", header=element.header), "code", "platform-agnostic library", [element, disposition]
-            )
+            comment = _comment_beside(element, source_text)
+            line = render("arduino/include.j2", header=element.header, comment=comment)
+            file.add(line, "code", "platform-agnostic library", [element, disposition])
     included: set[str] = set()
     for choice in plan.libraryChoices:
         for header in list(choice.chosen.headers)[:1] if choice.chosen else []:
             if header not in included:
                 included.add(header)
                 users = [c for c in plan.libraryChoices if c.chosen is choice.chosen]
-                file.add(render("arduino/include.j2", header=header), "libraries", "library include", users)
+                file.add(render("arduino/include.j2", header=header, comment=""), "libraries", "library include", users)
     for number, connection in enumerate(plan.connections):
         text = render(
             "arduino/ports.j2",
@@ -98,21 +108,32 @@ def _body(file: GeneratedFile, plan: migration.MigrationPlan, source: SourceText
     first = min((f.startOffset for f in functions), default=len(source.data))
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
     start = 0
-    if ahead:
+    behind_types = [a for a in plan.adapterUses if needs_own_types(plan, a) and _called_in(a, unit)]
+    if ahead or behind_types:
         _retain(file, unit, source.pieces(0, first, elements))
-        text = "\n".join(["// Functions that are used before they are defined", *(f"{f.signature};" for f in ahead), ""])
-        file.add(text + "\n", "generation", "prototypes", ahead)
         start = first
+    for adapter in behind_types:
+        file.add(adapter_text(plan, adapter).lstrip("\n") + "\n", "code", "adapter", [adapter, *adapter.calls])
+    if ahead:
+        text = "\n".join(["// Functions that are used before they are defined", *(f"{_head_of(f, source)};" for f in ahead), ""])
+        file.add(text + "\n", "generation", "prototypes", ahead)
     if main is None:
         _retain(file, unit, source.pieces(start, len(source.data), elements))
         return
-    _retain(file, unit, source.pieces(start, main.startOffset, elements))
-    for part in main_parts(plan, source, main):
-        file.parts.append(part)
+    hoisted = list(hoisted_parts(plan, source, main))
+    above = heading(source, main) if hoisted else main.startOffset
+    _retain(file, unit, source.pieces(start, above, elements))
+    file.parts += hoisted
+    _retain(file, unit, source.pieces(above, main.startOffset, elements))
+    file.parts += main_parts(plan, source, main)
     behind = main.endOffset
     if source.blank(behind, source.line_end(behind)):
         behind = source.line_end(behind)
     _retain(file, unit, _stripped(source.pieces(behind, len(source.data), elements)))
+
+
+def _called_in(adapter: migration.AdapterUse, unit: ccode.SourceUnit) -> bool:
+    return any(ancestor_of_kind(call, ccode.SourceUnit) is unit for call in adapter.calls)
 
 
 def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
@@ -129,6 +150,16 @@ def _used_before(function: ccode.Function, unit: ccode.SourceUnit) -> bool:
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)
     return first < function.startOffset and all(p.startOffset > first for p in prototypes)
+
+
+def _head_of(function: ccode.Function, source: SourceText) -> str:
+    """A function's declaration as the sketch has it, without its body and comments."""
+    assert function.body is not None
+    parts, position = [], function.startOffset
+    for comment in comments_in(source.unit, function.startOffset, function.body.startOffset):
+        parts.append(source.slice(position, comment.startOffset)[0])
+        position = comment.endOffset
+    return " ".join("".join([*parts, source.slice(position, function.body.startOffset)[0]]).split())
 
 
 def _retain(file: GeneratedFile, unit: ccode.SourceUnit, pieces: Iterator[Piece]) -> None:

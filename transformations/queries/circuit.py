@@ -12,9 +12,9 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration
 from robosmi.query import Q
-from robosmi.transformations.m2m.connector_mapping import behind
+from robosmi.transformations.m2m.connector_mapping import behind, either_side
 from robosmi.transformations.t2m.boards import pin_literal
-from robosmi.transformations.t2m.parts_catalogue import rules
+from robosmi.transformations.t2m.part_names import names
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -85,19 +85,45 @@ def pin_label(connection: migration.Connection) -> str:
     return connection.boardConnectors[0].pin if connection.boardConnectors else ""
 
 
-def circuit_graph(circuit: hardware.Circuit) -> nx.Graph[hardware.Connector | hardware.Net]:
-    """The circuit as a graph of connectors and nets, an edge from each connector to its net."""
+def role_on(connection: migration.Connection) -> str:
+    """What a component is on this pin: its role; a part that may be either is what it is wired as."""
+    component = connection.component
+    if component is None:
+        return "Unknown"
+    if component.role is hardware.Role.Output and connection.signal is migration.Signal.read:
+        return hardware.Role.Input.name
+    if component.driver and component.role in (hardware.Role.Input, hardware.Role.Output):
+        drives, senses = either_side(component)
+        if drives and not senses:
+            return hardware.Role.Output.name
+        if senses and not drives and connection.signal is not migration.Signal.write:  # written: it only switches the sensor
+            return hardware.Role.Input.name
+    return component.role.name
+
+
+def circuit_graph(
+    circuit: hardware.Circuit, parts: bool = False
+) -> nx.Graph[hardware.Connector | hardware.Net | hardware.Component]:
+    """The circuit as a graph of connectors and nets, an edge from each connector to its net.
+
+    Args:
+        circuit: the circuit.
+        parts: whether the components are nodes too, with an edge to each of their connectors, connected or not.
+    """
     import networkx as nx  # 0.2 s, and only comparisons and studies want it
 
-    graph: nx.Graph[hardware.Connector | hardware.Net] = nx.Graph()
+    graph: nx.Graph[hardware.Connector | hardware.Net | hardware.Component] = nx.Graph()
     for net in circuit.nets:
         graph.add_edges_from((connector, net) for connector in net.connectors)
+    for component in circuit.components if parts else ():
+        graph.add_node(component)
+        graph.add_edges_from((component, connector) for connector in component.connectors)
     return graph
 
 
 def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
     """The result of the command `hardware`, JSON values only (docs/reference: `boards`, `components`, `mappings`)."""
-    known = rules()
+    known = names()
     beyond = {c: behind(c, known) for c in circuit.components if c.driver}
     return {
         "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
@@ -135,7 +161,7 @@ def _mapping(
         "component": component.title if component else "",
         "component_model_index": component.elementId if component else "",
         "connectors": _connectors(connection.connectors),
-        "role": component.role.name if component else "Unknown",
+        "role": role_on(connection),
         "driver": bool(component and component.driver),
         "signal": connection.signal.name,
         "name": connection.name,

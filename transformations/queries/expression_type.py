@@ -98,8 +98,17 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
     if isinstance(declaration, ccode.Typedef):
         inner = of_use(declaration.aliased)
         if inner is not None:
-            return replace(made, base=inner.base, depth=made.depth + inner.depth, declaration=inner.declaration)
+            meant = inner.declaration or _unnamed(declaration)
+            return replace(made, base=inner.base, depth=made.depth + inner.depth, declaration=meant)
     return replace(made, declaration=declaration)
+
+
+def _unnamed(typedef: ccode.Typedef) -> ccode.Declaration | None:
+    """The record or enumeration without a name that stands in a typedef."""
+    unit = typedef.eContainer()
+    kinds = (ccode.Record, ccode.Enumeration)
+    inside = (d for d in getattr(unit, "declarations", ()) if isinstance(d, kinds) and not d.name)
+    return next((d for d in inside if typedef.startOffset <= d.startOffset < typedef.endOffset), None)
 
 
 def element_type(kind: ValueType | None) -> ValueType | None:

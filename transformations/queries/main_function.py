@@ -6,6 +6,7 @@ it, or why the whole body has to stay in one piece, which is always correct. It 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
@@ -124,7 +125,7 @@ def _obstacle(structure: MainStructure, hoisted: Iterable[ccode.Variable], reser
         return f"the conditional directive in line {line} would be torn apart"
     taken = {d.name for d in unit.declarations} | {m.name for m in unit.macros} if unit else set()
     for variable in hoisted:
-        if reason := _stays(variable, taken):
+        if reason := _stays(variable, taken) or _needs_macro(variable, unit, main):
             return reason
         if variable.name in reserved:
             return f"'{variable.name}' at file scope would clash with a name of the target"
@@ -164,7 +165,7 @@ def _stays(variable: ccode.Variable, taken: set[str]) -> str:
         return f"'{variable.name}' would hide the global of that name"
     if declared_with_others(variable):
         return f"line {variable.line} declares '{variable.name}' together with other names"
-    if use is not None and use.arrayDims and not _plain_dimensions(use.arrayDims):
+    if use is not None and use.arrayDims and not _constant_size(variable):
         return f"the size of '{variable.name}' is not constant"
     if use is not None and use.arrayDims and variable.initializer is not None and not is_constant(variable.initializer):
         return f"the array '{variable.name}' has values that are not constant"
@@ -173,8 +174,34 @@ def _stays(variable: ccode.Variable, taken: set[str]) -> str:
     return ""
 
 
-def _plain_dimensions(dimensions: str) -> bool:
-    return all(part.strip("[] ").isalnum() and part.strip("[] ")[:1].isdigit() for part in dimensions.split("]") if part)
+def _needs_macro(variable: ccode.Variable, unit: ccode.SourceUnit | None, main: ccode.Function) -> str:
+    """Why a local cannot move in front of main: a macro that is defined only in main is used in it."""
+    end = variable.endOffset
+    if variable.initializer is not None and not is_constant(variable.initializer):
+        end = variable.initializer.startOffset  # that stays where it is
+    for use in unit.macroUses if unit is not None else ():
+        defined = use.macro
+        if defined is not None and main.startOffset <= defined.startOffset and variable.startOffset <= use.startOffset < end:
+            return f"line {variable.line} uses the macro '{use.name}', which is defined in main"
+    return ""
+
+
+def _constant_size(variable: ccode.Variable) -> bool:
+    """Whether an array's size may be written at file scope: it is made of numbers and of names of no variable."""
+    use, unit = variable.valueType, ancestor_of_kind(variable, ccode.SourceUnit)
+    assert use is not None
+    first, _, rest = use.arrayDims.partition("]")
+    if not first.strip("[ ") and variable.initializer is None:
+        return False
+    names = set(re.findall(r"[A-Za-z_]\w*", use.arrayDims))
+    if not names:
+        return re.search(r"\[\s*\]", rest) is None
+    variables = {
+        d.name
+        for d in (all_contents(unit) if unit is not None else ())
+        if isinstance(d, (ccode.Variable, ccode.Parameter)) and not _constant_name(d)
+    }
+    return "sizeof" not in names and not names & variables
 
 
 def is_constant(expression: ccode.Expression) -> bool:
@@ -190,9 +217,10 @@ def is_constant(expression: ccode.Expression) -> bool:
 
 
 def _constant_name(target: ccode.Declaration | None) -> bool:
+    """Whether a name stands for the same value everywhere in the file."""
     if isinstance(target, ccode.EnumerationLiteral):
         return True
-    if isinstance(target, ccode.Variable):
+    if isinstance(target, ccode.Variable) and isinstance(target.eContainer(), ccode.SourceUnit):
         return bool(
             target.valueType and target.valueType.constant and target.initializer is not None and is_constant(target.initializer)
         )

@@ -18,7 +18,11 @@ def members(type_name: str, program: ccode.Program, sources: Mapping[str, bytes]
     """Declarators of the members that are used, `int32_t x`, sorted by name."""
     tree: dict[str, Any] = {}
     for unit in program.units:
-        named = (*all_of_kind(unit, ccode.Variable), *all_of_kind(unit, ccode.Parameter), *all_of_kind(unit, ccode.Field))
+        named: tuple[ccode.Variable | ccode.Parameter | ccode.Field, ...] = (
+            *all_of_kind(unit, ccode.Variable),
+            *all_of_kind(unit, ccode.Parameter),
+            *all_of_kind(unit, ccode.Field),
+        )
         mine = [
             v
             for v in named

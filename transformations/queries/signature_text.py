@@ -12,6 +12,8 @@ from robosmi.transformations.queries.expression_type import ARITHMETIC, Function
 OWN_PROTOTYPE = "program"
 """`signatureSource` of an adapter that the program itself declares: its body is written where the prototype stands."""
 
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_TAGGED = frozenset({"struct", "union", "enum", "const", "volatile"})
 _HEAD = re.compile(r"^(?P<returns>.*?[\s*])(?P<name>[A-Za-z_]\w*)\((?P<rest>.*)\)$", re.DOTALL)
 
 
@@ -48,6 +50,21 @@ def parameter_type(parameter: str) -> str:
         return parameter.replace(f"(*{name})", "(*)", 1)
     head, bracket, dimensions = parameter.partition("[")
     return f"{head.rstrip().removesuffix(name).rstrip()}{' ' if bracket else ''}{bracket}{dimensions}"
+
+
+def type_names(spelling: str) -> list[str]:
+    """The words of a written type that can name types: neither sizes of arrays nor names of a function pointer's parameters.
+
+    >>> type_names("void (*)(struct task *par, int)")
+    ['void', 'struct', 'task', 'int']
+    """
+    head, _, rest = re.sub(r"\[[^]]*\]", " ", spelling).partition("(")
+    words = _WORD.findall(head)
+    for parameter in split(rest.rpartition("(")[2].rstrip(") ")):
+        own = _WORD.findall(parameter)
+        named = len(own) > 1 and own[-1] not in ARITHMETIC and own[-2] not in _TAGGED
+        words += own[:-1] if named else own
+    return words
 
 
 def function_type(signature: str) -> FunctionType:

@@ -6,6 +6,7 @@ bytes of the original; an edit is applied wherever its range is copied. Which ed
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -127,18 +128,33 @@ def comments_in(unit: ccode.SourceUnit, start: int, end: int) -> list[ccode.Comm
     return [c for c in unit.comments if start <= c.startOffset < end]
 
 
+_LABEL = re.compile(r"\s*(?!default\b)[A-Za-z_]\w*\s*:(?!:)")
+
+
 def reindent(texts: Sequence[str]) -> list[str]:
     """Texts that stand together, with their common indentation taken away and two blanks given instead.
 
-    A text with continued lines (a backslash at the end) is left as it is, since blanks in it may matter.
+    Directives and what continues a line (after a backslash) are left as they are, since blanks in them may matter. Labels
+    stand further left than what they belong to, so they do not count for the common indentation.
     """
-    lines = [line.expandtabs(4) for text in texts for line in text.splitlines() if line.strip()]
-    common = min((len(line) - len(line.lstrip(" ")) for line in lines), default=0)
-    return [
-        text if "\\\n" in text else "".join(_reindented(line, common) for line in text.splitlines(keepends=True))
-        for text in texts
-    ]
+    lines = [line.expandtabs(4) for text in texts for line, kept in _lines(text) if line.strip() and not kept]
+    counted = [line for line in lines if not _LABEL.match(line)] or lines
+    common = min((len(line) - len(line.lstrip(" ")) for line in counted), default=0)
+    return ["".join(line if kept else _reindented(line, common) for line, kept in _lines(text)) for text in texts]
+
+
+def _lines(text: str) -> Iterator[tuple[str, bool]]:
+    """The lines of a text, and whether each has to stay as it is."""
+    directive = continued = False
+    for line in text.splitlines(keepends=True):
+        if not continued:
+            directive = line.lstrip().startswith("#")
+        yield line, directive or continued
+        continued = line.rstrip("\n").endswith("\\")
 
 
 def _reindented(line: str, common: int) -> str:
-    return "  " + line.expandtabs(4)[common:] if line.strip() else line.lstrip(" \t")
+    if not line.strip():
+        return line.lstrip(" \t")
+    spread = line.expandtabs(4)
+    return "  " + spread[min(common, len(spread) - len(spread.lstrip(" "))) :]

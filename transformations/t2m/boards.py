@@ -20,6 +20,9 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.resources import folders
 
+PIN_TABLE = "pin table"
+"""The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
+
 _FOLDER = "*/boards/*.toml"
 
 
@@ -68,6 +71,12 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
     """
     for path in _files(project):
         changed = path.stat().st_mtime_ns
+        if tool == PIN_TABLE:
+            if path.stem == part_id:
+                table = _table(str(path), changed)
+                labels = [pin["label"] for pin in table.get("pins", ())]
+                return DrawnBoard(path.stem, table.get("title", path.stem), {label: label for label in labels})
+            continue
         if f'"{part_id}"' not in _text(str(path), changed):  # parsing is a hundred times as long
             continue
         table = _table(str(path), changed)
@@ -84,11 +93,16 @@ def pin_literal(label: str) -> str:
 
 
 _NOT_PINS = re.compile(
-    r"(?i)(icsp.*|isp\d*|[+]?\d+(\.\d+)?v\d*|[+]?5 v|3v|\d+v\d|v?3[.]3( v)?|v(in|cc|dd|bus|bat|batt|ss)|usb_vin|avcc|raw"
-    r"|g|[adp]?gnd.*|ground|aref|.*reset.*\d*|n?rst\d*|io[ _]?ref|n/?c|n\.c\.?|nc\d*|reserved|unused|en|no name yet|[+-])"
+    r"(?i)(icsp.*|isp\d*|jtag.*|jp\d.*|boot\d*|id_s[cd]"
+    r"|[+]?\d+(\.\d+)?v\d*|[+]?5 v|3v|[+]?\d+v\d|v?3[.]3( v)?|\d\.\d|v(in|cc|dd|bus|bat|batt|ss|usb|[+-])\d*|v|batt?|raw|ext_vdd"
+    r"|usb_?(vin|vcc)|usb ?[+-]|usb[-_ ]?(dp|dm)|av(cc|dd)|[adp]?gnd.*|g|ground|[+-]"
+    r"|aref.*|io[ _]?ref|.*reset.*\d*|n?rst\d*|run|en|chip_en|global_en|n/?c|n\.c\.?|nc\d*|reserved|unused|no name yet)"
 )
 _DIGITAL = re.compile(r"(?i)(?:io|d|~|pin)?~?(\d{1,2})(?:[(~].*|rx\d*|tx\d*|pwm)?")
 _ANALOG = re.compile(r"(?i)(?:a|ad|adc|analog)(\d{1,2})(?:[(].*)?")
+_BEFORE = re.compile(r"(?i)pin|digital|analog|io|pwm|reset wt11|~")
+_GPIO = re.compile(r"(?i)g(?:pio|ipo)[ _]?(\d{1,3})")
+_SILK = re.compile(r"(?i)(?:([ad]) ?)(\d{1,2})(?=$|[ /_(~]|[rt]x|pwm)(?![ _]?gnd)|(\d{1,2})(?=$|/)")
 _SERIAL = {"rx-i": "D0", "rxi": "D0", "rx": "D0", "tx-o": "D1", "txo": "D1", "tx": "D1"}
 
 
@@ -97,21 +111,28 @@ def normalised_label(name: str, arduino: bool = True) -> str:
 
     Args:
         name: the name in the drawing ("D10 PWM/SS", "AD4/SDA", "~9").
-        arduino: whether the board's labels follow Arduino; otherwise the silk label is taken as it is.
+        arduino: whether RX and TX are D0 and D1; otherwise what is printed on the board is taken as it is, but for numbered
+            pins (`A0/D14` is A0, `GPIO 17` is GPIO17).
     """
     text = " ".join(name.split())
-    if not text:
+    if not text or _NOT_PINS.fullmatch(text):
         return ""
     if not arduino:
-        return "" if _NOT_PINS.fullmatch(text) else text
+        if gpio := _GPIO.fullmatch(text):
+            return f"GPIO{int(gpio[1])}"
+        silk = _SILK.match(text)
+        return f"{(silk[1] or 'D').upper()}{silk[2] or silk[3]}" if silk else text
     for word in re.split(r"[ /_]", text):
         if digital := _DIGITAL.fullmatch(word):
             return f"D{int(digital[1])}"
         if analog := _ANALOG.fullmatch(word):
             return f"A{int(analog[1])}"
-        if _NOT_PINS.fullmatch(text):
-            return ""
+        if not _BEFORE.fullmatch(word) and word.upper() not in _BUS_WORDS:
+            break
     return _SERIAL.get(text.lower(), "")
+
+
+_BUS_WORDS = frozenset({"RX", "TX", "SDA", "SCL", "MOSI", "MISO", "SCK", "SS", "INT", "LED"})
 
 
 def _files(project: Path | None) -> Iterator[Path]:

@@ -14,14 +14,13 @@ import json
 import re
 import sys
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError
-from robosmi.recommend.index import Header, Library
 from robosmi.recommend.index_writer import write_index
+from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
 
 _ADDRESS = re.compile(r"\s*[<(][^<>()]*@[^<>()]*[>)]|\S+@\S+")
 _FIX = "take a file that has one library a line, as the README beside the index says"
@@ -42,18 +41,11 @@ def build(index_jsonl_gz: Path, target: Path) -> tuple[int, int]:
     Raises:
         SourceError: the facts cannot be read, a library is given twice, has no main header or an unfit value.
     """
-    rows = sorted(_rows(index_jsonl_gz), key=lambda row: (row["name"].casefold(), row["name"]))
-    for before, row in pairwise(rows):
-        if before["name"] == row["name"]:
-            raise SourceError(f"the library '{row['name']}' is there twice", location=Location(str(index_jsonl_gz)), fix=_FIX)
-    libraries = [_library(number, row) for number, row in enumerate(rows)]
-    headers: list[tuple[Header, Mapping[str, int]]] = []
-    for library, row in zip(libraries, rows, strict=True):
-        for item in row["headers"]:
-            headers.append((Header(len(headers), library.id, item["file"], bool(item["main"])), item["raw"]))
     target.parent.mkdir(parents=True, exist_ok=True)
-    write_index(target, libraries, headers)
-    return len(libraries), len(headers)
+    try:
+        return write_index(target, (_library(row) for row in _rows(index_jsonl_gz)))
+    except UsageError as error:
+        raise SourceError(error.message, location=Location(str(index_jsonl_gz)), fix=_FIX) from error
 
 
 def _rows(path: Path) -> Iterator[dict[str, Any]]:
@@ -90,10 +82,13 @@ def _texts(value: object) -> bool:
     return isinstance(value, list) and all(isinstance(item, str) and "\n" not in item for item in value)
 
 
-def _library(number: int, row: Mapping[str, Any]) -> Library:
+def _library(row: Mapping[str, Any]) -> LibraryRecord:
     repo, commit, folder = (str(row.get(key) or "") for key in ("repo", "commit", "path"))
-    return Library(
-        id=number,
+    headers = [
+        HeaderRecord(item["file"], bool(item["main"]), item["raw"], item.get("idents") or {}, item.get("includes") or ())
+        for item in row["headers"]
+    ]
+    return LibraryRecord(
         name=row["name"],
         version=str(row.get("version") or ""),
         author=_ADDRESS.sub("", str(row.get("author") or "")).strip(" ,"),  # people's addresses are nobody's business here
@@ -104,8 +99,13 @@ def _library(number: int, row: Mapping[str, Any]) -> Library:
         license=str(row.get("license") or ""),
         origin=f"{repo}@{commit}:{folder}" if repo else "",
         main=tuple(row["main"]),
+        headers=headers,
+        said=row.get("meta_terms") or {},
+        keywords=row.get("keyword_terms") or {},
+        classes=tuple(row.get("keyword_classes") or ()),
         copies=int(row.get("copies") or 1),
         in_registry=bool(row.get("in_registry")),
+        installed=bool(row.get("installed")),
     )
 
 

@@ -67,6 +67,10 @@ class Context:
             {*api.settings["parser"].get("attribute_macros", ()), *parsed.prelude.macros}
         )
 
+    def later(self, kind: type, build: Any, *arguments: Any) -> Any:
+        """A stand-in for an element that is built when it is asked for (`on_demand`); None to build it now, as here."""
+        return None
+
     def text(self, node: Node) -> str:
         """The text of a node."""
         return self.source.text(node.start, node.end)

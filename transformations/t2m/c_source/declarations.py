@@ -18,14 +18,20 @@ from robosmi.transformations.t2m.c_source.tree import Node
 PARAMETER, COMPOUND, FIELD, LITERAL, TYPE_REF = 10, 202, 6, 7, 43
 
 
-def group(context: Context, nodes: Sequence[Node]) -> list[ccode.Declaration]:
-    """The declarations for sibling cursors, in text order."""
+def group(context: Context, nodes: Sequence[Node], start: int | None = None) -> list[ccode.Declaration]:
+    """The declarations for sibling cursors, in text order.
+
+    Args:
+        context: of the unit.
+        nodes: the cursors.
+        start: where the one declaration begins that they all belong to; the parser says of the later ones only where they are.
+    """
     starts = Counter(n.start for n in nodes if n.kind == 9)
     made: list[ccode.Declaration] = []
     for node in nodes:
         builder = BUILDERS.get(node.kind)
         if builder is not None and not (node.kind in (2, 3, 4, 5) and _only_named(context, node)):
-            element = builder(context, node)
+            element = _variable(context, node, start) if node.kind == 9 else builder(context, node)
             if starts[node.start] > 1 and isinstance(element, ccode.Variable):
                 element.shared = True
             made.append(element)
@@ -94,10 +100,10 @@ def _parameter(context: Context, node: Node) -> ccode.Parameter:
     return element
 
 
-def _variable(context: Context, node: Node) -> ccode.Declaration:
+def _variable(context: Context, node: Node, start: int | None = None) -> ccode.Declaration:
     at = context.name_offset(node.cursor)
     stop = at if at >= 0 else node.end
-    spec = types.specifiers(context, node.start, stop)
+    spec = types.specifiers(context, node.start if start is None else start, stop)
     pointer, dims, depth, after = types.declarator(context, spec, stop)
     use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
     context.declarators.add(at)

@@ -38,6 +38,8 @@ BINARY_OPERATORS = (
 
 def expression(context: Context, node: Node) -> ccode.Expression:
     """The element for an expression's cursor."""
+    if (waiting := context.later(ccode.UnknownExpression, expression, node)) is not None:
+        return waiting  # type: ignore[no-any-return]
     if context.depth > MAX_DEPTH:
         return too_deep(context, node)
     context.depth += 1

@@ -132,6 +132,11 @@ def directive_parts(text: str) -> tuple[str, str]:
     return (match["word"], match["rest"].strip()) if match else ("", "")
 
 
+def directive_comments(text: str) -> list[tuple[int, int]]:
+    """The comments in a directive, as ranges of its text."""
+    return [m.span() for m in _COMMENTS.finditer(text) if m["keep"] is None] if "/" in text else []
+
+
 _DEFINITION = re.compile(r"(?P<name>[A-Za-z_$][\w$]*)(?:\((?P<parameters>[^)]*)\))?\s*(?P<body>.*)", re.DOTALL)
 
 

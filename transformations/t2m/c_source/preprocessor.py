@@ -11,7 +11,7 @@ import re
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source.context import Context
-from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_parts
+from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_comments, directive_parts
 from robosmi.transformations.t2m.c_source.parsing import HEADERS
 
 _INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
@@ -33,10 +33,15 @@ def read(
             comments.append(ccode.Comment(text=context.source.text(start, end), **place(start, end)))
         if kind != "directive":
             continue
-        end = start + len(text.rstrip())
+        last = end = start + len(text.rstrip())
         word, rest = directive_parts(text)
+        inner = [(start + first, start + behind) for first, behind in directive_comments(text)]
+        comments += [ccode.Comment(text=context.source.text(*span), **place(*span)) for span in inner]
+        for first, behind in reversed(inner):  # a comment at its end is no part of a directive
+            if behind == end:
+                end = start + len(text[: first - start].rstrip())
         if word in CONDITIONALS:
-            active = context.active(end) if word != "endif" else context.active(start)
+            active = context.active(last) if word != "endif" else context.active(start)
             conditionals.append(
                 ccode.PreprocessorConditional(directive=word, condition=rest or None, active=active or None, **place(start, end))
             )

@@ -22,6 +22,8 @@ _CONSTANT_KINDS = frozenset({100, 106, 110, 111, 112, 114, 117, 130})
 
 def statement(context: Context, node: Node) -> ccode.Statement:
     """The element for a statement's cursor."""
+    if (waiting := context.later(ccode.UnknownStatement, statement, node)) is not None:
+        return waiting  # type: ignore[no-any-return]
     while node.kind == 200 and len(node.children) == 1:
         node = node.children[0]
     if context.depth > MAX_DEPTH:
@@ -43,6 +45,8 @@ def statement(context: Context, node: Node) -> ccode.Statement:
 
 def block(context: Context, node: Node) -> ccode.Block:
     """A compound statement."""
+    if (waiting := context.later(ccode.Block, block, node)) is not None:
+        return waiting  # type: ignore[no-any-return]
     return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
 
 
@@ -189,7 +193,9 @@ def _return(context: Context, node: Node) -> ccode.Statement:
 
 
 def _declaration(context: Context, node: Node) -> ccode.Statement:
-    return ccode.DeclarationStatement(declarations=declarations.group(context, node.children), **_place(context, node))
+    return ccode.DeclarationStatement(
+        declarations=declarations.group(context, node.children, node.start), **_place(context, node)
+    )
 
 
 def _plain(kind: type[ccode.Statement]) -> Callable[[Context, Node], ccode.Statement]:

@@ -137,6 +137,8 @@ def type_use(
         depth: pointer levels.
         of: the parser's type where it is not the cursor's own (the value of a function).
     """
+    if (waiting := context.later(ccode.TypeUse, type_use, cursor, spec, pointer, dims, depth, of)) is not None:
+        return waiting  # type: ignore[no-any-return]
     spelling = f"{spec.text} {pointer}".strip() if pointer else spec.text
     return _type_use(context, of or context.lib.getCursorType(cursor), spelling, spec.base, dims, depth, spec.constant)
 

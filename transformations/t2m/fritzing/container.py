@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+import stat
 import zipfile
 import zlib
 from dataclasses import dataclass, field
@@ -86,6 +87,9 @@ def _bytes_of(path: Path) -> bytes:
 
 
 def _archive(path: str, digest: str, data: bytes) -> Container:
+    listed = data.count(b"PK\x01\x02")  # before the list is read, which takes memory for each entry
+    if listed > MAX_ENTRIES:
+        raise _error(path, f"the archive has {listed} entries, more than {MAX_ENTRIES}", "check that it is a Fritzing sketch")
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             return _entries(path, digest, archive)
@@ -95,12 +99,9 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
 
 def _entries(path: str, digest: str, archive: zipfile.ZipFile) -> Container:
     entries = archive.infolist()
-    if len(entries) > MAX_ENTRIES:
-        raise _error(
-            path, f"the archive has {len(entries)} entries, more than {MAX_ENTRIES}", "check that it is a Fritzing sketch"
-        )
     odd = [e.filename for e in entries if "/" in e.filename or "\\" in e.filename or ".." in e.filename]
-    flat = [e for e in entries if e.filename not in set(odd)]
+    links = [e.filename for e in entries if stat.S_ISLNK(e.external_attr >> 16)]
+    flat = [e for e in entries if e.filename not in {*odd, *links}]
     sketches = [e for e in flat if e.filename.lower().endswith(".fz")]
     if not sketches:
         raise _error(path, "there is no .fz sketch in the archive", _FIX)
@@ -125,6 +126,8 @@ def _entries(path: str, digest: str, archive: zipfile.ZipFile) -> Container:
                 f"is a further sketch; '{result.sketch_name}' was read, as Fritzing does",
             )
         )
+    if links:
+        result.findings.append(_left_out(path, links, "is a link, which Fritzing does not write"))
     if odd:
         result.findings.append(_left_out(path, odd, "has a folder in its name, which Fritzing does not write"))
     return result

@@ -19,9 +19,16 @@ from robosmi.errors import SourceError
 VIEWS = ("breadboardView", "schematicView", "pcbView")
 """The views that hold connections, in the order in which they are believed."""
 
+MAX_TAGS = 2_000_000
+"""Tags in one XML text: the largest public sketch has under 60,000."""
+
+MAX_INSTANCES = 10_000
+"""Parts and wires in one sketch; the largest public one has under 3,000."""
+
 _OWN_ATTRIBUTES = frozenset({"moduleIdRef", "modelIndex", "path"})
 _DOCTYPE = re.compile(rb"\A(?:\xef\xbb\xbf)?(?:\s++|(?><\?.*?\?>)|(?><!--.*?-->))*+<!DOCTYPE", re.DOTALL)
-_NUMBER = re.compile(r"(\d+)")
+_DIGITS = "0123456789"
+_NUMBER = re.compile(r"([0-9]{1,18})")  # int() refuses very long numbers
 
 Edge = tuple[str, str, str]
 """Own connector, the other's model index, the other's connector."""
@@ -76,7 +83,7 @@ class Sketch:
 @lru_cache(maxsize=8192)
 def natural(text: str) -> tuple[tuple[int, int, str], ...]:
     """A sort key by which connector2 comes before connector10."""
-    return tuple((0, int(piece), "") if piece.isdecimal() else (1, 0, piece) for piece in _NUMBER.split(text) if piece)
+    return tuple((0, int(piece), "") if piece[0] in _DIGITS else (1, 0, piece) for piece in _NUMBER.split(text) if piece)
 
 
 def parse_xml(data: bytes, path: str, what: str) -> etree._Element:
@@ -92,6 +99,12 @@ def parse_xml(data: bytes, path: str, what: str) -> etree._Element:
     """
     if found := _DOCTYPE.match(data):
         raise _refused_doctype(path, what, data.count(b"\n", 0, found.end()) + 1)
+    if data.count(b"<") > MAX_TAGS:
+        raise SourceError(
+            f"'{what}' has more than {MAX_TAGS:_} tags".replace("_", ","),
+            location=Location(path),
+            fix="check that it is a Fritzing sketch",
+        )
     parser = etree.XMLParser(
         resolve_entities=False,
         no_network=True,
@@ -132,6 +145,12 @@ def parse_sketch(data: bytes, path: str, name: str) -> Sketch:
     if root.tag != "module" or instances is None:
         raise SourceError(
             _no_sketch(root, name), location=Location(path, _line(root)), fix="give the .fz or .fzz file of a sketch"
+        )
+    if len(instances) > MAX_INSTANCES:
+        raise SourceError(
+            f"the sketch has {len(instances):,} parts and wires, more than the {MAX_INSTANCES:,} that are read",
+            location=Location(path, _line(instances)),
+            fix="check that it is a drawing, or draw its board by itself",
         )
     live: list[Instance] = []
     empty = 0
@@ -201,7 +220,7 @@ def _view(element: etree._Element) -> View:
                     view.edges.append((own, connect.get("modelIndex", "").strip(), connect.get("connectorId", "")))
         elif child.tag == "geometry":
             flags = child.get("wireFlags", "")
-            view.flags = int(flags) if flags.isdecimal() else None
+            view.flags = int(flags) if re.fullmatch("[0-9]{1,9}", flags) else None
         elif child.tag == "wireExtras":
             view.color = child.get("color", "")
     return view

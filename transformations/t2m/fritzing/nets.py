@@ -60,6 +60,7 @@ class Wiring:
         wires: identities of the wires that conduct.
         ignored_wires: how many wires are derived hints.
         dangling: connections to instances that are not in the drawing.
+        too_big: boards of strips that have more holes than are followed.
     """
 
     view: str
@@ -69,18 +70,18 @@ class Wiring:
     wires: list[str] = field(default_factory=list)
     ignored_wires: int = 0
     dangling: list[tuple[Instance, str]] = field(default_factory=list)
+    too_big: list[Instance] = field(default_factory=list)
 
 
 def bus_leaders(part: Part) -> dict[str, str]:
     """For every connector that the part joins to others the one that stands for all of them."""
-    leaders: dict[str, str] = {}
+    joined = Joined()
     for members in part.buses.values():
-        known = [leaders[m] for m in members if m in leaders]
-        leader = known[0] if known else (members[0] if members else "")
-        for member in members:
-            leaders[member] = leader
-        for other in set(known) - {leader}:  # a connector in two buses joins them
-            leaders.update((m, leader) for m, old in list(leaders.items()) if old == other)
+        for member in members:  # a connector in two buses joins them
+            joined.union((member, ""), (members[0], ""))
+    leaders: dict[str, str] = {}
+    for member, _ in list(joined.parent):
+        leaders[member] = joined.find((member, ""))[0]
     return leaders
 
 
@@ -177,18 +178,25 @@ def _join_symbols(result: Wiring, instances: Mapping[str, Instance]) -> None:
                 result.joined.union(first.setdefault(net, (identity, connector)), (identity, connector))
 
 
-_STRIPBOARD = re.compile(r"(\d+)\.(\d+)Stripboard(2?)ModuleID")
-_CUT = re.compile(r"(\d+)\.(\d+)([vh]+)")
+_STRIPBOARD = re.compile(r"([0-9]{1,9})\.([0-9]{1,9})Stripboard(2?)ModuleID")
+_CUT = re.compile(r"([0-9]{1,9})\.([0-9]{1,9})([vh]+)")
+MAX_HOLES = 100_000
+"""Holes of all stripboards of a drawing together; the largest that are sold have under 10,000."""
+
 _ROW = 1000  # connector id = connector + (row * 1000 + column), src/items/perfboard.cpp
 
 
 def _join_strips(result: Wiring, instances: Mapping[str, Instance]) -> None:
+    room = MAX_HOLES
     for identity, instance in instances.items():
         size = _STRIPBOARD.fullmatch(instance.module_id)
-        used = [c for c in result.used.get(identity, ()) if c.startswith("connector") and c[9:].isdecimal()]
-        if size is None or not used:
+        if size is None or not result.used.get(identity):
             continue
         columns, rows = min(int(size[1]), _ROW), min(int(size[2]), _ROW)
+        if columns * rows > room:
+            result.too_big.append(instance)
+            continue
+        room -= columns * rows
         for one, other in _strip_links(columns, rows, instance.properties, size[3] == ""):
             result.joined.union((identity, one), (identity, other))
 

@@ -1,27 +1,40 @@
-"""A part definition (`.fzp`) as a `Part` of the catalogue's form: for definitions that a sketch carries with it.
+"""A part definition (`.fzp`) as a `Part` of the catalogue's form: for definitions in a sketch and in folders of parts.
 
 The role is left open: what a part is for the software is told by the catalogue's rules, not by the file.
 """
 
 from __future__ import annotations
 
+from lxml import etree
+
 from robosmi.transformations.t2m.fritzing.document import parse_xml
-from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector, Rules, connector_kind
+from robosmi.transformations.t2m.part_names import Names, connector_kind
+from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector
 
 
-def parse_part(data: bytes, path: str, name: str, known: Rules) -> Part | None:
+def parse_part(data: bytes, path: str, name: str, known: Names) -> Part | None:
     """The part that a definition describes, or None if it is no part definition.
 
     Args:
         data: the bytes of the `.fzp`.
         path: the file that holds it, for messages.
         name: its name in that file, for messages.
-        known: the rules, for what a connector's name says.
+        known: lists of names, for what a connector's name says.
 
     Raises:
         SourceError: it is no well-formed XML.
     """
-    root = parse_xml(data, path, name)
+    return part_of(parse_xml(data, path, name), f"the definition '{name}' in the drawing", known)
+
+
+def part_of(root: etree._Element, source: str, known: Names) -> Part | None:
+    """The part that a parsed definition describes, or None if it is no part definition.
+
+    Args:
+        root: the root of the definition.
+        source: where it comes from, for messages.
+        known: lists of names, for what a connector's name says.
+    """
     part_id = root.get("moduleId", "")
     if root.tag != "module" or not part_id:
         return None
@@ -39,9 +52,9 @@ def parse_part(data: bytes, path: str, name: str, known: Rules) -> Part | None:
         id=part_id,
         title=(root.findtext("title") or "").strip(),
         family=family.removeprefix("//obsolete//").strip(),
-        tags=tuple(tag.text.strip() for tag in root.iterfind("tags/tag") if tag.text),
+        tags=tuple(tag.text.strip() for tag in root.iterfind("tags/tag") if tag.text and tag.text.strip()),
         connectors=connectors,
         buses=buses,
         properties={key: value for key, value in properties.items() if key and value and key.lower() != "family"},
-        source=f"the definition '{name}' in the drawing",
+        source=source,
     )

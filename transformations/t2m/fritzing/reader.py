@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.t2m.fritzing import nets
@@ -22,17 +22,10 @@ from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance, Sketc
 from robosmi.transformations.t2m.fritzing.part_file import parse_part
 from robosmi.transformations.t2m.fritzing.rails import Terminal, rail
 from robosmi.transformations.t2m.fritzing.views import believed
-from robosmi.transformations.t2m.parts_catalogue import (
-    Catalogue,
-    Part,
-    PartConnector,
-    Rules,
-    classify,
-    conducts_by_bus_only,
-    connector_kind,
-    generated_part,
-    rules,
-)
+from robosmi.transformations.t2m.given_roles import given_roles
+from robosmi.transformations.t2m.part_names import Names, conducts_by_bus_only, connector_kind, names
+from robosmi.transformations.t2m.part_roles import classify, classify_drawn, generated_part
+from robosmi.transformations.t2m.parts_catalogue import Catalogue, Part, PartConnector
 
 TOOL = "fritzing"
 """The drawing tool as board entries name it."""
@@ -69,7 +62,7 @@ def read_circuit(
         roles: roles that the user gives to components, by title or `#model_index`; they go before all else.
 
     Returns:
-        The circuit, and what was unknown, odd or left out (rules RS201 to RS212).
+        The circuit, and what was unknown, odd or left out (rules RS201 to RS213).
 
     Raises:
         SourceError: the file is missing, damaged, or no Fritzing sketch.
@@ -78,19 +71,20 @@ def read_circuit(
     """
     container = read_container(Path(path))
     sketch = parse_sketch(container.sketch, container.path, container.sketch_name)
-    reading = _Reading(container, sketch, rules(project), project)
-    reading.given = reading.resolved(roles or {})
+    reading = _Reading(container, sketch, names(project), project)
+    placed = {identity: instance.title for identity, instance in reading.instances.items() if not instance.is_wire}
+    reading.given = given_roles(roles or {}, placed)
     return reading.circuit(Path(path).stem), reading.findings
 
 
 class _Reading:
     """The reading of one file."""
 
-    def __init__(self, container: Container, sketch: Sketch, known: Rules, project: Path | None) -> None:
+    def __init__(self, container: Container, sketch: Sketch, known: Names, project: Path | None) -> None:
         self.path = container.path
         self.container = container
         self.sketch = sketch
-        self.rules = known
+        self.names = known
         self.project = project
         self.catalogue = Catalogue(project)
         self.findings: list[Finding] = list(container.findings)
@@ -111,7 +105,7 @@ class _Reading:
         parts: dict[str, Part] = {}
         for name, data in self.container.parts:
             try:
-                part = parse_part(data, self.path, name, self.rules)
+                part = parse_part(data, self.path, name, self.names)
             except SourceError as error:
                 self._report(
                     "RS204", Severity.warning, f"a part definition in the drawing was left out: {error.message}", fix=error.fix
@@ -143,24 +137,8 @@ class _Reading:
             found[identity] = instance
         return dict(sorted(found.items(), key=lambda item: natural(item[0])))
 
-    def resolved(self, roles: Mapping[str, str]) -> dict[str, str]:
-        """The roles that the user gives, by identity."""
-        result: dict[str, str] = {}
-        for name, role in roles.items():
-            if role not in _ROLES:
-                raise UsageError(f"'{role}' is no role{did_you_mean(role, _ROLES)}", fix=f"use one of: {', '.join(_ROLES)}")
-            placed = {i: instance for i, instance in self.instances.items() if not instance.is_wire}
-            found = [i for i, instance in placed.items() if name in (f"#{i}", instance.title)]
-            if len(found) != 1:
-                titles = sorted({instance.title for instance in placed.values() if instance.title})
-                cause = f"{len(found)} components are called '{name}'" if found else f"no component is called '{name}'"
-                fix = f"use one of: {', '.join(f'#{i}' for i in found) if found else ', '.join(titles)}"
-                raise UsageError(cause + ("" if found else did_you_mean(name, titles)), fix=fix)
-            result[found[0]] = role
-        return result
-
     def _know(self, module_id: str) -> _Known:
-        part = self.catalogue.find(module_id) or self.embedded.get(module_id) or generated_part(module_id, self.rules)
+        part = self.catalogue.find(module_id) or self.embedded.get(module_id) or generated_part(module_id, self.names)
         defined = part is not None
         part = part or Part(module_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
         board = drawn_board(module_id, TOOL, self.project) if part.role in ("Unknown", "Board") else None
@@ -171,15 +149,15 @@ class _Reading:
                 evidence=f"drawn as {board.title} (boards of the platform repository)",
                 title=part.title or board.title,
             )
-        part = classify(part, self.rules)
+        part = classify(part, self.project)
         if part.role == "Unknown" and not part.evidence:
             part = replace(part, evidence=f"no rule fits family '{part.family}' and title '{part.title}' of {part.source}")
-        about = f"{part.family} {part.title} {module_id}".lower()
+        about = f"{part.family} / {part.title} / {module_id}"
         return _Known(
             part=part,
             board=board,
-            arduino=board is not None or "arduino" in about or "redboard" in about,
-            used_only=conducts_by_bus_only(part.family, self.rules) and part.role == "Passive",
+            arduino=board is not None or (about in self.names.arduino_labels and about not in self.names.not_arduino_labels),
+            used_only=part.role == "Passive" and conducts_by_bus_only(part.family, self.names),
             defined=defined,
             leaders=nets.bus_leaders(part),
         )
@@ -221,11 +199,10 @@ class _Reading:
         groups: dict[nets.Node, list[tuple[hardware.Connector, Terminal]]],
     ) -> hardware.Component:
         known = self.known[instance.module_id]
-        if (role := self.given.get(identity)) is not None:
-            known = replace(known, part=replace(known.part, role=role, evidence="given by the user"))
-        part = known.part
         used = wired.used.get(identity, {})
         facts = self._connectors(instance, known, used)
+        known = replace(known, part=self._role(identity, instance, known, facts))
+        part = known.part
         properties = _properties(part, instance)
         leaders = known.leaders
         models: dict[str, hardware.Connector] = {}
@@ -254,6 +231,17 @@ class _Reading:
             buses=[hardware.Bus(name=bus, connectors=members) for bus, members in buses if len(members) > 1],
         )
 
+    def _role(self, identity: str, instance: Instance, known: _Known, facts: list[PartConnector]) -> Part:
+        """The part with the role that it has in this place: given by the user, known, or told by label and pin names."""
+        part = known.part
+        if (role := self.given.get(identity)) is not None:
+            return replace(part, role=role, evidence="given by the user")
+        if part.role != "Unknown":
+            return part
+        named = replace(part, connectors={fact.id: fact for fact in facts})
+        hint = "" if known.defined else instance.file_hint
+        return classify_drawn(named, instance.title, instance.properties, hint, self.project)
+
     def _connectors(self, instance: Instance, known: _Known, used: Mapping[str, None]) -> list[PartConnector]:
         """The connectors of an instance, in the part's order, those that only the drawing knows after them."""
         part = known.part
@@ -277,10 +265,12 @@ class _Reading:
                 )
         if instance.local_names:
             facts = [self._renamed(fact, instance.local_names.get(fact.id, "")) for fact in facts]
+        if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
+            facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
         return facts
 
     def _renamed(self, fact: PartConnector, name: str) -> PartConnector:
-        return PartConnector(fact.id, name, connector_kind(name, self.rules)) if name else fact
+        return PartConnector(fact.id, name, connector_kind(name, self.names)) if name else fact
 
     def _wire(
         self,
@@ -329,6 +319,14 @@ class _Reading:
                 f"left out: {self.sketch.without_views} parts without a view and {wired.ignored_wires} derived wires",
                 without_views=self.sketch.without_views,
                 derived_wires=wired.ignored_wires,
+            )
+        for instance in wired.too_big:
+            self._report(
+                "RS213",
+                Severity.warning,
+                f"'{instance.title or instance.module_id}' has more holes than are followed; what its strips join is not known",
+                instance.line,
+                "draw a smaller board",
             )
         for instance, index in wired.dangling:
             self._report(

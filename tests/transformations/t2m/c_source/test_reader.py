@@ -41,6 +41,7 @@ def test_listing_of_the_paper() -> None:
     assert (unit.callsInText, unit.callsInModel) == (15, 15)
     wait = next(c for c in all_of_kind(program, ccode.Call) if c.calleeName == "waitcnt")
     assert [type(a).__name__ for a in wait.arguments] == ["NameReference"]
+    assert isinstance(wait.arguments[0], ccode.NameReference)
     assert wait.arguments[0].target is named(program, ccode.Variable, "waitTime")
     assert named(program, ccode.Function, "GetQTIState").signature == "long GetQTIState(int comPort)"
     assert named(program, ccode.Function, "drive_speed").signature == "void drive_speed(int, int)"

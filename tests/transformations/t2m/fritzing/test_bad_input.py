@@ -5,13 +5,16 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import re
+import stat
+import time
 import zipfile
 from pathlib import Path
 
 import pytest
 
 from robosmi.errors import SourceError
-from robosmi.transformations.t2m.fritzing import container, read_circuit
+from robosmi.transformations.t2m.fritzing import container, document, read_circuit
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
 SKETCH = (FIXTURES / "one_sided.fz").read_bytes()
@@ -155,3 +158,81 @@ def test_many_comments_before_the_root_are_looked_through_at_once(tmp_path: Path
     path = tmp_path / "comments.fz"
     path.write_bytes(buffer.getvalue())
     assert read_circuit(path)[0].components
+
+
+def test_numbers_as_long_as_you_like_are_only_texts(tmp_path: Path) -> None:
+    path = tmp_path / "a.fz"
+    text = SKETCH.replace(b'modelIndex="2"', b'modelIndex="' + b"9" * 6000 + b'"').replace(
+        b"arduino_Uno", b"9" * 5000 + b"." + b"9" * 5000 + b"Stripboard2ModuleID"
+    )
+    assert text != SKETCH
+    path.write_bytes(text)
+    assert read_circuit(path)[0].components
+
+
+def test_more_parts_than_a_drawing_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "MAX_INSTANCES", 2)
+    path = tmp_path / "a.fz"
+    path.write_bytes(SKETCH)
+    error = refused(path)
+    assert "more than the 2 that are read" in error.message
+    assert error.location is not None
+    assert error.location.line is not None
+
+
+def test_a_hundred_thousand_wires_are_refused_at_once(tmp_path: Path) -> None:
+    wire = b'<instance moduleIdRef="WireModuleID" modelIndex="7"><views><breadboardView/></views></instance>'
+    path = tmp_path / "a.fz"
+    path.write_bytes(b"<module><instances>" + wire * 100_000 + b"</instances></module>")
+    started = time.process_time()
+    assert "100,000 parts and wires" in refused(path).message
+    assert time.process_time() - started < 5
+
+
+def test_more_tags_than_a_text_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(document, "MAX_TAGS", 10)
+    path = tmp_path / "a.fz"
+    path.write_bytes(SKETCH)
+    assert "more than 10 tags" in refused(path).message
+
+
+def test_links_in_an_archive_are_left_out(tmp_path: Path) -> None:
+    path = tmp_path / "a.fzz"
+    with zipfile.ZipFile(path, "w") as file:
+        link = zipfile.ZipInfo("link.fz")
+        link.external_attr = (stat.S_IFLNK | 0o777) << 16
+        file.writestr(link, "/etc/passwd")
+        file.writestr("real.fz", SKETCH)
+    circuit, findings = read_circuit(path)
+    assert circuit.components
+    assert [(f.rule, f.evidence["entries"]) for f in findings] == [("RS209", ["link.fz"])]
+
+
+def test_a_nested_archive_is_no_sketch(tmp_path: Path) -> None:
+    inner = archive(tmp_path / "inner.fzz", {"a.fz": SKETCH})
+    assert "not well-formed" in refused(archive(tmp_path / "outer.fzz", {"a.fz": inner.read_bytes()})).message
+
+
+def test_a_strip_board_as_large_as_a_field(tmp_path: Path) -> None:
+    path = tmp_path / "a.fz"
+    text = (FIXTURES / "stripboard.fz").read_bytes()
+    path.write_bytes(re.sub(rb'moduleIdRef="\d+\.\d+Strip', b'moduleIdRef="999.999Strip', text))
+    circuit, findings = read_circuit(path)
+    assert circuit.components
+    assert [f.rule for f in findings] == ["RS213"]
+    assert findings[0].location is not None
+    assert findings[0].location.line is not None
+
+
+def test_buses_that_lead_in_circles(tmp_path: Path) -> None:
+    members = [f"c{number}" for number in range(3000)]
+    connectors = "".join(f'<connector id="{m}" name="x"/>' for m in members)
+    pairs = zip(members, [*members[1:], members[0]], strict=True)
+    buses = "".join(f'<bus id="{a}"><nodeMember connectorId="{a}"/><nodeMember connectorId="{b}"/></bus>' for a, b in pairs)
+    part = f'<module moduleId="ring"><connectors>{connectors}</connectors><buses>{buses}</buses></module>'
+    sketch = SKETCH.replace(b"3234DBDC80leg", b"ring").replace(b'connectorId="connector2"', b'connectorId="c2999"')
+    path = archive(tmp_path / "a.fzz", {"a.fz": sketch, "part.ring.fzp": part.encode()})
+    started = time.process_time()
+    circuit, _ = read_circuit(path)
+    assert time.process_time() - started < 10
+    assert any(c.partId == "ring" for c in circuit.components)

@@ -64,7 +64,12 @@ def test_line_follower_in_full() -> None:
     assert len(board.connectors) == 44
     assert {c.connectorId: c.pin for c in board.connectors if c.pin}["connector52"] == "D9"
     led = component(circuit, "Red (633nm)-LED1")
-    assert {p.name: p.value for p in led.properties} == {"color": "Red (633nm)", "current": "0.030A"}
+    assert {p.name: p.value for p in led.properties} == {
+        "color": "Red (633nm)",
+        "current": "0.030A",
+        "leg": "yes",
+        "package": "5 mm [THT]",
+    }
     assert len(circuit.wires) == 24
     assert all(wire.net is not None and len(wire.ends) == 2 for wire in circuit.wires)
 
@@ -85,6 +90,14 @@ def test_nets_are_disjoint_and_have_names_of_their_own(path: Path) -> None:
     assert {frozenset([net, *net.connectors]) for net in circuit.nets} == {frozenset(s) for s in nx.connected_components(graph)}
     assert len({net.name for net in circuit.nets}) == len(circuit.nets)
     assert len({c.elementId for c in circuit.components}) == len(circuit.components)
+
+
+def test_the_graph_with_parts_has_all_components_and_connectors() -> None:
+    circuit, _ = read_circuit(CASES["line_following_robot"])
+    graph = circuit_graph(circuit, parts=True)
+    assert {n for n in graph if isinstance(n, hardware.Component)} == set(circuit.components)
+    assert {n for n in graph if isinstance(n, hardware.Connector)} == {k for c in circuit.components for k in c.connectors}
+    assert all(k in graph[c] for c in circuit.components for k in c.connectors)
 
 
 @pytest.mark.parametrize("path", [*CASES.values(), *sorted(FIXTURES.glob("*.fz"))], ids=lambda p: p.stem)

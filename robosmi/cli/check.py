@@ -1,0 +1,25 @@
+"""`robosmi check MODEL|DRAWING|PLAN`: findings of all constraints that are registered for the model's metamodel."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.cli.common import project_of
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("model", metavar="MODEL|DRAWING|PLAN", type=Path, help="a drawing, a stored plan.xmi or another model")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("check")
+    project = project_of(arguments.model)
+    done = content("chain", "check")(arguments.model)
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    report.judge(project.severity, project.accept)
+    return report

@@ -1,0 +1,59 @@
+"""`robosmi history list|forget|export|import`: earlier choices of libraries, and what is done with them."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from robosmi.plugins import content
+from robosmi.recommend.history import Entry, History
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
+    listing = actions.add_parser("list", help="show the choices")
+    forget = actions.add_parser("forget", help="remove choices")
+    export = actions.add_parser("export", help="write them to FILE.xmi, FILE.csv or FILE.json")
+    taking = actions.add_parser("import", help="take over those of FILE.xmi, FILE.csv or FILE.json")
+    forget.add_argument("--part", metavar="TITLE", help="title of the part")
+    forget.add_argument("--part-id", metavar="ID", help="identifier of the part in its catalogue")
+    forget.add_argument("--library", metavar="NAME", help="name of the library")
+    forget.add_argument("--all", dest="everything", action="store_true", help="everything")
+    for sub in (export, taking):
+        sub.add_argument("file", metavar="FILE", type=Path)
+    for sub in (listing, forget, export, taking):
+        sub.add_argument("--history", metavar="PLACE", help="a file or an SQLAlchemy URL instead of the user's own history")
+        sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("history")
+    history = History(arguments.history)
+    if arguments.action == "list":
+        entries = history.entries()
+        report.result = {"place": history.place, "entries": [asdict(entry) for entry in entries]}
+        report.lines = [_line(entry) for entry in entries] or [f"no choices in {history.place}"]
+    elif arguments.action == "forget":
+        count = history.forget(arguments.part_id, arguments.part, arguments.library, everything=arguments.everything)
+        report.result = {"place": history.place, "forgotten": count}
+        report.lines = [f"forgot {count} choice{'s' if count != 1 else ''}"]
+    elif arguments.action == "export":
+        entries = content("chain", "history_export")(history, arguments.file)
+        report.artifacts = [{"path": str(arguments.file), "kind": "history"}]
+        report.result = {"place": history.place, "written": [str(arguments.file)], "count": len(entries)}
+        report.lines = [f"wrote {len(entries)} choices to {arguments.file}"]
+    else:
+        found, changed = content("chain", "history_import")(history, arguments.file)
+        report.result = {"place": history.place, "found": found, "added": changed, "skipped": found - changed}
+        report.lines = [f"{changed} of {found} choices are new or changed"]
+    return report
+
+
+def _line(entry: Entry) -> str:
+    library = f"{entry.library} {entry.version}".rstrip()
+    target = f" for {entry.target}" if entry.target else ""
+    return f"{entry.count:4} x  {entry.title or entry.part_id}: {library}{target}  (last {entry.last_used})"

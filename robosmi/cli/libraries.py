@@ -1,0 +1,44 @@
+"""`robosmi libraries import DIR`: installed libraries into the user's own index."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.plugins import content
+from robosmi.project import defaults
+from robosmi.report import Report
+
+_SHOWN = 10
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
+    taking = actions.add_parser("import", help="add the libraries of a folder")
+    taking.add_argument("folder", metavar="DIR", type=Path, help="folder of libraries, one library, or a PlatformIO project")
+    taking.add_argument("--platform", metavar="NAME", help="platform that the libraries are for")
+    taking.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("libraries")
+    target = defaults()["targets"][defaults()["migrate"]["target"]]
+    done = content("chain", "libraries_import")(arguments.folder, arguments.platform or target["platform"])
+    report.result = {
+        "added": [{"name": name, "version": version} for name, version in done.added],
+        "skipped": [{"path": path, "reason": reason} for path, reason in done.skipped.items()],
+        "index": str(done.index), "known": done.known,
+    }  # fmt: skip
+    report.findings = [
+        Finding("RS420", Severity.info, f"left out: {reason}", Location(path)) for path, reason in done.skipped.items()
+    ]
+    names = [f"{name} {version}".rstrip() for name, version in done.added]
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    report.lines = [f"read {len(names)} libraries: {', '.join(names[:_SHOWN])}{more}"]
+    report.lines.append(f"your index {done.index} has {done.known}")
+    if done.added:
+        report.artifacts = [{"path": str(done.index), "kind": "index"}]
+    return report

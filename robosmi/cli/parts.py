@@ -1,0 +1,37 @@
+"""`robosmi parts import DIR...`: the parts of a drawing tool's library, or of one's own, into the catalogue."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from pathlib import Path
+
+from robosmi.plugins import content
+from robosmi.report import Report
+from robosmi.resources import user_data
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
+    add = actions.add_parser("import", help="read part definitions and give each a role")
+    add.add_argument("folders", metavar="DIR", nargs="+", type=Path, help="folder with part definitions")
+    add.add_argument(
+        "-o", dest="output", metavar="FILE.sqlite", type=Path, help="the file to write (default: in the user's data folder)"
+    )
+    add.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("parts")
+    target = arguments.output or _own_file(arguments.folders[0])
+    done = content("chain", "parts_import")(arguments.folders, target)
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    report.artifacts.append({"path": str(done.path), "kind": "parts"})
+    return report
+
+
+def _own_file(folder: Path) -> Path:
+    name = re.sub(r"[^\w.-]+", "_", folder.resolve().name) or "parts"
+    return user_data() / "platform_repo" / "parts" / f"{name}.sqlite"

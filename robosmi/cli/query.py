@@ -1,0 +1,51 @@
+"""`robosmi query MODEL EXPRESSION`: a query over a model of any technology, given as a Python expression."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from contextlib import redirect_stdout
+from pathlib import Path
+
+from robosmi.cli.common import pairs
+from robosmi.errors import UsageError
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument(
+        "model", metavar="MODEL", type=Path, help="model file of any technology, or folder with tables; it is called M"
+    )
+    parser.add_argument("expression", metavar="EXPRESSION", help="as: 'Book.all.select(lambda b: b.year > 2000).name'")
+    parser.add_argument("--driver", metavar="NAME", help="driver to open MODEL with (default: by its ending)")
+    parser.add_argument("--metamodel", metavar="X.ecore", type=Path, help="metamodel of MODEL, which is XMI")
+    parser.add_argument(
+        "--model", dest="models", action="append", default=[], metavar="NAME=MODEL", help="another model, and what it is called"
+    )
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    from robosmi.model.opening import open_model
+    from robosmi.query.answers import as_json, as_lines
+    from robosmi.query.expression import evaluate
+    from robosmi.query.models import ModelView
+    from robosmi.query.run import Run
+
+    report = Report("query")
+    others = pairs(arguments.models, "--model")
+    for name in others:
+        if not name.isidentifier() or name.startswith("_") or name in ("M", "Q"):
+            raise UsageError(f"--model {name}=...: this name cannot be used", fix="take letters and digits, and neither M nor Q")
+    options = {"metamodel": arguments.metamodel} if arguments.metamodel else {}
+    driver = arguments.driver or ("emf" if options else None)
+    if options and driver != "emf":
+        raise UsageError(f"the driver '{driver}' takes no metamodel", fix="leave --metamodel out, or use the driver emf")
+    models = [open_model(arguments.model, driver, "M", **options)]
+    models += [open_model(path, name=name) for name, path in others.items()]
+    views = [ModelView(model) for model in models]
+    with redirect_stdout(sys.stderr), Run(*views):  # a query may print, and stdout is the answer's
+        value = as_json(evaluate(arguments.expression, views))
+    report.result, report.lines = {"value": value}, as_lines(value)
+    return report

@@ -1,0 +1,45 @@
+"""`robosmi run CHAIN.toml`: a chain of load, validate, transform, migrate and generate; only what has changed is done again."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("chain", metavar="CHAIN.toml", type=Path, help="the chain")
+    parser.add_argument("--dry-run", action="store_true", help="write nothing; show what would change")
+    parser.add_argument("--force", action="store_true", help="do every step, whatever has changed")
+    parser.add_argument(
+        "--no-keep",
+        dest="keep",
+        action="store_false",
+        help="make generated files anew as EGL does: edits outside of protected regions are lost",
+    )
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    from robosmi.chain import read_chain
+
+    report = Report("run")
+    chain = read_chain(arguments.chain)
+    done = chain.run(dry_run=arguments.dry_run, keep=arguments.keep, force=arguments.force)
+    report.result = {
+        "steps": [step.to_json() for step in done.steps],
+        "written": not arguments.dry_run,
+        "diff": done.diff() if arguments.dry_run else "",
+    }
+    report.findings = done.findings
+    if not arguments.dry_run:
+        report.artifacts = [
+            {"path": str(arguments.chain.parent / name), "kind": "model" if step.step.makes else "generated"}
+            for step in done.steps
+            for name in step.written
+        ]
+    report.timings = {f"{step.step.name}_s": round(step.seconds, 6) for step in done.steps}
+    report.lines = [*done.text().splitlines(), *(done.diff().splitlines() if arguments.dry_run else ())]
+    return report

@@ -1,0 +1,142 @@
+"""Ranking at the size of a whole registry: `python tests/bench/recommend.py [LIBRARIES]` (10,000 by default).
+
+An index of that many libraries is made of the shipped one's facts, each library several times under names of its own with a
+part of its words exchanged, so that terms and postings grow as in a real registry. Measured in a new process: opening, a
+query, memory. Exit 1 when a figure is over its bound.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BOUNDS = {"open_ms": 300.0, "query_ms": 50.0, "memory_mb": 300.0}
+SHIPPED = {"open_ms": 60.0, "query_ms": 15.0, "memory_mb": 300.0}
+
+MEASURE = """
+import json, sys, time
+from pathlib import Path
+start = time.process_time()
+from robosmi.recommend.component import ComponentQuery
+from robosmi.transformations.m2m.library_ranking import device_ranker, library_index
+imported = time.process_time()
+ranker = device_ranker(architecture="avr")
+opened = time.process_time()
+queries = [ComponentQuery.from_json(item) for item in json.loads(Path(sys.argv[1]).read_text())]
+times = []
+for query in queries:
+    begin = time.process_time()
+    ranker.rank(query, limit=10)
+    times.append(time.process_time() - begin)
+# not getrusage: a process begins with the peak of the one that started it
+peak = next(int(line.split()[1]) / 1024 for line in open("/proc/self/status") if line.startswith("VmHWM"))
+print(json.dumps({
+    "libraries": len(library_index()), "open_ms": (opened - imported) * 1000, "query_ms": sum(times) / len(times) * 1000,
+    "slowest_ms": max(times) * 1000, "memory_mb": peak,
+}))
+"""
+
+QUERIES = [
+    {"id": "1", "title": "Basic Servo", "family": "Servo", "tags": ["servo"]},
+    {"id": "2", "title": "DHT22 Temperature and Humidity Sensor"},
+    {"id": "3", "title": "Red LED - 5mm", "family": "LED", "tags": ["LED", "indicator"]},
+    {
+        "id": "4",
+        "title": "Motor Driver 1A Dual TB6612FNG",
+        "description": "Two motors at a constant current, controlled by PWM inputs",
+    },
+    {"id": "5", "title": "Barometric Pressure Sensor - BMP180 Breakout (GY-68)", "connectors": ["SDA", "SCL", "GND", "VCC"]},
+    {"id": "6", "title": "128 x 64 Graphic LCD", "family": "Display"},
+    {"id": "7", "title": "Grove 4 Digit Display", "family": "Grove", "tags": ["Button", "Grove"]},
+    {"id": "8", "title": "sensor board with display and motor control over a serial interface", "tags": ["sensor", "display"]},
+]
+
+
+def grow(count: int, target: Path) -> None:
+    """Write an index of that many libraries."""
+    from robosmi.recommend.index import FIELDS
+    from robosmi.recommend.index_writer import write_index
+    from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
+    from robosmi.transformations.m2m.library_ranking import library_index
+
+    index, chance = library_index(), random.Random(1)
+    said: list[dict[str, int]] = [{} for _ in range(len(index))]
+    keywords: list[dict[str, int]] = [{} for _ in range(len(index))]
+    identifiers: list[dict[str, int]] = [{} for _ in range(len(index))]
+    for (term,) in index._all("SELECT term FROM fact"):
+        libraries, columns = index.facts(term)
+        for kept, name in ((said, "meta"), (keywords, "keyword"), (identifiers, "ident")):
+            column = columns[FIELDS.index(name)]
+            for place, library in enumerate(libraries if column else ()):
+                if column[place]:
+                    kept[library][term] = column[place]
+
+    def changed(counts: dict[str, int], copy: int) -> dict[str, int]:
+        return {(f"{w}{copy}" if copy and chance.random() < 0.2 else w): n for w, n in counts.items()}
+
+    def record(number: int) -> LibraryRecord:
+        copy, own = divmod(number, len(index))
+        library = index.library(own)
+        suffix = f" {copy}" if copy else ""
+        header = HeaderRecord(library.header, True, changed(said[own], copy), changed(identifiers[own], copy))
+        return LibraryRecord(
+            f"{library.name}{suffix}", (library.header,), [header], library.version, architectures=library.architectures,
+            said=changed(said[own], copy), keywords=changed(keywords[own], copy), copies=library.copies,
+        )  # fmt: skip
+
+    write_index(target, (record(number) for number in range(count)))
+
+
+def measured(project: Path, queries: Path) -> dict[str, float]:
+    """The figures of a new process that works in this folder."""
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "ROBOSMI_HOME": str(project / "home")}
+    runs = [
+        json.loads(
+            subprocess.run(
+                [sys.executable, "-c", MEASURE, str(queries)],
+                cwd=project,
+                env=environment,
+                capture_output=True,
+                text=True,
+                check=True,
+            ).stdout
+        )
+        for _ in range(3)
+    ]
+    return {name: min(run[name] for run in runs) for name in runs[0]}
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and print; 1 if a bound is broken."""
+    count = int(arguments[0]) if arguments else 10_000
+    broken = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        queries = folder / "queries.json"
+        queries.write_text(json.dumps(QUERIES))
+        (folder / "shipped").mkdir()
+        grown = folder / "grown/.robosmi/platform_repo/arduino/libraries"
+        grown.mkdir(parents=True)
+        grow(count, grown / "index.sqlite")
+        size = (grown / "index.sqlite").stat().st_size / 1e6
+        for project, bounds in ((folder / "shipped", SHIPPED), (folder / "grown", BOUNDS)):
+            figures = measured(project, queries)
+            times = f"opened in {figures['open_ms']:.0f} ms, a query {figures['query_ms']:.1f} ms"
+            print(
+                f"{figures['libraries']:6.0f} libraries: {times} (slowest {figures['slowest_ms']:.1f}), "
+                f"{figures['memory_mb']:.0f} MB"
+            )
+            broken += [f"{key} {figures[key]:.0f} > {bound:.0f}" for key, bound in bounds.items() if figures[key] > bound]
+        print(f"the grown index has {size:.1f} MB; processor time, best of 3 processes")
+    print(*broken, sep="\n")
+    return bool(broken)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,92 @@
+"""`robosmi check`: plans, drawings and other models, severities, exit codes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.cli.main import main
+from robosmi.metamodels import migration
+from robosmi.model import load_model, save_model
+from robosmi.transformations.chains.models import load_models
+
+
+def run(*arguments: str | Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, dict[str, Any]]:
+    code = main([*map(str, arguments), "--json"])
+    return code, json.loads(capsys.readouterr().out)
+
+
+@pytest.fixture(scope="module")
+def sketch(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A migrated line follower."""
+    out = tmp_path_factory.mktemp("sketch") / "out"
+    source = Path(__file__).parents[2] / "docs" / "examples" / "line_follower" / "line_follower.c"
+    robosmi.migrate([source], out)
+    return out
+
+
+def test_a_plan_is_checked_with_its_models(sketch: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, document = run("check", sketch / "models" / "plan.xmi", capsys=capsys)
+    assert code == 0
+    assert document["ok"] is True
+    assert [m["model"] for m in document["result"]["models"]] == ["plan", "code", "hardware", "platform"]
+    assert all(m["elements"] for m in document["result"]["models"])
+    assert [f["rule"] for f in document["findings"] if f["severity"] == "error"] == []
+
+
+def test_a_plan_that_a_person_broke_fails(sketch: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = sketch / "models" / "plan.xmi"
+    models = load_models(path)
+    first, second = models.plan.portBindings[:2]
+    second.connection, second.pin = None, first.pin
+    models.plan.portBindings[0].confidence = 7.0
+    for name, data in models.to_files().items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_bytes(data)
+    code, document = run("check", tmp_path / "plan.xmi", capsys=capsys)
+    assert code == 1
+    assert {"RS702", "RS705"} <= {f["rule"] for f in document["findings"]}
+    assert all(f["element"].startswith("plan!") for f in document["findings"] if f["rule"] in ("RS702", "RS705"))
+    assert run("check", tmp_path / "plan.xmi", "--fail-on", "never", capsys=capsys)[0] == 0
+    (tmp_path / "robosmi.toml").write_text('[severity]\nRS702 = "info"\n', encoding="utf-8")
+    code, document = run("check", tmp_path / "plan.xmi", capsys=capsys)
+    assert {f["severity"] for f in document["findings"] if f["rule"] == "RS702"} == {"info"}
+    assert code == 0
+    assert run("check", tmp_path / "plan.xmi", "--fail-on", "warning", capsys=capsys)[0] == 1
+
+
+def test_a_drawing_is_checked(examples: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (drawing,) = (examples / "line_follower").glob("*.fz*")
+    code, document = run("check", drawing, capsys=capsys)
+    assert code == 0
+    assert document["result"]["models"][0]["constraints"] > 0
+
+
+def test_a_model_without_constraints_says_so(sketch: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", str(sketch / "models" / "platform.xmi")]) == 0
+    assert "no constraints are registered for this model" in capsys.readouterr().out
+
+
+def test_what_cannot_be_read_is_exit_code_3(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("check", tmp_path / "no.xmi", capsys=capsys)[0] == 3
+    (tmp_path / "x.xmi").write_text("<a/>", encoding="utf-8")
+    code, document = run("check", tmp_path / "x.xmi", capsys=capsys)
+    assert code == 3
+    assert document["ok"] is False
+
+
+def test_the_python_function_gives_the_same(sketch: Path) -> None:
+    done = robosmi.check_model(sketch / "models" / "plan.xmi")
+    assert done.result["models"][0]["model"] == "plan"
+
+
+def test_checking_writes_nothing(sketch: Path) -> None:
+    before = {p: p.read_bytes() for p in sketch.rglob("*") if p.is_file()}
+    robosmi.check_model(sketch / "models" / "plan.xmi")
+    assert {p: p.read_bytes() for p in sketch.rglob("*") if p.is_file()} == before
+    assert isinstance(load_model(sketch / "models" / "plan.xmi"), migration.MigrationPlan)
+    assert callable(save_model)

@@ -1,0 +1,163 @@
+"""For every constraint an example that satisfies it and one that does not: rule -> (passing model, failing model)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from robosmi.metamodels import ccode, hardware, migration, platform
+
+
+def a_plan(**features: Any) -> migration.MigrationPlan:
+    """A plan with a program of one statement, a board with two pins, a target platform with one library."""
+    board = platform.Board(name="b", title="Board", pins=[platform.Pin(label="D1"), platform.Pin(label="D2")])
+    target = platform.Platform(name="target", boards=[board], libraries=[platform.Library(name="Servo")])
+    unit = ccode.SourceUnit(path="a.c", size=100, declarations=[ccode.Variable(name="v", line=1, startOffset=0, endOffset=5)])
+    program = ccode.Program(name="p", units=[unit])
+    made = migration.MigrationPlan(name="p", toolVersion="0", program=program, target=target, board=board)
+    for name, value in features.items():
+        getattr(made, name).extend(value(made))
+    return made
+
+
+def pins(plan: migration.MigrationPlan) -> list[platform.Pin]:
+    """The pins of the plan's board."""
+    assert plan.board is not None
+    return list(plan.board.pins)
+
+
+def variable(plan: migration.MigrationPlan) -> Any:
+    """The one declaration of the plan's program."""
+    assert plan.program is not None
+    return plan.program.units[0].declarations[0]
+
+
+def bound(*numbers: int) -> migration.MigrationPlan:
+    """A plan whose source ports 0, 1 ... are bound to pins of these numbers."""
+    return a_plan(
+        portBindings=lambda p: [
+            migration.PortBinding(name=f"n{i}", sourcePin=i, pin=pins(p)[n], choice="x") for i, n in enumerate(numbers)
+        ]
+    )
+
+
+def decided_on(element: Callable[[migration.MigrationPlan], Any]) -> migration.MigrationPlan:
+    """A plan with a decision about an element."""
+    return a_plan(dispositions=lambda p: [migration.Disposition(element=element(p), rule="r")])
+
+
+def of_a_board(pin: Callable[[migration.MigrationPlan], platform.Pin]) -> migration.MigrationPlan:
+    """A plan whose port is bound to a pin."""
+    return a_plan(portBindings=lambda p: [migration.PortBinding(name="n", pin=pin(p), choice="x")])
+
+
+def connected(number: int) -> migration.MigrationPlan:
+    """A plan whose port is bound to a connection of the first pin, and to a pin of that number."""
+
+    def binding(plan: migration.MigrationPlan) -> list[migration.PortBinding]:
+        connection = migration.Connection(name="LedP1", pin=pins(plan)[0])
+        plan.connections.append(connection)
+        return [migration.PortBinding(name="n", pin=pins(plan)[number], connection=connection, choice="x")]
+
+    return a_plan(portBindings=binding)
+
+
+def with_library(chosen: Callable[[migration.MigrationPlan], platform.Library]) -> migration.MigrationPlan:
+    """A plan in which a library is chosen for a component."""
+    return a_plan(libraryChoices=lambda p: [migration.LibraryChoice(chosen=chosen(p), choice="x")])
+
+
+def confident(confidence: float, is_open: bool = False) -> migration.MigrationPlan:
+    """A plan with one binding."""
+    return a_plan(portBindings=lambda p: [migration.PortBinding(name="n", confidence=confidence, open=is_open)])
+
+
+def edited(*ranges: tuple[int, int]) -> migration.MigrationPlan:
+    """A plan with edits of its unit."""
+
+    def made(plan: migration.MigrationPlan) -> list[migration.Edit]:
+        assert plan.program is not None
+        return [migration.Edit(unit=plan.program.units[0], startOffset=a, endOffset=b) for a, b in ranges]
+
+    return a_plan(edits=made)
+
+
+def a_program(*declarations: ccode.Declaration) -> ccode.Program:
+    """A program of one unit."""
+    return ccode.Program(name="p", units=[ccode.SourceUnit(path="a.c", declarations=list(declarations))])
+
+
+def function(name: str, parameters: int = 0, calls: tuple[ccode.Call, ...] = (), **features: Any) -> ccode.Function:
+    """A function that is defined."""
+    statements = [ccode.ExpressionStatement(expression=call) for call in calls]
+    taken = [ccode.Parameter(name=f"p{i}") for i in range(parameters)]
+    return ccode.Function(name=name, definition=True, parameters=taken, body=ccode.Block(statements=statements), **features)
+
+
+def calling(arguments: int) -> ccode.Program:
+    """A program with a call of a function of one parameter."""
+    called = function("f", 1)
+    call = ccode.Call(calleeName="f", callee=called, arguments=[ccode.IntegerLiteral(value=i) for i in range(arguments)])
+    return a_program(called, function("main", calls=(call,)))
+
+
+def a_circuit(*titles: str, nets: int = 1, **features: Any) -> hardware.Circuit:
+    """A circuit with components of these titles and some nets."""
+    components = [
+        hardware.Component(elementId=str(i), title=t, connectors=[hardware.Connector(connectorId="c", name="C")])
+        for i, t in enumerate(titles)
+    ]
+    return hardware.Circuit(name="c", components=components, nets=[hardware.Net(name=f"n{i}") for i in range(nets)], **features)
+
+
+def on_a_net(own: bool) -> hardware.Circuit:
+    """A circuit with a connector on a net, its own or another circuit's."""
+    made, other = a_circuit("a"), a_circuit("b")
+    made.components[0].connectors[0].net = (made if own else other).nets[0]
+    return made
+
+
+def wired(same: bool) -> hardware.Circuit:
+    """A circuit with a wire, whose end is on the wire's net or on another."""
+    made = a_circuit("a", nets=2)
+    end = made.components[0].connectors[0]
+    end.net = made.nets[0]
+    made.wires.append(hardware.Wire(elementId="w", ends=[end], net=made.nets[0 if same else 1]))
+    return made
+
+
+def foreign_pin(_: migration.MigrationPlan) -> platform.Pin:
+    """A pin of another board."""
+    return platform.Board(name="other", pins=[platform.Pin(label="X")]).pins[0]
+
+
+def own_library(plan: migration.MigrationPlan) -> platform.Library:
+    """The library of the plan's target platform."""
+    assert plan.target is not None
+    return plan.target.libraries[0]
+
+
+def at(start: int, end: int) -> ccode.Program:
+    """A program with an element at these bytes."""
+    return a_program(ccode.Variable(name="v", startOffset=start, endOffset=end))
+
+
+EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
+    "RS701": (lambda: decided_on(variable), lambda: decided_on(lambda p: ccode.Variable(name="elsewhere"))),
+    "RS702": (lambda: bound(0, 1), lambda: bound(0, 0)),
+    "RS703": (lambda: of_a_board(lambda p: pins(p)[0]), lambda: of_a_board(foreign_pin)),
+    "RS704": (lambda: connected(0), lambda: connected(1)),
+    "RS705": (lambda: confident(0.5), lambda: confident(1.5)),
+    "RS706": (lambda: confident(1.0), lambda: confident(0.0, True)),
+    "RS707": (lambda: with_library(own_library), lambda: with_library(lambda p: platform.Library(name="Foreign"))),
+    "RS708": (lambda: edited((0, 5), (5, 9)), lambda: edited((0, 5), (4, 9))),
+    "RS711": (lambda: at(3, 9), lambda: at(9, 3)),
+    "RS712": (lambda: calling(1), lambda: calling(2)),
+    "RS713": (
+        lambda: a_program(function("f"), function("f", storage=ccode.Storage.staticStorage), function("g")),
+        lambda: a_program(function("f"), function("f")),
+    ),
+    "RS721": (lambda: a_circuit("Servo1", "Servo2"), lambda: a_circuit("Servo1", "Servo1")),
+    "RS722": (lambda: on_a_net(True), lambda: on_a_net(False)),
+    "RS723": (lambda: wired(True), lambda: wired(False)),
+}

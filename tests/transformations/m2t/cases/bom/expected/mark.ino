@@ -1,0 +1,15 @@
+// mark: mark.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+// Größe
+void setup() {
+  high(1);
+}
+
+void loop() {
+  low(1);
+}

@@ -1,0 +1,18 @@
+// broken: broken.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+int n = 0
+  while (1) {
+    high(1);
+
+void setup() {
+}
+
+void loop() {
+  high(1);
+  pause(n);
+}

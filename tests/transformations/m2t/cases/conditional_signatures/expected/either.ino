@@ -1,0 +1,32 @@
+// either: either.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+#define NEW_BOARD
+
+#ifdef NEW_BOARD
+void lamp(int on)
+{
+  if (on) high(26); else low(26);
+}
+#else
+void lamp(int on)
+{
+  OUTA |= on << 26;
+}
+#endif
+
+void setup() {
+}
+
+void loop() {
+#ifdef NEW_BOARD
+  lamp(1);
+#else
+  lamp(0);
+#endif
+  pause(10);
+}

@@ -1,0 +1,20 @@
+// torn: torn.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup() {
+  high(1);
+#ifndef ONCE
+  while (1) {
+#else
+  {
+#endif
+    toggle(1);
+  }
+}
+
+void loop() {
+}

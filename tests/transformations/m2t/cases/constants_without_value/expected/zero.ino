@@ -1,0 +1,16 @@
+// zero: zero.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+const int table[4] = {};
+static const int zero = 0;
+
+void setup() {
+}
+
+void loop() {
+  pause(table[1] + zero);
+}

@@ -1,0 +1,21 @@
+// dos: dos.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+#define LED 26
+
+int n = 0;
+
+// A comment.
+void setup() {
+  set_direction(LED, 1);
+}
+
+void loop() {
+  n++;  // count
+
+  pause(n);
+}

@@ -1,0 +1,20 @@
+// lists: lists.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+struct config { int pin; int speed; char *name; };
+struct config left = { .pin = 3, .speed = 24, .name = "left" };
+struct config right = { 4, 12, (char *)"right" };
+const int table[4] = { 1, 2 };
+
+void setup() {
+}
+
+void loop() {
+  high(left.pin);
+  low(right.pin);
+  pause(table[0] + left.speed);
+}

@@ -1,0 +1,17 @@
+// index: index.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+struct config { int pin; int speed; };
+int table[4] = { [2] = 5 };
+struct config left = { .speed = 24, .pin = 3 };
+
+void setup() {
+}
+
+void loop() {
+  pause(table[2] + left.speed);
+}

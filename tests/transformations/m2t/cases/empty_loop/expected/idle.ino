@@ -1,0 +1,13 @@
+// idle: idle.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup() {
+  high(26);
+}
+
+void loop() {
+}

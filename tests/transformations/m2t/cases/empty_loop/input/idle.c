@@ -1,0 +1,7 @@
+#include "simpletools.h"
+
+int main()
+{
+  high(26);
+  while (1);
+}

@@ -1,0 +1,17 @@
+// stepping: stepping.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup() {
+  int i;
+  for (i = 0; ; i++) {
+    high(i % 8);
+    pause(10);
+  }
+}
+
+void loop() {
+}

@@ -1,0 +1,20 @@
+// local: local.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+// Functions that are used before they are defined
+int speed(int n);
+
+void setup() {
+  int speed(int n);
+  pause(speed(1));
+}
+
+void loop() {
+  pause(speed(2));
+}
+
+int speed(int n) { return n * 2; }

@@ -1,0 +1,18 @@
+// types: types.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup() {
+  struct point { int x; int y; };
+  struct point p = {1, 2};
+  while (1) {
+    p.x += p.y;
+    pause(p.x);
+  }
+}
+
+void loop() {
+}

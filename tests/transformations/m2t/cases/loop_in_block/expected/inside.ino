@@ -1,0 +1,19 @@
+// inside: inside.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup() {
+  int n = 0;
+  if (input(1)) {
+    while (1) { n++; }
+  }
+  {
+    while (1) { pause(n); }
+  }
+}
+
+void loop() {
+}

@@ -1,0 +1,16 @@
+// single: single.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+int ticks;
+
+void setup() {
+  ticks = 1;
+}
+
+void loop() {
+  toggle(26);
+}

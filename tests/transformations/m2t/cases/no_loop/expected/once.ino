@@ -1,0 +1,17 @@
+// once: once.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup() {
+  int i;
+  for (i = 0; i < 10; i++) {
+    high(i);
+    pause(100);
+  }
+}
+
+void loop() {
+}

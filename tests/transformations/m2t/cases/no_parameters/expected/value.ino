@@ -1,0 +1,16 @@
+// value: value.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+typedef int (*reader)(int);
+reader read_pin = input;
+
+void setup() {
+}
+
+void loop() {
+  pause(read_pin(3));
+}

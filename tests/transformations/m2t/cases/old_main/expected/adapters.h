@@ -1,0 +1,13 @@
+// Adapters for what the program uses of propeller: each has the signature it had there, with the widths it had
+// there, and a body that is still to be written for Arduino Uno.
+#pragma once
+
+#include <Arduino.h>
+
+// unsigned int toggle(int pin)  [simpletools.h]
+// called in line 2
+inline uint32_t toggle(int32_t pin) {
+  // TODO: complete method
+  (void)pin;
+  return 0;
+}

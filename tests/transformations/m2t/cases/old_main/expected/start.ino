@@ -1,0 +1,16 @@
+// start: start.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void work(void);
+
+void setup() {
+  work();
+}
+
+void loop() {
+  work();
+}

@@ -1,0 +1,10 @@
+#include "simpletools.h"
+main();
+void work(void);
+
+main()
+{
+  work();
+  for (;;)
+    work();
+}

@@ -1,0 +1,2 @@
+#include "simpletools.h"
+void work(void) { toggle(2); }

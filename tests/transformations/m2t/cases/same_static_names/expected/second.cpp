@@ -1,0 +1,15 @@
+// first: second.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+static int state = 100;
+static int next(void) { return state--; }
+
+int other(void)
+{
+  toggle(CNT & 1);
+  return next();
+}

@@ -1,0 +1,19 @@
+// own: own.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+void setup_(void) { high(1); }
+void loop_(void) { toggle(1); }
+void init_(int n) { pause(n); }
+
+void setup() {
+  setup_();
+  init_(3);
+}
+
+void loop() {
+  loop_();
+}

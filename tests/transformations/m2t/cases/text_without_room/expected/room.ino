@@ -1,0 +1,15 @@
+// room: room.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+char code[3] = "abc";
+
+void setup() {
+}
+
+void loop() {
+  pause(code[0]);
+}

@@ -1,0 +1,27 @@
+// report: report.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+#include <stdarg.h>
+
+#include "adapters.h"
+
+int total(int n, ...)
+{
+  int i, sum = 0;
+  va_list values;
+  va_start(values, n);
+  for (i = 0; i < n; i++) sum += va_arg(values, int);
+  va_end(values);
+  return sum;
+}
+
+void setup() {
+  print("start\n");
+}
+
+void loop() {
+  print("%d and %d%c", total(2, 3, 4), total(0), CLREOL);
+  printi("%x\n", 15);
+  pause(1000);
+}

@@ -1,0 +1,41 @@
+// blink: blink.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+/* A title
+   of two lines. */
+
+int count = 0;  // how often
+
+// Blinks once.
+void blink(int pin)
+{
+  high(pin);
+  pause(100);
+  low(pin);
+}
+
+// Comment on main.
+// behind main
+void setup() {
+  // First the direction.
+  set_direction(26, 1);
+
+  blink(26);  // say hello
+}
+
+// for ever
+void loop() {
+  // In the loop.
+  blink(26);
+  count++;
+
+  if (count > 10) {
+    count = 0;
+  }
+}
+// behind the loop
+// The end.

@@ -1,0 +1,146 @@
+"""Pin tables: read as a circuit like a drawing's, written from one, and what is wrong with a table told by line."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robosmi.errors import SourceError, UsageError
+from robosmi.transformations.chains.hardware import hardware
+from tests.transformations.t2m.fritzing.support import CASES, SHARED
+
+HERE = Path(__file__).resolve().parent
+KEPT = ("pin", "role", "driver", "signal", "name")
+
+
+def mappings(path: Path, roles: dict[str, str] | None = None) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = hardware(path, roles=roles or {}).result["mappings"]
+    return found
+
+
+@pytest.mark.parametrize("name", ["robot.csv", "robot.toml"])
+def test_a_table_is_hardware(name: str) -> None:
+    done = hardware(HERE / name)
+    assert done.findings == []
+    assert [b["module_id"] for b in done.result["boards"]] == ["uno"]
+    found = [(m["pin"], m["name"], m["role"], m["driver"], [v["title"] for v in m["via"]]) for m in mappings(HERE / name)]
+    assert found == [
+        ("D2", "eyeWriteP1", "Input", False, []),
+        ("D3", "eyeReadP2", "Input", False, []),
+        ("D5", "WobblerWriteP1", "Output", False, []),
+        ("D6", "L293DWriteP1", "Output", True, []),
+        ("D8", "rightWriteP1", "Output", False, []),
+        ("D9", "leftWriteP1", "Output", False, []),
+        ("D12", "RedLEDWriteP1", "Output", False, ["R1"]),
+        ("D12", "PiezoWriteP1", "Output", False, ["R1"]),
+        ("A4", "imuBusP1", "Input", False, []),
+        ("A5", "imuBusP2", "Input", False, []),
+    ]
+
+
+def test_csv_and_toml_say_the_same() -> None:
+    assert mappings(HERE / "robot.csv") == mappings(HERE / "robot.toml")
+
+
+def test_roles_of_the_project_file_go_first() -> None:
+    found = mappings(HERE / "robot.csv", {"Wobbler": "Input", "#3": "Both"})
+    assert {m["component"]: m["role"] for m in found if m["component"] in ("Wobbler", "left")} == {
+        "Wobbler": "Input",
+        "left": "Both",
+    }
+    with pytest.raises(UsageError, match="no component is called 'Wobler'"):
+        mappings(HERE / "robot.csv", {"Wobler": "Input"})
+
+
+def test_a_part_that_nothing_tells_of_is_a_finding(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("pin;part\nD3;Gizmo\nD4;LED\nD5;LED\n")
+    done = hardware(path)
+    assert [f.rule for f in done.findings] == ["RS203", "RS220"]
+    assert done.findings[0].location is not None
+    assert done.findings[0].location.line == 2
+    assert [m["name"] for m in done.result["mappings"]] == ["GizmoReadP1", "LEDWriteP1", "LED2WriteP1"]
+
+
+@pytest.mark.parametrize("ending", [".csv", ".toml"])
+@pytest.mark.parametrize("case", CASES)
+def test_a_drawing_s_table_gives_the_same_connections(case: str, ending: str, tmp_path: Path) -> None:
+    drawn = hardware(CASES[case])
+    path = tmp_path / f"table{ending}"
+    path.write_text(drawn.pin_table(path))
+    assert json.dumps(shape(mappings(path))) == json.dumps(shape(drawn.result["mappings"]))
+    assert hardware(path).pin_table(path) == path.read_text()
+
+
+@pytest.mark.skipif(not SHARED.is_dir(), reason="the development set of sketches is not there")
+def test_tables_of_the_development_set_give_the_same_connections(tmp_path: Path) -> None:
+    compared = 0
+    for sketch in sorted((SHARED / "dev").glob("*.fzz")):
+        drawn = hardware(sketch)
+        titles = [m["component"] for m in drawn.result["mappings"]]
+        components = {m["component_model_index"] for m in drawn.result["mappings"]}
+        if len(drawn.result["boards"]) > 1 or len(set(titles)) != len(components) or not drawn.board_models:
+            continue  # titles that are not unique cannot tell components apart in a table
+        path = tmp_path / f"{sketch.stem}.csv"
+        path.write_text(drawn.pin_table(path))
+        kept = [k for k in KEPT if k != "signal"]  # what a chip is by what is behind it is not in a table
+        assert [[m[k] for k in kept if k != "name"] for m in shape(mappings(path))] == [
+            [m[k] for k in kept if k != "name"] for m in shape(drawn.result["mappings"])
+        ], sketch.name
+        compared += 1
+    assert compared > 30
+
+
+def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    rows = [{k: m[k] for k in KEPT} | {"via": [v["title"] for v in m["via"]]} for m in found]
+    return sorted(rows, key=lambda row: (row["pin"], row["name"]))
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "cause", "line"),
+    [
+        ("a.csv", "pin,part,colour\nD3,LED,red\n", "no column is called 'colour'", 1),
+        ("a.csv", "pin,role\nD3,Input\n", "there is no column 'part'", 1),
+        ("a.csv", "pin,part\nD3,LED\nD4,\n", "a row has no part", 3),
+        ("a.csv", "pin,part\n,LED\n", "a row has no pin", 2),
+        ("a.csv", "pin,part,role\nD3,LED,Sensor\n", "'Sensor' is no role", 2),
+        ("a.csv", "pin,part,driver\nD3,L293D,perhaps\n", "driver is 'perhaps'", 2),
+        ("a.csv", "pin,part\nD3,LED,red,bright\n", "a row has 4 cells, the head 2", 2),
+        ("a.csv", 'pin,part\nD3,"LED\n', "not valid CSV", 2),
+        ("a.csv", "pin,part,board\nD3,LED,uno\nD3,LED,mega\n", "the rows name 2 boards", None),
+        ("a.csv", "pin,part\n", "the table has no row", None),
+        ("a.csv", "# nothing\n", "there is no column 'pin'", 1),
+        ("a.csv", "\n \n", "the file is empty", None),
+        ("a.toml", "[[pin]\n", "not valid TOML", None),
+        ("a.toml", "pin = 3\n", "'pin' is no list of tables", None),
+        ("a.toml", "board = 3\n[[pin]]\npin = 3\npart = 'LED'\n", "'board' is no text", None),
+        ("a.toml", "[[pin]]\npin = 3\npart = ''\n", "a row has no part", 1),
+    ],
+)
+def test_what_is_wrong_with_a_table(name: str, text: str, cause: str, line: int | None, tmp_path: Path) -> None:
+    path = tmp_path / name
+    path.write_text(text)
+    with pytest.raises(SourceError) as caught:
+        hardware(path)
+    assert cause in caught.value.message
+    assert caught.value.fix
+    assert caught.value.location is not None
+    assert (caught.value.location.path, caught.value.location.line) == (str(path), line)
+
+
+def test_a_board_that_nobody_knows_and_a_table_for_no_such_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("pin,part,board\nD3,LED,unno\n")
+    with pytest.raises(UsageError, match="no board is called 'unno'"):
+        hardware(path)
+    with pytest.raises(UsageError, match=r"a pin table is no '\.txt' file"):
+        hardware(HERE / "robot.csv").pin_table(tmp_path / "a.txt")
+
+
+def test_a_pin_that_the_board_has_not(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("pin,part\nD99,LED\n")
+    assert [f.rule for f in hardware(path).findings] == ["RS223"]

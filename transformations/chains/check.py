@@ -1,0 +1,87 @@
+"""The chain `check`: a drawing, a plan or any other model, and all constraints that are registered for its metamodel.
+
+A plan is checked with the models that it refers to. Files are read as every other command reads them, so that what readers find
+is said too. Nothing is written.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import migration
+from robosmi.model import EmfModel, Model, load_model, open_model
+from robosmi.plugins import content, registry
+from robosmi.project import defaults, load_project
+from robosmi.query import root_of
+from robosmi.transformations.chains.reading import read_drawing
+
+KIND = "constraints"
+"""The registry's kind of constraints; the name is a metamodel's."""
+
+
+@dataclass
+class Checked:
+    """What was checked, and what was found."""
+
+    models: list[dict[str, Any]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The command's part of the document."""
+        return {"models": self.models}
+
+    def lines(self) -> list[str]:
+        """Text for a terminal."""
+        if not any(m["constraints"] for m in self.models):
+            known = ", ".join(registry().names(KIND))
+            return [f"no constraints are registered for this model; there are some for: {known}"]
+        return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
+
+
+def check(path: str | Path) -> Checked:
+    """Check a model.
+
+    Args:
+        path: a drawing, a stored plan, or a model file of any technology.
+
+    Raises:
+        SourceError: it cannot be read.
+        ModelError: it contradicts its metamodel.
+    """
+    file = Path(path)
+    done = Checked()
+    if defaults()["readers"].get(file.suffix.lower()) in registry().names("drawing reader"):
+        read = read_drawing(file, load_project(file.parent).roles)
+        done.findings += read.findings
+        return _validated(done, [EmfModel(read.circuit, name="hardware")])
+    if file.suffix != ".xmi":
+        return _validated(done, [open_model(file)])
+    root = load_model(file)
+    models = [EmfModel(root, name=file.stem)]
+    if isinstance(root, migration.MigrationPlan):
+        parts = {
+            "code": root.program,
+            "hardware": root.circuit,
+            "platform": root_of(root.target) if root.target is not None else None,
+        }
+        models += [EmfModel(part, name=name) for name, part in parts.items() if part is not None]
+    return _validated(done, models)
+
+
+def _validated(done: Checked, models: list[Any]) -> Checked:
+    for model in models:
+        sets = [content(KIND, name) for name in _metamodels(model) if name in registry().names(KIND)]
+        for one in sets:
+            done.findings += one.run(model).findings()
+        counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
+        done.models.append({"model": model.name, "elements": sum(1 for _ in model.all_contents()), "constraints": counted})
+    return done
+
+
+def _metamodels(model: Model) -> list[str]:
+    """The names of a model's metamodels; a technology without any has none."""
+    return list(dict.fromkeys(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind))

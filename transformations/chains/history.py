@@ -1,0 +1,59 @@
+"""The chain `history`: list, forget, export and import earlier choices of libraries.
+
+The form of a file is that of its ending: .xmi (a model), .csv or .json.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, UsageError
+from robosmi.model import load_model, save_model
+from robosmi.model.files import write_atomic
+from robosmi.recommend.history import Entry, History
+from robosmi.recommend.history_exchange import from_csv, from_json, to_csv, to_json
+from robosmi.transformations.t2m.history_model import history_to_model, model_to_history
+
+FORMS = (".xmi", ".csv", ".json")
+
+
+def export_history(history: History, path: Path) -> list[Entry]:
+    """Write the whole history into a file. Returns what is in it.
+
+    Raises:
+        UsageError: the file's ending is no form.
+        SourceError: the history cannot be read, or the file not be written.
+    """
+    form, entries = _form(path), history.entries()
+    if form == ".xmi":
+        save_model(history_to_model(entries), path)
+    else:
+        write_atomic(path, (to_csv(entries) if form == ".csv" else to_json(entries)).encode())
+    return entries
+
+
+def import_history(history: History, path: Path) -> tuple[int, int]:
+    """Take over what a file has. Returns how many entries it has, and how many of them are new or changed.
+
+    Raises:
+        UsageError: the file's ending is no form.
+        SourceError: the file cannot be read or is damaged, or the history cannot be written.
+    """
+    form, location = _form(path), Location(str(path))
+    if form == ".xmi":
+        entries = model_to_history(load_model(path), location)
+    else:
+        try:
+            text = path.read_bytes().decode("utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise SourceError(f"cannot be read: {error}", location=location, fix="give an exported file, in UTF-8") from error
+        entries = from_csv(text, location) if form == ".csv" else from_json(text, location)
+    return len(entries), history.take_over(entries)
+
+
+def _form(path: Path) -> str:
+    form = path.suffix.lower()
+    if form not in FORMS:
+        raise UsageError(f"'{path.name}' ends in none of {', '.join(FORMS)}", fix="give the file one of these endings")
+    return form

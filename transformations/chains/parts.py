@@ -1,0 +1,59 @@
+"""The chain `parts import`: folders of part definitions to a file of the catalogue."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding
+from robosmi.transformations.t2m.fritzing.part_library import read_library
+from robosmi.transformations.t2m.parts_store import write_parts
+
+
+@dataclass(frozen=True)
+class PartsImport:
+    """What an import did: the file, the contract's result, and what was left out."""
+
+    path: Path
+    result: dict[str, Any]
+    findings: list[Finding]
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        roles = ", ".join(f"{role} {count}" for role, count in self.result["roles"].items())
+        return [
+            f"{self.result['added']} parts to {self.path} ({self.result['repeated']} were there twice)",
+            f"  roles: {roles}",
+            *(f"  of unknown role: {title or part_id} ({part_id})" for part_id, title in self.result["unknown"][:10]),
+        ]
+
+
+def import_parts(folders: Sequence[Path], target: Path) -> PartsImport:
+    """Read part definitions, give each a role, and write them to a file that drawings are read with.
+
+    Args:
+        folders: folders with definitions (`.fzp`), below them too; the first that has an id counts.
+        target: the file to write; its folder is made.
+
+    Raises:
+        SourceError: a folder is not there or has no definition in it.
+        PlatformDataError: the rules for roles are damaged.
+    """
+    library = read_library(folders)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    write_parts(target, library.parts)
+    roles: dict[str, int] = {}
+    for part, _ in library.parts:
+        roles[part.role] = roles.get(part.role, 0) + 1
+    result = {
+        "added": len(library.parts),
+        "repeated": library.repeated,
+        "skipped": [{"path": f.location.path if f.location else "", "why": f.message} for f in library.findings],
+        "written": [str(target)],
+        "missing": [],
+        "roles": dict(sorted(roles.items())),
+        "unknown": [[part.id, part.title] for part, _ in library.parts if part.role == "Unknown"],
+    }
+    return PartsImport(target, result, library.findings)

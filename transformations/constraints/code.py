@@ -1,0 +1,77 @@
+"""Constraints on code models: places that make sense, one definition for a name, calls that fit what they call.
+
+A program that compiles satisfies them; one that is only read, or put together from several files, may not.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.diagnostics import Location, Severity
+from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind, ancestor_of_kind, root_of
+from robosmi.query.run import ext
+from robosmi.validate import EVL, Fail
+
+code = EVL()
+"""The constraints on a program; run them over its model."""
+
+
+def place(element: ccode.Located) -> Location | None:
+    """Where an element stands, or None if it stands in no source file."""
+    unit = ancestor_of_kind(element, ccode.SourceUnit)
+    return Location(unit.path, element.line or None, element.column or None) if unit is not None else None
+
+
+located = code.context(ccode.Located)
+calls = code.context(ccode.Call)
+
+
+def is_seen_outside(function: ccode.Function) -> bool:
+    """Whether it is the definition of a function that the linker sees."""
+    return bool(
+        function.definition
+        and function.storage is not ccode.Storage.staticStorage
+        and isinstance(function.eContainer(), ccode.SourceUnit)
+    )
+
+
+@located.constraint(id="RS711", location=place, advice="read the source again")
+def EndsBehindItsStart(x: ccode.Located) -> Any:
+    """An element ends where it begins, or behind."""
+    return x.endOffset >= x.startOffset or Fail(
+        f"{type(x).__name__} ends at byte {x.endOffset}, before its start {x.startOffset}"
+    )
+
+
+@calls.constraint(
+    id="RS712", severity=Severity.warning, location=place, advice="give the call the arguments that the function takes",
+    guard=lambda c: c.callee is not None and c.callee.definition and not c.callee.variadic and not c.viaMacro,
+)  # fmt: skip
+def PassesWhatIsTaken(c: ccode.Call) -> Any:
+    """A call of a function of the program passes as many arguments as it has parameters."""
+    assert c.callee is not None
+    given, taken = len(c.arguments), len(c.callee.parameters)
+    return given == taken or Fail(f"{c.calleeName} takes {taken} argument{'s' if taken != 1 else ''}, and is given {given}")
+
+
+functions = code.context(ccode.Function, guard=is_seen_outside)
+
+
+@functions.constraint(id="RS713", location=place, advice="rename one of them, or make it static")
+def IsDefinedOnce(f: ccode.Function) -> Any:
+    """A name that other files see is defined in one place."""
+    program = root_of(f)
+    known = ext(program).functions_by_name
+    if known is None:
+        known = ext(program).functions_by_name = {}
+        for one in all_of_kind(program, ccode.Function):
+            if is_seen_outside(one):
+                known.setdefault(one.name, one)
+    first = known.get(f.name, f)
+    return first is f or Fail(f"{f.name} is defined in {_unit(first)} already")
+
+
+def _unit(element: ccode.Located) -> str:
+    where = place(element)
+    return str(where) if where is not None else "the program"

@@ -1,0 +1,51 @@
+"""Constraints on hardware models: titles that say which component is meant, nets and connectors that belong together.
+
+Electrical questions are not asked here; they need to know what parts do.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.metamodels import hardware
+from robosmi.validate import EVL, Fail
+
+circuit = EVL()
+"""The constraints on a circuit; run them over its model."""
+
+
+def drawing(component: hardware.Component) -> Location | None:
+    """The drawing that a component is in."""
+    return Location(component.circuit.path) if component.circuit is not None and component.circuit.path else None
+
+
+components = circuit.context(hardware.Component, guard=lambda c: c.circuit is not None)
+connectors = circuit.context(hardware.Connector, guard=lambda c: c.net is not None)
+wires = circuit.context(hardware.Wire, guard=lambda w: w.net is not None)
+
+
+@components.critique(
+    id="RS721", info=True, location=drawing, guard=lambda c: c.title != "" and c.role is not hardware.Role.Decoration,
+    advice="name it by its model index (#1014) in options, or give it a title of its own",
+)  # fmt: skip
+def TitleIsItsOwn(c: hardware.Component) -> Any:
+    """A title means one component, so that it can be named in options."""
+    assert c.circuit is not None
+    same = [o for o in c.circuit.components if o.title == c.title]
+    return same[0] is c or Fail(f"another component is called '{c.title}' too (#{same[0].elementId} and #{c.elementId})")
+
+
+@connectors.constraint(id="RS722", advice="read the drawing again")
+def NetIsOfItsCircuit(c: hardware.Connector) -> Any:
+    """A connector is on a net of its own circuit."""
+    assert c.net is not None
+    own = c.component.circuit if c.component is not None else None
+    return c.net.circuit is own or Fail(f"the connector '{c.name or c.connectorId}' is on the net of another circuit")
+
+
+@wires.constraint(id="RS723", advice="read the drawing again")
+def WireEndsOnItsNet(w: hardware.Wire) -> Any:
+    """The connectors at the ends of a wire are on the wire's net."""
+    off = next((end for end in w.ends if end.net is not w.net), None)
+    return off is None or Fail(f"the wire {w.elementId} ends at '{off.name or off.connectorId}', which is on another net")

@@ -1,0 +1,137 @@
+"""Constraints on migration plans: what a person's edit of a stored plan can put out of line with itself.
+
+What a plan leaves open is a critique, no fault. Whether its files match their digests is the loader's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import root_of
+from robosmi.validate import EVL, Fail, Fix
+
+plan = EVL()
+"""The constraints on a plan; run them over its model."""
+
+bindings = plan.context(migration.PortBinding)
+decisions = plan.context(migration.Decision)
+dispositions = plan.context(migration.Disposition)
+libraries = plan.context(migration.LibraryChoice)
+edits = plan.context(migration.Edit)
+
+
+def plan_of(decision: Any) -> migration.MigrationPlan:
+    """The plan that an element belongs to."""
+    found = root_of(decision)
+    assert isinstance(found, migration.MigrationPlan)
+    return found
+
+
+def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
+    """The pin of a binding, directly or by its connection."""
+    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
+
+
+def named(decision: Any) -> str:
+    """A decision as a message names it."""
+    if isinstance(decision, migration.PortBinding):
+        return f"port '{decision.name}'" if decision.name else f"port P{decision.sourcePin}"
+    if isinstance(decision, migration.LibraryChoice):
+        return f"library of '{decision.component.title}'" if decision.component is not None else "library of no component"
+    element = getattr(decision, "element", None)
+    return (
+        f"{getattr(element, 'name', '') or type(element).__name__} in line {element.line}" if element is not None else "decision"
+    )
+
+
+@dispositions.constraint(id="RS701", advice="make the plan again with migrate")
+def DecidesOnTheProgram(d: migration.Disposition) -> Any:
+    """A decision about code is about an element of the plan's program."""
+    inside = d.element is not None and root_of(d.element) is plan_of(d).program
+    return inside or Fail(f"a decision ({d.action.name}, {d.rule}) is about nothing in the plan's program")
+
+
+@bindings.constraint(id="RS702", guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin")
+def PinIsBoundOnce(b: migration.PortBinding) -> Any:
+    """No two ports of the source are bound to one pin."""
+    pin = bound_pin(b)
+    for other in plan_of(b).portBindings:
+        if other is b:
+            return True
+        if bound_pin(other) is pin and other.sourcePin != b.sourcePin:
+            assert pin is not None
+            return Fail(f"the {named(b)} and the {named(other)} are both bound to pin {pin.label}", pin=pin.label)
+    return True
+
+
+@bindings.constraint(
+    id="RS703", guard=lambda b: bound_pin(b) is not None and plan_of(b).board is not None, advice="bind it to a pin of the board"
+)
+def PinIsOfTheBoard(b: migration.PortBinding) -> Any:
+    """A port is bound to a pin of the plan's board."""
+    pin, board = bound_pin(b), plan_of(b).board
+    assert pin is not None
+    assert board is not None
+    return pin.board is board or Fail(f"the {named(b)} is bound to {pin.label}, which is no pin of {board.title or board.name}")
+
+
+@bindings.constraint(id="RS704", guard=lambda b: b.connection is not None)
+def PinIsOfItsConnection(b: migration.PortBinding) -> Any:
+    """A port that is bound to a connection has that connection's pin."""
+    connection = b.connection
+    assert connection is not None
+
+    def follow() -> None:
+        b.pin = connection.pin
+
+    wrong = f"the {named(b)} is bound to the connection {connection.name} and to another pin than its own"
+    return b.pin is connection.pin or Fail(wrong, Fix("take the pin of the connection", follow))
+
+
+@decisions.constraint(id="RS705", severity=Severity.warning)
+def ConfidenceIsAShare(d: migration.Decision) -> Any:
+    """A confidence lies between 0 and 1."""
+
+    def limit() -> None:
+        d.confidence = min(max(d.confidence, 0.0), 1.0)
+
+    wrong = f"the confidence of the {named(d)} is {d.confidence}"
+    return 0 <= d.confidence <= 1 or Fail(wrong, Fix("set it to the nearest of 0 and 1", limit))
+
+
+@decisions.critique(id="RS706", info=True, advice="choose with --bind or --library, in robosmi.toml, or in the plan")
+def IsDecided(d: migration.Decision) -> Any:
+    """A choice is made."""
+    return not d.open or Fail(f"nothing is chosen yet for the {named(d)}", options=", ".join(o.label for o in d.options))
+
+
+@libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")
+def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> Any:
+    """A chosen library is one of the plan's target platform."""
+    target, chosen = plan_of(c).target, c.chosen
+    assert chosen is not None
+    return chosen.eContainer() is target or Fail(f"the {named(c)} is {chosen.name}, which is none of the target platform")
+
+
+@edits.constraint(id="RS708", guard=lambda e: e.unit is not None, advice="make the plan again with migrate")
+def EditIsInItsUnit(e: migration.Edit) -> Any:
+    """An edit replaces bytes of its unit, and none that another edit replaces."""
+    assert e.unit is not None
+    if not 0 <= e.startOffset <= e.endOffset <= e.unit.size:
+        return Fail(f"an edit of {e.unit.path} replaces bytes {e.startOffset} to {e.endOffset} of {e.unit.size}")
+    other = next((o for o in _before(e) if o.startOffset < e.endOffset and e.startOffset < o.endOffset), None)
+    return other is None or Fail(
+        f"two edits of {e.unit.path} overlap: bytes {other.startOffset} to {other.endOffset} and {e.startOffset} to {e.endOffset}"
+    )
+
+
+def _before(edit: migration.Edit) -> Iterator[migration.Edit]:
+    unit: ccode.SourceUnit | None = edit.unit
+    for other in plan_of(edit).edits:
+        if other is edit:
+            return
+        if other.unit is unit:
+            yield other

@@ -1,0 +1,86 @@
+"""What the default ranker knows besides the index: device tables, usual libraries, words that say nothing, coefficients.
+
+Tables of devices and of usual libraries are those of every folder of data, a user's own before the shipped ones: an entry of
+one's own is one line in a file of one's own. Of the other files the first that is found counts, as of all data.
+"""
+
+from __future__ import annotations
+
+import csv
+from functools import lru_cache
+from pathlib import Path
+
+from robosmi import resources
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.project import read_data
+from robosmi.recommend.decision import DecisionModel
+from robosmi.recommend.device_ranker import Knowledge
+from robosmi.recommend.lexicon import Lexicon
+from robosmi.recommend.words import StopWords, plain, stem
+
+_Files = tuple[tuple[Path, int], ...]
+
+DEVICES = "parts/devices"
+"""Folder of the tables of devices; their form is said in `robosmi.recommend.lexicon`."""
+
+USUAL = "libraries/usual.csv"
+"""Table of a platform: device,libraries (apart by |, the most usual first)."""
+
+
+def device_knowledge(platform: str = "arduino", project: Path | None = None) -> Knowledge:
+    """The knowledge for a target, read once for each state of its files.
+
+    Args:
+        platform: folder of the target in the platform repository.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: a file is missing or damaged.
+    """
+    folders = list(resources.folders("platform_repo", project))
+    tables = [path for folder in folders for path in sorted((folder / DEVICES).glob("*.csv"))]
+    usual = [path for folder in folders if (path := folder / platform / USUAL).is_file()]
+    single = [
+        resources.find("platform_repo", f"{platform}/libraries/{name}", project) for name in ("words.toml", "decision.toml")
+    ]
+    return _knowledge(_states(tables), _states(usual), _states(single))
+
+
+def _states(paths: list[Path]) -> _Files:
+    return tuple((path, path.stat().st_mtime_ns) for path in paths)
+
+
+@lru_cache(maxsize=4)
+def _knowledge(tables: _Files, usual: _Files, single: _Files) -> Knowledge:
+    words, decision = (path for path, _ in single)
+    stop = read_data(words)
+    return Knowledge(
+        stop=StopWords(*(frozenset(map(stem, stop.get(key, ()))) for key in ("makers", "common"))),
+        lexicon=Lexicon(path for path, _ in tables),
+        usual=_usual([path for path, _ in usual]),
+        model=DecisionModel.from_data(read_data(decision)),
+    )
+
+
+def _usual(paths: list[Path]) -> dict[str, tuple[str, ...]]:
+    found: dict[str, tuple[str, ...]] = {}
+    for path in paths:
+        try:
+            with path.open(encoding="utf-8", newline="") as lines:
+                table = csv.reader(lines, strict=True)
+                for row in table:
+                    if row and table.line_num > 1:
+                        _add(found, row, Location(str(path), table.line_num))
+        except (OSError, UnicodeDecodeError, csv.Error) as error:
+            raise PlatformDataError(
+                f"the table of usual libraries cannot be read: {error}", location=Location(str(path)), fix="correct it"
+            ) from error
+    return found
+
+
+def _add(found: dict[str, tuple[str, ...]], row: list[str], place: Location) -> None:
+    libraries = tuple(name.strip() for name in row[-1].split("|") if name.strip())
+    if len(row) != 2 or not plain(row[0]) or not libraries:
+        raise PlatformDataError("this line names no device and its libraries", location=place, fix="write device,library|library")
+    found.setdefault(plain(row[0]), libraries)

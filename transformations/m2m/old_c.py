@@ -1,0 +1,153 @@
+"""Declarations in the manner of old C: what C++ wants of them.
+
+Parameter lists that say nothing, parameters declared behind the list, types that are left out, functions that end without
+the value they promise. Each finds elements and says which rule of `edit_rules` changes their text. Conversions of values
+are in `language_gap`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.transformations.m2m.signatures import declare
+from robosmi.transformations.m2m.text_change import Change
+from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others, type_of
+from robosmi.transformations.queries.main_program import exits
+from robosmi.transformations.queries.signature_text import nothing
+
+_QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
+
+
+def empty_lists(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`f()` says nothing of its parameters in C and that there are none in C++."""
+    defined = {d.name: d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    for function in all_of_kind(unit, ccode.Function):
+        if function.parameters or function.variadic or function.name == "main" or not re.search(r"\(\s*\)$", function.signature):
+            continue
+        known = defined.get(function.name)
+        if known is not None and known.parameters and not function.definition:
+            yield Change(function, "empty-parentheses", _list(known), "in C++ an empty list means no parameters")
+        elif any(c.arguments for f in (function, known) if f is not None for c in f.calls):
+            yield Change(function, "empty-parentheses", "...", "it is called with arguments that it does not take")
+
+
+def _list(function: ccode.Function) -> str:
+    """The parameters of a function as C++ writes them."""
+    shown = [
+        declare(f"{p.valueType.spelling} {p.valueType.arrayDims or ''}" if p.valueType is not None else "int", p.name)
+        for p in function.parameters
+    ]
+    return ", ".join([*shown, *(["..."] if function.variadic else [])])
+
+
+def parameters_behind(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`f(a) int a; {`: the types of the parameters come into the list."""
+    for function in all_of_kind(unit, ccode.Function):
+        names = [p.name for p in function.parameters]
+        inner = function.signature[function.signature.find("(", function.signature.find(function.name)) + 1 :].removesuffix(")")
+        if function.body is not None and names and [w.strip() for w in inner.split(",")] == names:
+            yield Change(function, "parameters-behind", _list(function), "C++ declares parameters in the list only")
+
+
+def implicit_int(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A declaration without a type is one of type int."""
+    for element in (*all_of_kind(unit, ccode.Function), *all_of_kind(unit, ccode.Variable)):
+        if element.name == "main" or (isinstance(element, ccode.Variable) and declared_with_others(element)):
+            continue
+        head = data[element.startOffset : element.endOffset].decode("latin-1")
+        found = re.search(rf"\b{re.escape(element.name)}\b", head)
+        if found is not None and _QUALIFIERS.fullmatch(head[: found.start()]) and element.name:
+            yield Change(element, "implicit-int", str(found.start()), "C++ wants the type int written")
+
+
+def missing_returns(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A function that ends without its value: harmless in C where nobody uses the value, undefined in C++ in any case."""
+    for function in all_of_kind(unit, ccode.Function):
+        body, returned = function.body, function.returnType
+        if body is None or returned is None or function.name == "main" or data[body.endOffset - 1 : body.endOffset] != b"}":
+            continue
+        result = nothing(returned.spelling)
+        if result and not _leaves(body.statements[-1] if body.statements else None):
+            yield Change(function, "return-at-end", result, "in C++ a function must not end without the value it promises")
+
+
+def _leaves(statement: ccode.Statement | None) -> bool:
+    """Whether nothing gets behind a statement, as far as is plain; a function that never comes back is not known."""
+    pending = [statement]
+    while pending:
+        current = pending.pop()
+        if isinstance(current, ccode.Block):
+            pending.append(current.statements[-1] if current.statements else None)
+        elif isinstance(current, ccode.Label):
+            pending.append(current.statement)
+        elif isinstance(current, ccode.If):
+            pending += [current.thenBranch, current.elseBranch]
+        elif isinstance(current, ccode.Loop):
+            if not current.endless or any(e.kind != "return" for e in exits(current)):
+                return False
+        elif not isinstance(current, (ccode.Return, ccode.Goto)):
+            return False
+    return True
+
+
+def returns(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`return;` where a value is promised, `return value;` where none is."""
+    for leave in all_of_kind(unit, ccode.Return):
+        function = ancestor_of_kind(leave, ccode.Function)
+        if function is None or function.name == "main" or function.returnType is None:
+            continue
+        result = nothing(function.returnType.spelling)
+        if result and leave.value is None:
+            yield Change(leave, "return-with-value", result, "C++ wants the value that the function promises")
+        elif (
+            not result
+            and leave.value is not None
+            and ((given := type_of(leave.value, functions)) is None or given.base != "void")
+        ):
+            yield Change(leave, "return-without-value", "", "the function has no value in C++ either")
+
+
+def jumped_over(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A jump over a local's initial value: the value becomes an assignment, which may be jumped over."""
+    for statement in all_of_kind(unit, ccode.DeclarationStatement):
+        scope, function = statement.eContainer(), ancestor_of_kind(statement, ccode.Function)
+        initialised = [d for d in statement.declarations if isinstance(d, ccode.Variable) and d.initializer is not None]
+        if function is None or not initialised or not _jumped(statement, scope, function):
+            continue
+        for variable in initialised:
+            use = variable.valueType
+            plain = use is not None and not use.arrayDims and "(" not in use.spelling and not use.constant
+            if plain and not declared_with_others(variable) and variable.storage.name != "staticStorage":
+                yield Change(variable, "assign-behind", variable.name, "C++ jumps over no initial value")
+
+
+def _jumped(statement: ccode.Statement, scope: object, function: ccode.Function) -> bool:
+    behind = [s for s in scope.statements if s.startOffset > statement.startOffset] if isinstance(scope, ccode.Block) else []
+    if isinstance(getattr(scope, "eContainer", lambda: None)(), ccode.Switch):
+        return any(isinstance(s, (ccode.Case, ccode.Default)) for s in behind)
+    labels = {label.name for s in behind for label in all_of_kind(s, ccode.Label)}
+    return any(g.labelName in labels and g.startOffset < statement.startOffset for g in all_of_kind(function, ccode.Goto))
+
+
+def zero_constants(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A constant without a value, which is zero in C."""
+    for variable in unit.declarations:
+        if not isinstance(variable, ccode.Variable):
+            continue
+        use = variable.valueType
+        if (
+            use is None
+            or not use.constant
+            or use.pointerDepth
+            or variable.initialised
+            or variable.storage.name == "externStorage"
+        ):
+            continue
+        yield Change(variable, "zero-value", "{}" if use.arrayDims else nothing(use.spelling), "a constant has a value in C++")
+
+
+RULES = (empty_lists, parameters_behind, implicit_int, missing_returns, returns, jumped_over, zero_constants)
+"""The rules, by which of them comes first in a function's text."""

@@ -1,0 +1,33 @@
+"""A change of text that the target's language wants: what the rules of `language_gap` and `old_c` give.
+
+What a rule does to the text is in `edit_rules`; what becomes of it in the plan is `platform_dependence`'s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.expression_type import FunctionType
+
+
+@dataclass(frozen=True)
+class Change:
+    """A change of text that C++ wants.
+
+    Attributes:
+        element: what is changed.
+        rule: the rule of `edit_rules` that changes it.
+        text: what the rule puts in.
+        reason: why, one sentence.
+    """
+
+    element: ccode.Located
+    rule: str
+    text: str
+    reason: str
+
+
+Rule = Callable[[ccode.SourceUnit, bytes, Mapping[str, FunctionType]], Iterator[Change]]
+"""Unit, its bytes, what adapters take and give -> the changes."""

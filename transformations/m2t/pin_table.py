@@ -1,0 +1,82 @@
+"""Connections as a pin table (CSV or TOML), which `t2m/pin_table` reads: a drawing's wiring for people and for other tools.
+
+One row for each connection; the rows of a component are in the order of its connectors, so that it gets the same names again.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+from robosmi.errors import UsageError, did_you_mean
+from robosmi.metamodels import migration
+from robosmi.transformations.queries.circuit import pin_label
+
+_ENDINGS = (".csv", ".toml")
+
+
+def pin_table(connections: Sequence[migration.Connection], board: str, target: Path) -> str:
+    """The text of the table.
+
+    Args:
+        connections: of one board.
+        board: short name of the board, or empty where the platform repository does not know it.
+        target: the file it is for, whose ending says which form it has.
+
+    Raises:
+        UsageError: the ending is neither `.csv` nor `.toml`.
+    """
+    ending = target.suffix.lower()
+    if ending not in _ENDINGS:
+        raise UsageError(
+            f"a pin table is no '{target.suffix or target.name}' file{did_you_mean(ending, _ENDINGS)}",
+            fix=f"name it with one of: {', '.join(_ENDINGS)}",
+        )
+    rows = [_row(connection) for connection in sorted(connections, key=_place)]
+    return _csv(rows, board) if ending == ".csv" else _toml(rows, board)
+
+
+def _place(connection: migration.Connection) -> tuple[int, int]:
+    component = connection.component
+    if component is None or component.circuit is None:
+        return 0, 0
+    order = {connector: number for number, connector in enumerate(component.connectors)}
+    numbers = [order[c] for c in connection.connectors if c in order]
+    return list(component.circuit.components).index(component), min(numbers, default=0)
+
+
+def _row(connection: migration.Connection) -> dict[str, str]:
+    component = connection.component
+    return {
+        "pin": pin_label(connection),
+        "part": (component.partTitle or component.title or component.partId) if component else "",
+        "role": component.role.name if component else "",
+        "title": (component.title or f"#{component.elementId}") if component else "",
+        "connector": " ".join(connection.connectors[0].name.split()) if connection.connectors else "",
+        "driver": "true" if component and component.driver else "",
+        "through": "; ".join((part.title or part.partTitle).replace(";", ",") for part in connection.via),
+    }
+
+
+def _csv(rows: Sequence[dict[str, str]], board: str) -> str:
+    stream = io.StringIO()
+    columns = ["pin", "part", "role", "title", "connector", "driver", "through", "board"]
+    writer = csv.DictWriter(stream, columns, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows({key: " ".join(value.split()) for key, value in (row | {"board": board}).items()} for row in rows)
+    return stream.getvalue()
+
+
+def _toml(rows: Sequence[dict[str, str]], board: str) -> str:
+    lines = [f"board = {_text(board)}"] if board else []
+    for row in rows:
+        lines += ["", "[[pin]]"]
+        lines += [f"{key} = {'true' if key == 'driver' else _text(value)}" for key, value in row.items() if value]
+    return "\n".join(lines).lstrip("\n") + "\n"
+
+
+def _text(value: str) -> str:
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

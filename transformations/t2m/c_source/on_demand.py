@@ -1,0 +1,282 @@
+"""Driver for C programs as they lie on disk: a model over libclang in which nothing is built that no query asks for.
+
+Types and features are those of the metamodel `ccode`, the elements of its classes and built by the builders of `read_program`, so
+that queries, constraints and templates cannot tell the difference. A file is parsed at the first question about what
+it holds; a function's body, a statement's parts, an expression's operands wait until they are looked at (`model.on_demand`); what
+was built stays. Only links to names from outside the program, and those from declarations to their uses, need all of it.
+Read-only: it is a view of its sources. Not here: what a unit holds (`on_demand_unit`).
+"""
+
+from __future__ import annotations
+
+import os
+import weakref
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import UsageError
+from robosmi.metamodels import ccode
+from robosmi.model.features import all_features
+from robosmi.model.fragments import fragment_of, resolve
+from robosmi.model.metamodel import Metamodel, TypedModel
+from robosmi.model.on_demand import Promise, settle
+from robosmi.model.strict import Element
+from robosmi.model.structure import root_of
+from robosmi.project import defaults
+from robosmi.transformations.t2m.c_source.linking import Linker
+from robosmi.transformations.t2m.c_source.on_demand_unit import Unit, in_building_order
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+LEAVES = {
+    101: ccode.NameReference, 106: ccode.IntegerLiteral, 107: ccode.FloatingLiteral, 109: ccode.StringLiteral,
+    110: ccode.CharacterLiteral,
+}  # fmt: skip
+"""CXCursorKind -> the class of what is built of it outside of macros; such a cursor holds nothing else."""
+IN_EXTERNALS = (ccode.Function, ccode.ExternalSymbol, ccode.Parameter, ccode.TypeUse)
+"""What `Program.externals` and all below it is made of: functions from outside have no bodies."""
+
+
+class ProgramModel(TypedModel):
+    """The source files of one program, read on demand.
+
+    Args:
+        paths: the files, as they are to be called in the model.
+        platform: the platform it was written for.
+        include_dirs: folders with headers.
+        defines: macros from outside, `NAME` or `NAME=VALUE`.
+        name: what `M!Call` calls it.
+
+    Raises:
+        SourceError: a file is not there, or is no text. One that is no C is refused when it is parsed.
+        PlatformDataError: nothing is known of the platform.
+        MissingToolError: libclang is not installed.
+    """
+
+    read_only = True
+
+    def __init__(
+        self,
+        paths: Sequence[str | os.PathLike[str]],
+        platform: str,
+        include_dirs: Sequence[str | os.PathLike[str]] = (),
+        defines: Sequence[str] = (),
+        name: str = "M",
+    ) -> None:
+        if not paths:
+            raise UsageError("no source file is given", fix="name at least one C file")
+        super().__init__(Metamodel([ccode]), name, Path(paths[0]))
+        self._extents: dict[tuple[type, bool], list[Any]] = {}
+        self._linked = False
+        folders = [os.fspath(d) for d in include_dirs]
+        api = ApiIndex.load(platform)
+        self.program = ccode.Program(
+            name=os.path.splitext(os.path.basename(os.fspath(paths[0])))[0], includeFolders=folders, defines=list(defines)
+        )
+        self._units = [Unit(path, api, folders, defines, self._link, self.program) for path in paths]
+        self.program.languages.extend(dict.fromkeys(str(u.element.language) for u in self._units))
+        features = {f.name: f for f in all_features(ccode.Program.eClass)}
+        Promise(self.program, features["units"], lambda: [unit.element for unit in self._units])
+        Promise(self.program, features["externals"], self._externals)
+        settle(self.program)
+        self.close = weakref.finalize(self, _close, self._units)
+        """Frees the parser's memory; what was not built by then cannot be built any more."""
+
+    # Extents
+
+    def all_contents(self) -> Iterator[Any]:
+        """All elements in containment pre-order; each is built when the loop comes to it."""
+        return self._walk(object)
+
+    def all_of_kind(self, kind: Any) -> list[Any]:
+        """The elements of a type and its subtypes; only what can hold such elements is built on the way.
+
+        Raises:
+            UnknownTypeError: a name that there is not.
+        """
+        return list(self._extent(self._class_of(kind), False))
+
+    def all_of_type(self, kind: Any) -> list[Any]:
+        """The elements of exactly a type; only what can hold such elements is built on the way.
+
+        Raises:
+            UnknownTypeError: a name that there is not.
+        """
+        return list(self._extent(self._class_of(kind), True))
+
+    def _extent(self, cls: type, exact: bool) -> list[Any]:
+        found = self._extents.get((cls, exact))
+        if found is None:
+            found = [x for x in self._walk(cls) if (x.__class__ is cls if exact else isinstance(x, cls))]
+            self._extents[cls, exact] = found
+        return found
+
+    def _walk(self, wanted: type, start: Any = None) -> Iterator[Any]:
+        """Elements in pre-order; what can hold no element of the wanted class is passed over."""
+        pending: list[Any] = [start if start is not None else self.program]
+        while pending:
+            element = pending.pop()
+            yield element
+            parts: list[Any] = []
+            for feature in _containments(element.__class__):
+                slot = element.__dict__[feature._name]
+                if _can_hold(feature, wanted) and not (isinstance(slot, Promise) and _holds_only_others(slot, wanted)):
+                    value = slot._get()
+                    parts += value if feature.many else [] if value is None else [value]
+            pending.extend(reversed(parts))
+
+    # Identity
+
+    def element(self, identity: str) -> Any:
+        """The element at a fragment (`//@units.0/@declarations.3`), or None; only the way to it is built.
+
+        Raises:
+            ModelError: the fragment names a feature that is none.
+        """
+        return resolve(identity, [self.program]) if identity.startswith("/") else None
+
+    def id_of(self, element: Any) -> str:
+        """The fragment of an element, the same as in the stored model."""
+        return fragment_of(element, [self.program])
+
+    def owns(self, element: Any) -> bool:
+        """Whether the element is in this program."""
+        return isinstance(element, Element) and root_of(element) is self.program
+
+    # Links
+
+    def _link(self, unit: Unit, element: Any, feature: Any) -> Callable[[], Any]:
+        """How to find the value of a cross reference."""
+
+        def make() -> Any:
+            found = self._near(unit, element, feature.name) if not feature.many else None
+            if found is None:
+                self._link_all()
+                slot = element.__dict__[feature.name]  # what was built after all was linked has no link
+                return (() if feature.many else None) if isinstance(slot, Promise) else slot._get()
+            return found
+
+        return make
+
+    def _near(self, unit: Unit, element: Any, name: str) -> Any:
+        """The program's own declaration that a use refers to, if it can be told without the rest of the program."""
+        cursor = unit.cursors.get(id(element))
+        if name == "macro":
+            return unit.macro(str(element.name))
+        if cursor is None or name not in ("callee", "target"):
+            return None
+        if name == "callee":
+            return self._function(unit, str(element.calleeName), unit.declared(cursor))
+        top = element
+        while not isinstance(top, ccode.Declaration) or not isinstance(top.eContainer(), ccode.SourceUnit):
+            if (top := top.eContainer()) is None:
+                return None
+        found = unit.declared(cursor)
+        if found is None and isinstance(top, ccode.Function):
+            for _ in self._walk(ccode.Declaration, top):  # it may be declared in this function
+                pass
+            found = unit.declared(cursor)
+        return self._function(unit, str(element.name), found) if found is None or isinstance(found, ccode.Function) else found
+
+    def _function(self, unit: Unit, name: str, declared: Any) -> Any:
+        function = declared if isinstance(declared, ccode.Function) else None
+        if function is None or not function.definition:
+            declarations: list[list[Any]] = [list(u.element.declarations) for u in self._units]
+            function = Linker([u.context for u in self._units], declarations)._own(self._units.index(unit), name) or function
+        return function
+
+    def _externals(self) -> Any:
+        self._link_all()
+        return self._made_externals
+
+    def _link_all(self) -> None:
+        """Build what is left and link everything, as `read_program` does."""
+        if self._linked:
+            return
+        self._linked = True
+        elements = [x for unit in self._units for x in self._walk(object, unit.element)]
+        for element in elements:
+            for feature in _links(element.__class__):
+                element.__dict__.pop(feature._name, None)
+        contexts = [unit.context for unit in self._units]
+        for unit in self._units:
+            in_building_order(unit)
+            unit.link_macros()
+        self._made_externals = Linker(list(contexts), [list(unit.element.declarations) for unit in self._units]).run()
+        for element in (*elements, *self._made_externals):
+            settle(element)
+
+
+def _close(units: list[Unit]) -> None:
+    for unit in units:
+        unit.close()
+
+
+_HOLDS: dict[tuple[Any, type], bool] = {}
+_CONTAINS: dict[type, list[Any]] = {}
+_CROSS: dict[type, list[Any]] = {}
+
+
+def _containments(cls: type) -> list[Any]:
+    if cls not in _CONTAINS:
+        features = all_features(cls.eClass)  # type: ignore[attr-defined]
+        _CONTAINS[cls] = [f for f in features if f.is_reference and f.containment]
+    return _CONTAINS[cls]
+
+
+def _links(cls: type) -> list[Any]:
+    if cls not in _CROSS:
+        features = all_features(cls.eClass)  # type: ignore[attr-defined]
+        _CROSS[cls] = [
+            f for f in features if f.is_reference and not f.containment and not (f.eOpposite and f.eOpposite.containment)
+        ]
+    return _CROSS[cls]
+
+
+def _can_hold(feature: Any, wanted: type) -> bool:
+    """Whether the metamodel lets elements of the class be below a containment feature."""
+    known = _HOLDS.get((feature, wanted))
+    if known is None and feature is ccode.Program.externals:
+        known = _HOLDS[feature, wanted] = any(issubclass(cls, wanted) for cls in IN_EXTERNALS)
+    if known is None:
+        seen: set[type] = set()
+        pending = [feature]
+        while pending and not known:
+            kind = pending.pop().eType
+            kind = getattr(kind, "python_class", kind)
+            for cls in _CLASSES:
+                if issubclass(cls, kind) and cls not in seen:
+                    seen.add(cls)
+                    known = known or issubclass(cls, wanted)
+                    pending.extend(_containments(cls))
+        known = _HOLDS[feature, wanted] = bool(known)
+    return known
+
+
+_CLASSES: list[type] = [c.python_class for c in ccode.eClass.eClassifiers if hasattr(c, "eSuperTypes") and not c.abstract]
+
+
+def _holds_only_others(promise: Promise, wanted: type) -> bool:
+    """Whether all that waits in a slot are leaves of other classes than the wanted one."""
+    if not promise.hint:
+        return False
+    for node in promise.hint:
+        while node is not None and not node.from_macro and node.kind in (100, 111) and len(node.children) == 1:
+            node = node.children[0]
+        leaf = LEAVES.get(node.kind) if node is not None and not node.from_macro else None
+        if leaf is None or issubclass(leaf, wanted):
+            return False
+    return True
+
+
+def open_program(
+    path: str | Path | Sequence[str | Path],
+    name: str | None = None,
+    platform: str | None = None,
+    include_dirs: Sequence[str | Path] = (),
+    defines: Sequence[str] = (),
+) -> ProgramModel:
+    """Open a program's source file, or all that are compiled together; see `ProgramModel`."""
+    paths = [path] if isinstance(path, (str, Path)) else list(path)
+    source_platform = platform or defaults()["migrate"]["source_platform"]
+    return ProgramModel(paths, source_platform, include_dirs, defines, name or Path(paths[0]).stem)

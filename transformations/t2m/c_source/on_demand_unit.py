@@ -1,0 +1,199 @@
+"""One source file of a program that is read on demand: parsed at the first question, its parts built one by one.
+
+`Unit` has the element, whose slots are promises, and what linking needs of the parser. The builders are those of `read_program`,
+given a context that puts stand-ins in the place of parts. Links between units are `on_demand`'s.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import ModelError, SourceError
+from robosmi.metamodels import ccode
+from robosmi.model.features import all_features
+from robosmi.model.on_demand import Promise, settle, stand_in
+from robosmi.model.structure import contents
+from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
+from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
+from robosmi.transformations.t2m.c_source.source import read_source
+from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+
+class WaitingContext(Context):
+    """A context whose builders leave parts for later; what a macro with arguments gives is built at once, in order."""
+
+    def __init__(self, unit: Unit, parsed: Parsed, api: ApiIndex, folders: Sequence[str]) -> None:
+        super().__init__(parsed, api, folders)
+        self._unit = unit
+        self._now = False
+
+    def later(self, kind: type, build: Any, *arguments: Any) -> Any:
+        """A stand-in, unless it was the part's turn."""
+        if self._now:
+            self._now = False
+            return None
+        node = arguments[0]
+        if isinstance(node, Node) and node.from_macro:
+            use = self.enclosing(node.start)
+            if use is None or self.function_like(use):
+                return None
+        depth = self.depth
+        return stand_in(kind, lambda: self._build(build, arguments, depth), node if isinstance(node, Node) else None)
+
+    def _build(self, build: Any, arguments: tuple[Any, ...], depth: int) -> Any:
+        if not self.parsed.unit:
+            raise ModelError("the program was closed before this part of it was read", fix="close it later")
+        before, self.depth, self._now = self.depth, depth, True
+        try:
+            made = build(self, *arguments)
+        finally:
+            self.depth, self._now = before, False
+        while "_make" in made.__dict__:
+            made = made._make()
+        return self._unit.settled(made)
+
+
+class Unit:
+    """A source file.
+
+    Args:
+        path: as it is to be called in the model.
+        api: the platform's.
+        folders: with headers.
+        defines: macros from outside.
+        link: for a cross reference of an element how to find its value.
+        program: the program's element.
+
+    Raises:
+        SourceError: the file is not there, or is no text.
+    """
+
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        api: ApiIndex,
+        folders: Sequence[str],
+        defines: Sequence[str],
+        link: Callable[[Unit, Any, Any], Callable[[], Any]],
+        program: ccode.Program,
+    ) -> None:
+        self._api, self._folders, self._defines, self._link_of = api, list(folders), list(defines), link
+        self._source = source = read_source(path)
+        self._parsed: Parsed | None = None
+        self.element = ccode.SourceUnit(
+            path=source.path, encoding=source.encoding, digest=source.digest, language=source.language, size=source.size
+        )
+        waiting: dict[str, Callable[[], Any]] = {
+            "program": lambda: program,
+            "includes": lambda: self._settled_all(preprocessor.read(self.context)[0]),
+            "macros": lambda: self._settled_all(preprocessor.read(self.context)[1]),
+            "conditionals": lambda: self._settled_all(preprocessor.read(self.context)[2]),
+            "comments": lambda: self._settled_all(preprocessor.read(self.context)[3]),
+            "macroUses": lambda: self._settled_all(macros.uses(self.context)),
+            "declarations": lambda: self._settled_all(declarations.group(self.context, self.context.parsed.nodes)),
+            "problems": lambda: self._settled_all(coverage.problems(self.context)),
+            "unresolved": lambda: self._settled_all(self._covered.unresolved),
+            "callsInText": lambda: self._covered.in_text,
+            "callsInModel": lambda: self._covered.in_model,
+        }
+        for feature in all_features(ccode.SourceUnit.eClass):
+            if feature.name in waiting:
+                Promise(self.element, feature, waiting[feature.name])
+        settle(self.element)
+
+    @cached_property
+    def context(self) -> WaitingContext:
+        """The parsed file.
+
+        Raises:
+            SourceError: it is no C.
+        """
+        parsed = parse(self._source, self._api, self._folders, self._defines)
+        if parsed is None:
+            place = Location(self._source.path)
+            raise SourceError("the C parser gave up on this file", location=place, fix="check that it is C source text")
+        self._parsed = parsed
+        context = WaitingContext(self, parsed, self._api, self._folders)
+        checks.refuse_other_languages(parsed)
+        preprocessor.read(context)  # so that the context knows the file's own macros
+        return context
+
+    @cached_property
+    def _covered(self) -> coverage.Coverage:
+        pending: list[Any] = [*self.element.declarations, *self.element.macroUses]
+        while pending:  # all of it must be built for this
+            pending.extend(pending.pop().eContents)
+        return coverage.calls(self.context)
+
+    def settled(self, element: Any) -> Any:
+        """An element that was just built, read-only and with promises in the place of its links."""
+        return settle(element, lambda owner, feature: self._link_of(self, owner, feature))
+
+    def _settled_all(self, elements: Any) -> list[Any]:
+        return [self.settled(element) for element in elements]
+
+    @property
+    def cursors(self) -> dict[int, Any]:
+        """What the parser says a call or a name refers to, by the element's identity."""
+        known: dict[int, Any] = self.__dict__.setdefault("_cursors", {})
+        context = self.context
+        total = len(context.calls) + len(context.references)
+        if self.__dict__.get("_counted") != total:
+            known.update({id(call): cursor for call, cursor in context.calls})
+            known.update({id(name): cursor for name, cursor in context.references})
+            self.__dict__["_counted"] = total
+        return known
+
+    def declared(self, cursor: Any) -> Any:
+        """The element that was built for a declaration's cursor, or None; those at file scope are built for this."""
+        len(self.element.declarations)
+        return self.context.declared.get(self.context.pointer(cursor))
+
+    def macro(self, name: str) -> Any:
+        """The file's own macro of that name, the last one, or None."""
+        return {str(macro.name): macro for macro in self.element.macros}.get(name)
+
+    def link_macros(self) -> None:
+        """Link the uses of the file's own macros."""
+        by_name = {str(macro.name): macro for macro in self.element.macros}
+        for use in self.element.macroUses:
+            if str(use.name) in by_name:
+                use.macro = by_name[str(use.name)]
+
+    def close(self) -> None:
+        """Free the parser's memory."""
+        if self._parsed is not None:
+            self._parsed.close()
+
+
+def in_building_order(unit: Unit) -> None:
+    """Put what is to be linked into the order in which `read_program` builds it: parts before wholes, features in order.
+
+    In three kinds of element that is not the metamodel's order: `do` and `for` are built as the text has them, and in a list of
+    initial values the value comes before its designator.
+    """
+    rank: dict[int, int] = {}
+    pending: list[tuple[Any, bool]] = [(unit.element, False)]
+    while pending:
+        element, done = pending.pop()
+        if done:
+            rank[id(element)] = len(rank)
+            continue
+        parts = contents(element)
+        if isinstance(element, ccode.DoWhile):
+            parts = [element.body, element.condition]
+        elif isinstance(element, ccode.For):
+            parts = [element.initial, element.condition, element.step, element.body]
+        elif isinstance(element, ccode.Assignment) and isinstance(element.eContainer(), ccode.InitializerList):
+            parts = [element.right, element.left]
+        pending.append((element, True))
+        pending.extend((part, False) for part in reversed(parts) if part is not None)
+    context = unit.context
+    context.calls.sort(key=lambda entry: rank.get(id(entry[0]), -1))
+    context.references.sort(key=lambda entry: rank.get(id(entry[0]), -1))

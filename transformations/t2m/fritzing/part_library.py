@@ -1,0 +1,109 @@
+"""A folder of Fritzing part definitions (`.fzp`) as parts with roles: what `robosmi parts import` reads.
+
+Facts are taken, no artwork and no prose: of a description only how often each word stands in it. A definition that is damaged
+is left out with a finding and costs only itself. Where two files define one id, the first counts.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from lxml import etree
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.fritzing.document import parse_xml
+from robosmi.transformations.t2m.fritzing.part_file import part_of
+from robosmi.transformations.t2m.part_names import names
+from robosmi.transformations.t2m.part_roles import classify
+from robosmi.transformations.t2m.parts_catalogue import Part
+
+MAX_BYTES = 16 * 1024 * 1024
+"""Bytes of a definition; the largest public one has under one megabyte."""
+
+_TAG = re.compile(r"<[^<>]*>")
+_WORD = re.compile(r"[^\W_]{2,30}")
+
+
+@dataclass(slots=True)
+class Library:
+    """What was read: each part with the word counts of its description, and what was left out."""
+
+    parts: list[tuple[Part, Counter[str]]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    repeated: int = 0
+
+
+def read_library(folders: Sequence[Path], project: Path | None = None) -> Library:
+    """All part definitions below some folders, with roles.
+
+    Args:
+        folders: folders, or single definitions; the first that has an id counts.
+        project: the project folder, whose own rules go first; the current folder if None.
+
+    Raises:
+        SourceError: a folder is not there, or there is no definition at all.
+        PlatformDataError: the rules for roles are damaged.
+    """
+    known = names(project)
+    library = Library()
+    seen: set[str] = set()
+    for path, shown in _files(folders):
+        try:
+            root = parse_xml(_bytes(path), str(path), path.name)
+            part = part_of(root, shown, known)
+        except (SourceError, OSError) as error:
+            cause = error.message if isinstance(error, SourceError) else error.strerror
+            library.findings.append(_left_out(path, f"it cannot be read: {cause}"))
+            continue
+        if part is None:
+            library.findings.append(_left_out(path, "it is no part definition"))
+        elif part.id in seen:
+            library.repeated += 1
+        else:
+            seen.add(part.id)
+            role = classify(part, project)
+            library.parts.append((role if role.role != "Unknown" else replace(part, evidence="no rule fits"), _words(root)))
+    if not library.parts:
+        raise SourceError(
+            "there is no Fritzing part definition (.fzp) in it",
+            location=Location(str(folders[0])),
+            fix="give a folder of parts, such as the one that Fritzing installs",
+        )
+    return library
+
+
+def _files(folders: Sequence[Path]) -> Iterator[tuple[Path, str]]:
+    """The definitions in search order, each with how it is named afterwards: its folder and name, never a whole path."""
+    for folder in folders:
+        if folder.is_file():
+            yield folder, folder.name
+            continue
+        if not folder.is_dir():
+            raise SourceError("there is no such folder", location=Location(str(folder)), fix="give a folder with .fzp files")
+        for path in sorted(folder.rglob("*.fzp")):
+            if path.is_file():
+                yield path, f"{path.parent.name}/{path.name}"
+
+
+def _words(root: etree._Element) -> Counter[str]:
+    """How often each word stands in the description, in lower case; HTML is often written in it as text."""
+    text = str(root.xpath("string(description)"))
+    return Counter(word.lower() for word in _WORD.findall(_TAG.sub(" ", html.unescape(html.unescape(text)))))
+
+
+def _bytes(path: Path) -> bytes:
+    with path.open("rb") as stream:
+        data = stream.read(MAX_BYTES + 1)
+    if len(data) > MAX_BYTES:
+        raise SourceError(f"it has more than {MAX_BYTES // 1024 // 1024} MB", location=Location(str(path)))
+    return data
+
+
+def _left_out(path: Path, cause: str) -> Finding:
+    return Finding("RS204", Severity.warning, f"'{path.name}' was left out: {cause}", Location(str(path)))

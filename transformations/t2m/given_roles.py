@@ -1,0 +1,32 @@
+"""Roles that a user gives to components of a drawing, by title or `#identity` (robosmi.toml, `[roles]`)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from robosmi.errors import UsageError, did_you_mean
+from robosmi.transformations.t2m.parts_catalogue import ROLES
+
+
+def given_roles(roles: Mapping[str, str], titles: Mapping[str, str]) -> dict[str, str]:
+    """The given roles by identity.
+
+    Args:
+        roles: COMPONENT -> role.
+        titles: the title of each component that is placed, by identity.
+
+    Raises:
+        UsageError: a role or a component does not exist, or a title is not unique.
+    """
+    result: dict[str, str] = {}
+    for name, role in roles.items():
+        if role not in ROLES:
+            raise UsageError(f"'{role}' is no role{did_you_mean(role, ROLES)}", fix=f"use one of: {', '.join(ROLES)}")
+        found = [identity for identity, title in titles.items() if name in (f"#{identity}", title)]
+        if len(found) != 1:
+            known = sorted({title for title in titles.values() if title})
+            cause = f"{len(found)} components are called '{name}'" if found else f"no component is called '{name}'"
+            fix = f"use one of: {', '.join(f'#{i}' for i in found) if found else ', '.join(known)}"
+            raise UsageError(cause + ("" if found else did_you_mean(name, known)), fix=fix)
+        result[found[0]] = role
+    return result

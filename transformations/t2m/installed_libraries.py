@@ -1,0 +1,218 @@
+"""Text to model: folders of installed libraries become rows of facts, as `library_index` takes them.
+
+A folder of libraries (one folder each), one library, or a PlatformIO project (`.pio/libdeps/*/`, `lib/`) will do. Declared
+metadata come from library.properties or library.json, else the folder's name is the library's. Files that cannot be read,
+folders without headers, doubles and rings of links are left out, each with its reason. Kept are facts only, see `library_index`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.recommend.words import chunks, words
+
+HEADERS = (".h", ".hpp", ".hh")
+_MOST_HEADERS, _MOST_WORDS, _LARGEST = 40, 700, 4_000_000
+_NOT_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'", re.DOTALL)
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.MULTILINE)
+_CLASS = re.compile(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*(?::[^;{]*)?\{")
+_KEYWORDS = frozenset(  # of C++, and of its preprocessor
+    re.findall(
+        r"\w+",
+        """if else for while do switch case default break continue return goto sizeof static const volatile inline extern virtual
+        public private protected class struct union enum typedef template typename namespace using new delete this operator void
+        bool char short int long float double signed unsigned auto register define ifdef ifndef endif elif undef include pragma
+        true false""",
+    )
+)
+
+
+@dataclass
+class Found:
+    """What a folder gave.
+
+    Attributes:
+        rows: a row of facts for each library.
+        skipped: path -> why it was left out.
+    """
+
+    rows: list[dict[str, Any]] = field(default_factory=list)
+    skipped: dict[str, str] = field(default_factory=dict)
+
+
+def read_libraries(folder: Path) -> Found:
+    """The libraries in a folder, each once.
+
+    Raises:
+        SourceError: there is no such folder.
+    """
+    if not folder.is_dir():
+        raise SourceError("there is no such folder", location=Location(str(folder)), fix="give a folder of libraries")
+    found, seen, names = Found(), set[Path](), dict[str, str]()
+    for path in _folders(folder, found):
+        real = path.resolve()
+        if real in seen:
+            found.skipped[str(path)] = "it is a link to a folder that was read before"
+            continue
+        seen.add(real)
+        row = _library(path, found)
+        if row is None:
+            continue
+        if row["name"] in names:
+            found.skipped[str(path)] = f"the library '{row['name']}' was read before, in {names[row['name']]}"
+            continue
+        names[row["name"]] = str(path)
+        found.rows.append(row)
+    return found
+
+
+def _folders(folder: Path, found: Found) -> Iterator[Path]:
+    """The folders of single libraries."""
+    if _is_library(folder):
+        yield folder
+        return
+    platformio = [*sorted(folder.glob(".pio/libdeps/*")), folder / "lib"]
+    roots = [root for root in platformio if root.is_dir()] if (folder / "platformio.ini").is_file() else [folder]
+    for root in roots:
+        for path in _entries(root, found):
+            if path.is_dir() and not path.name.startswith("."):
+                yield path
+
+
+def _is_library(folder: Path) -> bool:
+    declared = any((folder / name).is_file() for name in ("library.properties", "library.json"))
+    return declared or any(path.is_file() for pattern in HEADERS for path in folder.glob(f"*{pattern}"))
+
+
+def _entries(folder: Path, found: Found) -> list[Path]:
+    try:
+        return sorted(folder.iterdir(), key=lambda path: (path.is_symlink(), path.name))  # what is there before what points there
+    except OSError as error:
+        found.skipped[str(folder)] = f"cannot be read: {error.strerror}"
+        return []
+
+
+def _library(folder: Path, found: Found) -> dict[str, Any] | None:
+    said = _declared(folder, found)
+    inner = folder / "src"
+    files = [path for path in _entries(inner if inner.is_dir() else folder, found) if path.suffix.lower() in HEADERS]
+    headers = [path for path in files if path.is_file()]
+    if not headers:
+        found.skipped.setdefault(str(folder), "it has no header")
+        return None
+    name = said.get("name") or folder.name
+    wanted = [part.strip() for part in said.get("includes", "").split(",") if part.strip()]
+    main = [path.name for path in headers if path.name in wanted]
+    main = main or [path.name for path in headers if _bears(path.stem, name) or _bears(path.stem, folder.name)]
+    main = main or [path.name for path in headers if len(headers) <= 3] or [headers[0].name]
+    read = [_header(path, path.name in main, found) for path in sorted(headers, key=lambda p: (p.name not in main, p.name))]
+    facts = [header for header in read[:_MOST_HEADERS] if header is not None]
+    if not any(header["main"] for header in facts):
+        found.skipped[str(folder)] = "none of its main headers can be read"
+        return None
+    classes = {each for header in facts for each in header.pop("classes") if header["main"]}
+    keywords, declared = _keywords(folder)
+    return {
+        "name": name, "version": said.get("version", ""), "author": said.get("author", ""), "category": said.get("category", ""),
+        "architectures": _listed(said.get("architectures", "")), "depends": _listed(said.get("depends", "")),
+        "license": said.get("license", ""), "url": said.get("url", ""),
+        "main": [header["file"] for header in facts if header["main"]], "headers": facts, "installed": True,
+        "meta_terms": dict(Counter(chunks(f"{said.get('sentence', '')} {said.get('paragraph', '')}".lower()))),
+        "keyword_terms": dict(keywords), "keyword_classes": sorted(classes | declared), "copies": 1,
+    }  # fmt: skip
+
+
+def _declared(folder: Path, found: Found) -> dict[str, str]:
+    """What the library says of itself, whichever file says it; empty where none does or it is broken."""
+    properties, manifest = folder / "library.properties", folder / "library.json"
+    if properties.is_file() and (text := _text(properties, found)) is not None:
+        pairs = (line.partition("=") for line in text.splitlines() if not line.startswith("#"))
+        return {key.strip(): " ".join(value.split()) for key, equals, value in pairs if equals}
+    if manifest.is_file() and (text := _text(manifest, found)) is not None:
+        try:
+            data = json.loads(text)
+        except (ValueError, RecursionError):
+            data = None
+        if isinstance(data, dict):
+            return _from_manifest(data)
+        found.skipped[str(manifest)] = "it is no JSON object; the folder's name was taken"
+    return {}
+
+
+def _from_manifest(data: dict[str, Any]) -> dict[str, str]:
+    """PlatformIO's library.json in the words of library.properties."""
+
+    def joined(value: object) -> str:
+        if isinstance(value, dict):
+            return ", ".join(map(str, value))
+        if isinstance(value, list):
+            return ", ".join(str(item.get("name", "")) if isinstance(item, dict) else str(item) for item in value)
+        return str(value or "")
+
+    platforms = joined(data.get("platforms")).replace("atmelavr", "avr")
+    return {
+        "name": joined(data.get("name")), "version": joined(data.get("version")), "author": joined(data.get("authors")),
+        "sentence": f"{joined(data.get('description'))} {joined(data.get('keywords'))}", "architectures": platforms,
+        "depends": joined(data.get("dependencies")), "includes": joined(data.get("headers")),
+        "license": joined(data.get("license")), "url": joined(data.get("homepage")),
+    }  # fmt: skip
+
+
+def _header(path: Path, main: bool, found: Found) -> dict[str, Any] | None:
+    text = _text(path, found)
+    if text is None:
+        return None
+    code = _NOT_CODE.sub(" ", text)
+    identifiers = Counter(word for word in words(code) if not word.isdigit() and word not in _KEYWORDS)
+    return {
+        "file": path.name, "main": main, "includes": sorted(set(_INCLUDE.findall(text))),
+        "raw": dict(Counter(chunks(text.lower())).most_common(_MOST_WORDS)),
+        "idents": dict(identifiers.most_common(_MOST_WORDS)), "classes": _CLASS.findall(code),
+    }  # fmt: skip
+
+
+def _keywords(folder: Path) -> tuple[Counter[str], set[str]]:
+    """Words of the identifiers in keywords.txt, and its classes (KEYWORD1)."""
+    counts: Counter[str] = Counter()
+    classes = set()
+    path = folder / "keywords.txt"
+    text = _text(path, Found()) if path.is_file() else None
+    for line in (text or "").splitlines():
+        cells = line.split("#")[0].split()
+        if len(cells) >= 2:
+            counts.update(words(cells[0]))
+            if cells[1] == "KEYWORD1":
+                classes.add(cells[0])
+    return counts, classes
+
+
+def _text(path: Path, found: Found) -> str | None:
+    """The text of a file, as UTF-8 or else as Latin-1, which fits everything."""
+    try:
+        if path.stat().st_size > _LARGEST:
+            found.skipped[str(path)] = f"it is larger than {_LARGEST} bytes"
+            return None
+        data = path.read_bytes()
+    except OSError as error:
+        found.skipped[str(path)] = f"cannot be read: {error.strerror}"
+        return None
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
+
+
+def _bears(stem: str, name: str) -> bool:
+    return re.sub(r"[\W_]+", "", stem).casefold() == re.sub(r"[\W_]+", "", name).casefold()
+
+
+def _listed(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",") if part.strip()]

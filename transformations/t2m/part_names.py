@@ -1,0 +1,180 @@
+"""What names say about parts: names of connectors, families that only join, ids that a drawing tool makes up.
+
+Reads `parts/names.toml` of the platform repository, the user's folders first. It is read for every drawing and so is kept
+small; the rules for roles, which only unknown parts need, are in `part_roles`. Here is also how phrases are found in a text.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.resources import folders
+
+KINDS = ("unknown", "signal", "supply", "ground")
+"""What a connector carries, as the hardware metamodel names it."""
+
+_LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
+_WORD = re.compile(r"[^\W_]+")
+_LONGEST = 4
+_LONGEST_PHRASE = 40
+_LONGEST_TEXT = 400  # letters: a title is short, whatever a damaged file says
+_NUMBERED = re.compile(r"(?:pin|leg|connector|p\$|p|contact)?[ _-]?\d+", re.IGNORECASE)
+
+
+class Phrases:
+    """Words and phrases to look for in texts; a `*` at the end of one means "begins so".
+
+    What stands between two words does not count, nor does letter case: `hc sr04` is found in `HC-SR04`. Each phrase bears
+    the number it was given with; the smallest number found wins.
+    """
+
+    def __init__(self, phrases: Iterable[tuple[str, int]]) -> None:
+        self._whole: dict[str, list[int]] = {}
+        self._begin: dict[str, list[int]] = {}
+        for phrase, number in phrases:
+            words = " ".join(_WORD.findall(phrase.lower()))
+            (self._begin if phrase.endswith("*") else self._whole).setdefault(words, []).append(number)
+
+    def found(self, text: str) -> Iterator[tuple[int, str]]:
+        """The numbers of all phrases in a text, each with the words that fit, in no order."""
+        for words in _runs(text):
+            for number in self._whole.get(words, ()):
+                yield number, words
+            for length in range(2, min(len(words), _LONGEST_PHRASE) + 1):
+                for number in self._begin.get(words[:length], ()):
+                    yield number, words
+
+    def __contains__(self, text: str) -> bool:
+        return next(self.found(text), None) is not None
+
+
+def _runs(text: str) -> Iterator[str]:
+    words = _WORD.findall(text[:_LONGEST_TEXT].lower())
+    for first in range(len(words)):
+        for last in range(first + 1, min(first + _LONGEST, len(words)) + 1):
+            yield " ".join(words[first:last])
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """The content of `names.toml`: sets of connector names in lower case, phrases for families, shapes of made-up ids."""
+
+    names: Mapping[str, frozenset[str]]
+    bus_only: Phrases
+    either: Phrases
+    read_on_analog: Phrases
+    not_read_on_analog: Phrases
+    arduino_labels: Phrases
+    not_arduino_labels: Phrases
+    generated: tuple[Mapping[str, Any], ...] = field(default=())
+
+
+def names(project: Path | None = None) -> Names:
+    """The lists for names; the first file in search order counts as a whole.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: the file is damaged or missing.
+    """
+    for folder in folders("platform_repo", project):
+        path = folder / "parts" / "names.toml"
+        if path.is_file():
+            return _names(str(path), path.stat().st_mtime_ns)
+    raise PlatformDataError("there is no parts/names.toml in the platform repository", fix="install robosmi again")
+
+
+def connector_kind(name: str, known: Names) -> str:
+    """What a connector carries by its name: supply, ground, unknown for a name that says nothing, else signal."""
+    word = name.strip().lower()
+    for kind in ("supply", "ground"):
+        if word in known.names[kind]:
+            return kind
+    return "unknown" if word in known.names["idle"] or _NUMBERED.fullmatch(word) else "signal"
+
+
+def name_direction(name: str, known: Names, chip: bool = False) -> str | None:
+    """The direction that a connector's name tells (bus, write, read), or None.
+
+    Args:
+        name: the connector's name.
+        known: the lists.
+        chip: whether it is a connector of a driver or chip, whose inputs and outputs bear other names.
+    """
+    word = name.strip().lower()
+    if not known.names["bus"].isdisjoint(re.split(r"[/_ ]", word)):  # SDI/SDA, RX_5V
+        return "bus"
+    for way in ("write", "read"):
+        if word in known.names[way] or (chip and word in known.names[f"{way}_chip"]):
+            return way
+    return None
+
+
+def conducts_by_bus_only(family: str, known: Names) -> bool:
+    """Whether parts of the family join connectors only where a bus says so (breadboards, headers, terminals)."""
+    return any(f"{family}{end}" in known.bus_only for end in ("", "s")) or _singular(family) in known.bus_only
+
+
+def _singular(text: str) -> str:
+    return " ".join(word.removesuffix("s") for word in text.lower().split())
+
+
+def read_toml(path: Path | str) -> dict[str, Any]:
+    """A TOML file of the platform repository.
+
+    Raises:
+        PlatformDataError: it cannot be read, or is not TOML; with its place in the file.
+    """
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise PlatformDataError(
+            f"cannot be read: {error}", location=Location(str(path)), fix="mend or remove the file"
+        ) from error
+    return parse_toml(text, str(path), 1)
+
+
+def parse_toml(text: str, path: str, first_line: int) -> dict[str, Any]:
+    """A piece of a TOML file that begins at that line.
+
+    Raises:
+        PlatformDataError: it is not TOML; with its place in the whole file.
+    """
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        at = re.search(r"at line (\d+), column (\d+)", str(error))
+        line, column = (int(at[1]) + first_line - 1, int(at[2])) if at else (first_line, None)
+        cause = str(error).partition(" (at ")[0]
+        place = Location(path, line, column)
+        raise PlatformDataError(f"not valid TOML: {cause}", location=place, fix="mend the entry") from error
+
+
+@cache
+def _names(path: str, changed: int) -> Names:  # `changed` keys the cache
+    table = read_toml(path)
+    lists = {key: frozenset(table.get("names", {}).get(key, ())) for key in _LISTS}
+    either, boards = table.get("either", {}), table.get("boards", {})
+    return Names(
+        lists,
+        bus_only=_phrases(table.get("walk", {}).get("bus_only", ())),
+        either=_phrases(either.get("words", ())),
+        read_on_analog=_phrases(either.get("read_on_analog", ())),
+        not_read_on_analog=_phrases(either.get("not_read_on_analog", ())),
+        arduino_labels=_phrases(boards.get("arduino_labels", ())),
+        not_arduino_labels=_phrases(boards.get("not_arduino_labels", ())),
+        generated=tuple(table.get("generated", ())),
+    )
+
+
+def _phrases(words: Iterable[str]) -> Phrases:
+    return Phrases((word, 0) for word in words)

@@ -1,0 +1,177 @@
+"""The file of parts that an import writes and a drawing is read with: its format, one look-up for each part.
+
+A row is a part: identity, title, family, tags, role with reason, and two compressed pieces, connectors with buses and
+properties, and the word counts of the description. Only facts: no drawings and no prose. Nothing is decided here.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+import zlib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.transformations.t2m.part_names import Names, connector_kind
+from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector
+
+FORMAT = 1
+"""Number of the format: `PRAGMA user_version` of the file."""
+
+APPLICATION = 0x52535043
+"""What marks such a file: `PRAGMA application_id`, "RSPC"."""
+
+_SCHEMA = """
+CREATE TABLE part(id TEXT PRIMARY KEY, title TEXT, family TEXT, tags TEXT, role TEXT NOT NULL, driver INTEGER NOT NULL,
+  evidence TEXT, source TEXT, facts BLOB NOT NULL, words BLOB NOT NULL) WITHOUT ROWID;
+"""
+_COLUMNS = "id, title, family, tags, role, driver, evidence, source, facts"
+_FIX = "import the parts again, or install robosmi again"
+_PAGE = 4096
+_COMMON = (  # what many pieces begin with: it makes short ones half as long (zlib's preset dictionary)
+    b'"],["connector6","connector5","connector4","P$1","wiper","Pin 2","Pin 1","anode","cathode","GND","VCC","5V","pin 1"'
+    b'"connector3","connector2","connector1","bus1":["{"package":"THT","variant":"variant 1","part number":"","chip":"",'
+    b'"layer":"","type":"","Pin Spacing":"0.1in (2.54mm)"},{},{"[["connector0","'
+)
+
+
+class PartsFile:
+    """A file of parts, open for reading. The file must not change while it is open.
+
+    Args:
+        path: the file.
+
+    Raises:
+        PlatformDataError: it is not there, damaged, or of another format.
+    """
+
+    def __init__(self, path: Path) -> None:
+        import sqlite3  # 5 ms, wanted only when there is such a file
+
+        self.path = path
+        try:  # immutable: no locks, no look for a journal
+            self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
+        except sqlite3.Error as error:
+            raise self._damaged(str(error)) from error
+        if self._all("PRAGMA application_id") != [(APPLICATION,)] or self._all("PRAGMA user_version") != [(FORMAT,)]:
+            self.close()
+            raise self._damaged(f"it is no file of parts of format {FORMAT}")
+
+    def close(self) -> None:
+        """Close the file."""
+        self._db.close()
+
+    def part(self, part_id: str, known: Names) -> Part | None:
+        """The part of that identity, or None.
+
+        Args:
+            part_id: its identity in the drawing tool's catalogue.
+            known: lists of names, which tell what its connectors carry.
+
+        Raises:
+            PlatformDataError: the file is damaged.
+        """
+        rows = self._all(f"SELECT {_COLUMNS} FROM part WHERE id = ?", part_id)
+        return self._part(rows[0], known) if rows else None
+
+    def words(self, part_id: str) -> dict[str, int]:
+        """How often each word stands in the description of a part; empty for a part that is not here."""
+        rows = self._all("SELECT words FROM part WHERE id = ?", part_id)
+        return {str(word): int(count) for word, count in self._unpacked(rows[0][0]).items()} if rows else {}
+
+    def ids(self) -> list[str]:
+        """The identities of all parts, sorted."""
+        return [row[0] for row in self._all("SELECT id FROM part ORDER BY id")]
+
+    def _part(self, row: tuple[Any, ...], known: Names) -> Part:
+        part_id, title, family, tags, role, driver, evidence, source, facts = row
+        try:
+            names, buses, properties = self._unpacked(facts)
+            connectors = {c: PartConnector(c, name, connector_kind(name, known)) for c, name in names}
+            joined = {bus: tuple(members) for bus, members in buses.items()}
+        except (ValueError, TypeError, AttributeError) as error:
+            raise self._damaged(f"the entry of '{part_id}' is damaged: {error}") from error
+        return Part(
+            id=part_id,
+            title=title,
+            family=family,
+            tags=tuple(tags.split("\n")) if tags else (),
+            role=role,
+            evidence=evidence,
+            driver=bool(driver),
+            connectors=connectors,
+            buses=joined,
+            properties=properties,
+            source=source,
+        )
+
+    def _unpacked(self, piece: bytes) -> Any:
+        try:
+            return json.loads(zlib.decompressobj(zdict=_COMMON).decompress(piece, 16 * 1024 * 1024))
+        except (zlib.error, ValueError, TypeError) as error:
+            raise self._damaged(str(error)) from error
+
+    def _all(self, sql: str, *values: object) -> list[tuple[Any, ...]]:
+        import sqlite3
+
+        try:
+            return self._db.execute(sql, values).fetchall()
+        except (sqlite3.Error, UnicodeEncodeError) as error:
+            raise self._damaged(str(error)) from error
+
+    def _damaged(self, cause: str) -> PlatformDataError:
+        return PlatformDataError(f"the file of parts cannot be used: {cause}", location=Location(str(self.path)), fix=_FIX)
+
+
+def write_parts(target: Path, parts: Iterable[tuple[Part, Mapping[str, int]]]) -> None:
+    """Write a file of parts; the same parts give the same bytes. A file that is there is replaced when all is done.
+
+    Args:
+        target: the file. Its folder must exist.
+        parts: each part with the word counts of its description, in any order; identities are unique.
+    """
+    import sqlite3
+
+    part_file = target.with_name(f"{target.name}.part-{os.getpid()}")
+    part_file.unlink(missing_ok=True)
+    try:
+        db = sqlite3.connect(part_file, isolation_level=None)
+        try:
+            db.executescript(f"PRAGMA page_size={_PAGE}; PRAGMA journal_mode=OFF; PRAGMA encoding='UTF-8'; BEGIN; {_SCHEMA}")
+            rows = (_row(part, words) for part, words in sorted(parts, key=lambda one: one[0].id))
+            db.executemany(f"INSERT INTO part VALUES ({', '.join('?' * 10)})", rows)
+            for last in ("COMMIT", f"PRAGMA application_id={APPLICATION}", f"PRAGMA user_version={FORMAT}", "VACUUM"):
+                db.execute(last)
+        finally:
+            db.close()
+        _forget_the_writer(part_file)
+        part_file.replace(target)
+    finally:
+        part_file.unlink(missing_ok=True)
+
+
+def _row(part: Part, words: Mapping[str, int]) -> tuple[object, ...]:
+    names = [[c.id, c.name] for c in part.connectors.values()]
+    facts = _packed([names, {bus: list(members) for bus, members in part.buses.items()}, dict(part.properties)])
+    counts = _packed(dict(sorted(words.items())))
+    tags = "\n".join(part.tags)
+    return part.id, part.title, part.family, tags, part.role, part.driver, part.evidence, part.source, facts, counts
+
+
+def _packed(value: object) -> bytes:
+    packer = zlib.compressobj(9, zdict=_COMMON)
+    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+    return packer.compress(text.encode()) + packer.flush()
+
+
+def _forget_the_writer(path: Path) -> None:
+    """Level what depends on the writing program, not on the content: change counters and SQLite's own version."""
+    with path.open("r+b") as file:
+        file.seek(24)
+        file.write(struct.pack(">I", 1))  # SQLite file format, section 1.3: file change counter
+        file.seek(92)
+        file.write(struct.pack(">II", 1, 3_040_000))  # version-valid-for (equals the counter), version number

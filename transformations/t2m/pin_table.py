@@ -1,0 +1,304 @@
+"""Pin tables as hardware: a CSV or TOML file that says which part is on which pin, for those who have no drawing.
+
+A row has a pin and a part; it may have a role, a title, a connector, `driver`, and what the signal goes through. Rows with one
+title are one component with several connectors, in the order of the rows; a row without a title is a component by itself.
+The result is a circuit as a drawing's, so that everything after it is the same. Which columns there are is in
+docs/reference/pin-tables.md; `m2t/pin_table` writes such files.
+"""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError, did_you_mean
+from robosmi.metamodels import hardware, platform
+from robosmi.project import defaults
+from robosmi.transformations.t2m.boards import PIN_TABLE, load_board, normalised_label
+from robosmi.transformations.t2m.given_roles import given_roles
+from robosmi.transformations.t2m.part_names import Names, connector_kind, names
+from robosmi.transformations.t2m.part_roles import classify
+from robosmi.transformations.t2m.parts_catalogue import ROLES, Part
+
+COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
+"""The columns; the first two must be there."""
+
+MAX_BYTES = 1024 * 1024
+"""Bytes of a table; a board has under a hundred pins."""
+
+_FIX = "see docs/reference/pin-tables.md for the columns"
+_TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    line: int
+    cells: Mapping[str, str]
+
+    def __getitem__(self, column: str) -> str:
+        return self.cells.get(column, "")
+
+
+def read_circuit(
+    path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None
+) -> tuple[hardware.Circuit, list[Finding]]:
+    """Read a pin table.
+
+    Args:
+        path: a `.csv` or `.toml` file.
+        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
+        roles: roles that the user gives to components, by title or `#number`; they go before all else.
+
+    Returns:
+        The circuit, and a finding (RS203) for each part whose role nothing tells.
+
+    Raises:
+        SourceError: the file is missing, no table, or a row has no pin or no part.
+        UsageError: a role, component or board does not exist.
+    """
+    file = Path(path)
+    data = _bytes_of(file)
+    name, rows = _rows(file, data)
+    board = load_board(name or _default_board(), project)
+    table = _Table(str(path), board, names(project), project)
+    for row in rows:
+        table.add(row)
+    table.given = given_roles(roles or {}, {"1": board.title} | {c: title for c, title, _ in table.components()})
+    circuit = table.circuit(file.stem)
+    circuit.digest = hashlib.sha256(data).hexdigest()
+    return circuit, table.findings
+
+
+class _Table:
+    """Rows as they come; the model at the end."""
+
+    def __init__(self, path: str, board: platform.Board, known: Names, project: Path | None) -> None:
+        self.path = path
+        self.board = board
+        self.names = known
+        self.project = project
+        self.labels = {word.lower(): pin.label for pin in board.pins for word in (*pin.aliases, pin.literal, pin.label)}
+        self.rows: dict[str, list[_Row]] = {}
+        self.given: dict[str, str] = {}
+        self.findings: list[Finding] = []
+
+    def add(self, row: _Row) -> None:
+        for column in ("pin", "part"):
+            if not row[column]:
+                raise self._error(row, f"a row has no {column}", f"give each row a {column}")
+        if row["role"] and row["role"] not in ROLES:
+            raise self._error(row, f"'{row['role']}' is no role{did_you_mean(row['role'], ROLES)}", f"use: {', '.join(ROLES)}")
+        if row["driver"].lower() not in (*_TRUE, *_FALSE):
+            raise self._error(row, f"driver is '{row['driver']}'", "write true or false")
+        title = row["title"] or row["part"]
+        if not row["title"]:  # a component by itself, with a title that no other has
+            number = 1
+            while title in self.rows:
+                number += 1
+                title = f"{row['part']} {number}"
+        self.rows.setdefault(title, []).append(row)
+
+    def components(self) -> Iterator[tuple[str, str, list[_Row]]]:
+        """Identity, title and rows of each component, in the table's order; 1 is the board."""
+        yield from ((str(number), title, rows) for number, (title, rows) in enumerate(self.rows.items(), 2))
+
+    def circuit(self, name: str) -> hardware.Circuit:
+        groups: dict[tuple[str, ...], list[hardware.Connector]] = {}
+        parts = [self._board(groups)]
+        passives: dict[tuple[str, ...], hardware.Component] = {}
+        for identity, title, rows in self.components():
+            parts.append(self._component(identity, title, rows, groups, passives))
+        parts += passives.values()
+        nets = [
+            hardware.Net(name=f"1.{'.'.join(key)}", connectors=connectors) for key, connectors in groups.items() if connectors
+        ]
+        return hardware.Circuit(name=name, path=self.path, tool=PIN_TABLE, view="", components=parts, nets=nets)
+
+    def _board(self, groups: dict[tuple[str, ...], list[hardware.Connector]]) -> hardware.Component:
+        used = {self._label(row): None for rows in self.rows.values() for row in rows}
+        connectors = []
+        for label in [pin.label for pin in self.board.pins] + [u for u in used if u not in self.labels.values()]:
+            connector = hardware.Connector(connectorId=label, name=label, kind=hardware.ConnectorKind.signal, pin=label)
+            connectors.append(connector)
+            if label in used:
+                groups[(label,)] = [connector]
+        return hardware.Component(
+            elementId="1",
+            title=self.board.title,
+            partId=self.board.name,
+            partTitle=self.board.title,
+            role=hardware.Role.Board,
+            roleEvidence="the table's board",
+            connectors=connectors,
+        )
+
+    def _component(
+        self,
+        identity: str,
+        title: str,
+        rows: Sequence[_Row],
+        groups: dict[tuple[str, ...], list[hardware.Connector]],
+        passives: dict[tuple[str, ...], hardware.Component],
+    ) -> hardware.Component:
+        part = self._role(identity, title, rows)
+        connectors = []
+        for number, row in enumerate(rows, 1):
+            name = row["connector"]
+            kind = getattr(hardware.ConnectorKind, connector_kind(name, self.names) if name else "signal")
+            connector = hardware.Connector(connectorId=str(number), name=name, kind=kind)
+            connectors.append(connector)
+            groups[self._through(row, groups, passives)].append(connector)
+        return hardware.Component(
+            elementId=identity,
+            title=title,
+            partTitle=part.title,
+            role=getattr(hardware.Role, part.role),
+            roleEvidence=part.evidence,
+            driver=part.driver,
+            connectors=connectors,
+        )
+
+    def _role(self, identity: str, title: str, rows: Sequence[_Row]) -> Part:
+        given = self.given.get(identity)
+        told = given or next((row["role"] for row in rows if row["role"]), "")
+        found = classify(Part("", title=rows[0]["part"]), self.project)
+        driver = any(row["driver"].lower() in _TRUE for row in rows)
+        if told:
+            why = "given by the user" if given else "the table says so"
+            if not any(row["driver"] for row in rows):
+                driver = found.driver and found.role == told
+            return Part("", found.title, role=told, evidence=why, driver=driver)
+        if found.role == "Unknown":
+            self.findings.append(
+                Finding(
+                    "RS203",
+                    Severity.warning,
+                    f"what '{title}' does is unknown: no rule fits the part '{rows[0]['part']}'",
+                    Location(self.path, rows[0].line),
+                    fix="give its role in the table or in robosmi.toml under [roles]",
+                )
+            )
+        return Part("", found.title, role=found.role, evidence=found.evidence, driver=found.driver or driver)
+
+    def _through(
+        self,
+        row: _Row,
+        groups: dict[tuple[str, ...], list[hardware.Connector]],
+        passives: dict[tuple[str, ...], hardware.Component],
+    ) -> tuple[str, ...]:
+        """The net of a row's component: behind the passive parts that its signal goes through."""
+        key: tuple[str, ...] = (self._label(row),)
+        for title in filter(None, (piece.strip() for piece in row["through"].split(";"))):
+            beyond = (*key, title)
+            if beyond not in groups:
+                near, far = (hardware.Connector(connectorId=end, kind=hardware.ConnectorKind.unknown) for end in ("1", "2"))
+                passives[beyond] = hardware.Component(
+                    elementId=str(2 + len(self.rows) + len(passives)),
+                    title=title,
+                    role=hardware.Role.Passive,
+                    roleEvidence="the signal goes through it, as the table says",
+                    connectors=[near, far],
+                )
+                groups[key].append(near)
+                groups[beyond] = [far]
+            key = beyond
+        return key
+
+    def _label(self, row: _Row) -> str:
+        return self.labels.get(row["pin"].lower()) or normalised_label(row["pin"]) or row["pin"]
+
+    def _error(self, row: _Row, cause: str, fix: str) -> SourceError:
+        return SourceError(cause, location=Location(self.path, row.line), fix=fix)
+
+
+def _default_board() -> str:
+    chosen = defaults()
+    return str(chosen["targets"][chosen["migrate"]["target"]]["board"])
+
+
+def _bytes_of(path: Path) -> bytes:
+    place = Location(str(path))
+    try:
+        with path.open("rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        raise SourceError(f"it cannot be read: {error}", location=place, fix="check the name of the table") from error
+    if len(data) > MAX_BYTES:
+        raise SourceError("it has more than 1 MB", location=place, fix="check that it is a pin table")
+    if not data.strip():
+        raise SourceError("the file is empty", location=place, fix=_FIX)
+    return data
+
+
+def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
+    """The board's name, empty if none is given, and the rows."""
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise SourceError("it is not UTF-8", location=Location(str(path)), fix="save it as UTF-8") from error
+    found = _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
+    if not found[1]:
+        raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
+    return found
+
+
+def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
+    lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
+    sample = lines[0][1] if lines else ""
+    separator = max(",;\t", key=sample.count)
+    header = [cell.strip().lower() for cell in next(csv.reader([sample], delimiter=separator), [])]
+    _check_columns(header, Location(str(path), lines[0][0] if lines else 1))
+    rows: list[_Row] = []
+    for number, line in lines[1:]:
+        try:
+            cells = next(csv.reader([line], delimiter=separator, strict=True))
+        except csv.Error as error:
+            raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
+        if len(cells) > len(header):
+            raise SourceError(
+                f"a row has {len(cells)} cells, the head {len(header)}",
+                location=Location(str(path), number),
+                fix="put a cell with a comma in it in quotes",
+            )
+        rows.append(_Row(number, dict(zip(header, (cell.strip() for cell in cells), strict=False))))
+    boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
+    if len(boards) > 1:
+        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
+    return boards[0] if boards else "", rows
+
+
+def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
+    try:
+        table: dict[str, Any] = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise SourceError(f"not valid TOML: {error}", location=Location(str(path)), fix=_FIX) from error
+    entries = table.get("pin", [])
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise SourceError("'pin' is no list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
+    for entry in entries:
+        _check_columns([*entry], Location(str(path)))
+    heads = [number for number, line in enumerate(text.splitlines(), 1) if line.strip() == "[[pin]]"]
+    places = heads if len(heads) == len(entries) else [1] * len(entries)
+    board = table.get("board", "")
+    if not isinstance(board, str):
+        raise SourceError("'board' is no text", location=Location(str(path)), fix='write board = "uno"')
+    return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in zip(places, entries, strict=True)]
+
+
+def _cell(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value).strip()
+
+
+def _check_columns(columns: Sequence[str], place: Location) -> None:
+    for column in columns:
+        if column not in COLUMNS:
+            raise SourceError(f"no column is called '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
+    for column in COLUMNS[:2]:
+        if column not in columns:
+            raise SourceError(f"there is no column '{column}'", location=place, fix=_FIX)
