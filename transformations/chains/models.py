@@ -16,7 +16,6 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
-from robosmi.model.versions import read_current
 from robosmi.model.xmi_writer import to_xmi
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
@@ -73,6 +72,8 @@ def load_models(path: Path) -> MigrationModels:
         SourceError: a file is missing, is no plan, or does not match its digest.
         ModelError: a model contradicts its metamodel.
     """
+    from robosmi.model.versions import read_current  # a migration from sources reads no model
+
     folder = Path(os.path.realpath(path)).parent
     roots = {file.name: root for file, root in read_current(path, built_in()).items() if file.parent == folder}
     plan = roots.get(path.name)
