@@ -3,6 +3,7 @@
 # make lint   ruff and mypy, in an environment of its own
 # make bench  the figures of the README, measured
 # make fuzz  damaged inputs for the readers, by hand (not in CI)
+# make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
@@ -31,6 +32,11 @@ lint:
 
 bench: $(VENV)/.ready
 	$(BIN)/python tests/bench/bench.py
+	$(BIN)/python tests/bench/recommend.py
+
+evaluate: $(VENV)/.ready
+	$(BIN)/python -m tests.recommend.paper_ranks
+	$(BIN)/python -m tests.recommend.evaluate --seconds
 	$(BIN)/python tests/bench/xmi.py
 	$(BIN)/python tests/bench/rules.py
 	$(BIN)/python tests/bench/query.py

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
+from robosmi.cli.asking import ask_libraries, may_ask
 from robosmi.cli.common import add_source_options, pairs, project_of
 from robosmi.diagnostics import Finding
 from robosmi.plugins import content
@@ -64,6 +65,7 @@ def run(arguments: argparse.Namespace) -> Report:
         source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
         libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
         dry_run=arguments.dry_run, strict=arguments.strict,
+        ask=ask_libraries if may_ask(yes=arguments.yes, as_json=arguments.json) else None,
     )  # fmt: skip
     return filled(report, done, project.severity, project.accept)
 

@@ -1,32 +1,20 @@
-"""The Jinja2 environment for all templates: strict about what is missing, found through `resources`.
+"""`render`: a template of this package, or the user's of the same name, as text.
 
-A template of the user's in `.robosmi/templates` or `ROBOSMI_PATH` replaces the built-in one of the same name.
+A template in `.robosmi/templates` or `ROBOSMI_PATH` replaces the built-in one of the same name. For generators that put files
+together line by line and need no rules; the templates are the same as those of `Gen`.
 """
 
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 from typing import Any
 
-from robosmi import resources
+from robosmi.generate.templates import Templates
 
 
 @cache
-def environment(project: Path | None = None) -> Any:
-    """The environment (a `jinja2.Environment`); one for each project folder."""
-    import jinja2
-
-    return jinja2.Environment(
-        loader=jinja2.ChoiceLoader([jinja2.FileSystemLoader(str(f)) for f in resources.folders("templates", project)]),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
-        auto_reload=False,
-        finalize=lambda value: "" if value is None else value,
-    )
+def _templates() -> Templates:
+    return Templates()
 
 
 def render(template: str, **values: Any) -> str:
@@ -35,5 +23,8 @@ def render(template: str, **values: Any) -> str:
     Args:
         template: its name below the templates folder, e.g. `report/migration.md.j2`.
         values: what it shows.
+
+    Raises:
+        RuleError: it does not parse, or uses a name that is not defined.
     """
-    return str(environment().get_template(template).render(**values))
+    return str(_templates().text(template, values))

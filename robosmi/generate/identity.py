@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from pyecore.ecore import EObject
+
 from robosmi.errors import ModelError
+from robosmi.model.driver import name_of, type_of
+from robosmi.model.fragments import own_id
 
 
 def region_id(element: Any, *purpose: str) -> str:
@@ -29,11 +33,7 @@ def region_id(element: Any, *purpose: str) -> str:
 
 
 def _own_id(element: Any) -> str | None:
-    for feature in element.eClass.eAllAttributes():
-        if feature.iD and (value := getattr(element, feature.name)) not in (None, ""):
-            return str(value)
-    identity = getattr(element, "_internal_id", None)
-    return str(identity) if identity else None
+    return (own_id(element) or None) if isinstance(element, EObject) else None
 
 
 def _names(element: Any) -> str:
@@ -43,7 +43,7 @@ def _names(element: Any) -> str:
         name = getattr(step, "name", None)
         if not name:
             raise ModelError(
-                f"a {step.eClass.name} has neither an id nor a name, so nothing in the model says which region is its own",
+                f"a {name_of(type_of(step))} has neither an id nor a name, so nothing in the model says which region is its own",
                 fix="give it an id attribute or a name, or write the region's id in the template",
             )
         found.append(str(name))

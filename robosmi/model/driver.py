@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 from pyecore.ecore import EEnumLiteral, EObject
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.structure import contents, feature_names
+from robosmi.model import structure
 
 
 class UnknownTypeError(ModelError, AttributeError):
@@ -334,18 +334,22 @@ def name_of(kind: Any) -> str:
 
 def features_of(element: Any) -> list[str]:
     """The names of an element's features, in order."""
-    return element._features() if isinstance(element, ModelElement) else feature_names(element.eClass)
+    return element._features() if isinstance(element, ModelElement) else structure.feature_names(element.eClass)
 
 
 def contents_of(element: Any) -> list[Any]:
     """What an element contains directly."""
-    return element._contents() if isinstance(element, ModelElement) else contents(element)
+    return element._contents() if isinstance(element, ModelElement) else structure.contents(element)
 
 
 def walk(root: Any) -> Iterator[Any]:
     """An element of any technology and everything it contains, a container before its contents; nothing recurses."""
-    stack = [root]
+    return _walk(root) if isinstance(root, ModelElement) else structure.walk(root)
+
+
+def _walk(root: ModelElement) -> Iterator[Any]:
+    stack: list[Any] = [root]
     while stack:
         element = stack.pop()
         yield element
-        stack.extend(reversed(contents_of(element)))
+        stack.extend(reversed(element._contents()))

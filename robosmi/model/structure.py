@@ -18,31 +18,35 @@ def feature_names(eclass: Any) -> list[str]:
     return [str(feature._name) for feature in all_features(eclass)]
 
 
-def containments(element: Any) -> list[tuple[str, bool]]:
-    """The containment features of an element's class: name, and whether it holds many."""
-    cls = element.__class__
-    known: list[tuple[str, bool]] | None = cls.__dict__.get("_robosmi_containments")
-    if known is None:
-        features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not f.derived]
-        known = [(f._name, f.many) for f in features]
-        if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
-            cls._robosmi_containments = known
-    return known
-
-
 def contents(element: Any) -> list[Any]:
     """What an element contains directly."""
-    slots = element.__dict__
     found: list[Any] = []
-    for name, many in containments(element):
-        if (slot := slots.get(name)) is None:
-            continue  # a slot that was never touched is empty
-        value = slot._get()
-        if many:
-            found.extend(value)
-        elif value is not None:
-            found.append(value)
+    cls = element.__class__
+    names = cls.__dict__.get("_robosmi_containments")
+    if names is None:
+        names = _containments(element)
+    if names:
+        slots = element.__dict__
+        for name, many in names:
+            slot = slots.get(name)
+            if slot is None:
+                continue  # a slot that was never touched is empty
+            value = slot._get()
+            if many:
+                found += value
+            elif value is not None:
+                found.append(value)
     return found
+
+
+def _containments(element: Any) -> list[tuple[str, bool]]:
+    """The containment features of an element's class: name, and whether it holds many."""
+    cls = element.__class__
+    features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not f.derived]
+    names = [(f._name, f.many) for f in features]
+    if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
+        cls._robosmi_containments = names
+    return names
 
 
 def walk(root: Any) -> Iterator[Any]:
@@ -51,7 +55,9 @@ def walk(root: Any) -> Iterator[Any]:
     while stack:
         element = stack.pop()
         yield element
-        stack.extend(reversed(contents(element)))
+        if held := contents(element):
+            held.reverse()
+            stack += held
 
 
 def root_of(element: Any) -> Any:

@@ -1,7 +1,7 @@
 """How the XMI writer lays out each class: its features in EMF's order, with defaults and conversions to text.
 
-A layout is worked out once per class and file. What EMF does not write (transient features, containers, types that cannot
-be serialised) is not in it.
+A layout is worked out once per class and file; classes of `strict`, which cannot change, keep what does not depend on the
+file. What EMF does not write (transient features, containers, types that cannot be serialised) is not in it.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from pyecore import ecore
 
 from robosmi.errors import ModelError
 from robosmi.model import datatypes, features
+from robosmi.model.strict import Element
 
 FEATURE_MAP, VALUE, VALUES, LINKS, CHILDREN = range(5)
 """How a feature is written: not at all if it is empty, an attribute, elements with text, references, contained elements."""
@@ -62,6 +63,14 @@ class Column:
         self.is_primitive = False
         self.is_unsettable = bool(feature.unsettable)
 
+    def copy(self) -> Column:
+        """The same column with nothing rendered yet."""
+        made: Column = object.__new__(Column)
+        for name in Column.__slots__:
+            setattr(made, name, getattr(self, name))
+        made.rendered = {}
+        return made
+
 
 Shaped = tuple[int, str, Any, dict[Any, str], Column]
 """A column with what the writer asks of it for every element."""
@@ -82,9 +91,16 @@ class Layout:
 
     def __init__(self, eclass: Any) -> None:
         self.eclass = eclass
-        self.has_id = features.id_attribute(eclass) is not None
         self.shapes: dict[tuple[str, ...], list[Shaped]] = {}
-        self.columns = [c for f in features.all_features(eclass) if not f.transient and (c := _column(eclass, f)) is not None]
+        cls = eclass.python_class
+        known = cls.__dict__.get("_robosmi_layout")
+        if known is None:
+            named = [(f, _column(eclass, f)) for f in features.all_features(eclass) if not f.transient]
+            known = features.id_attribute(eclass) is not None, [column for _, column in named if column is not None]
+            if issubclass(cls, Element):
+                cls._robosmi_layout = known
+        self.has_id: bool = known[0]
+        self.columns: list[Column] = [column.copy() for column in known[1]]
 
     def columns_in(self, slots: dict[str, Any]) -> list[Shaped]:
         """The columns of an element that has these slots."""

@@ -1,6 +1,6 @@
 """How the XMI reader treats each class: for every name in a file, which feature it is and what to do with it.
 
-A plan is worked out once per class and load; those of generated classes, which cannot change, are kept. The reader
+A plan is worked out once per class and load; classes of `strict`, which cannot change, keep theirs. The reader
 follows plans blindly, so all questions about a metamodel (what is unsupported, abstract, required) are settled here.
 """
 
@@ -130,9 +130,6 @@ class ClassPlan:
         return entry
 
 
-_GENERATED: dict[Any, ClassPlan] = {}
-
-
 class Plans:
     """The plans of one load."""
 
@@ -141,9 +138,11 @@ class Plans:
 
     def of(self, eclass: Any) -> ClassPlan:
         """The plan of an EClass."""
-        plan = self._plans.get(eclass) or _GENERATED.get(eclass)
+        plan = self._plans.get(eclass)
         if plan is None:
-            plan = ClassPlan(eclass)
-            kept = _GENERATED if issubclass(plan.cls, Element) else self._plans
-            kept[eclass] = plan
+            cls = eclass.python_class
+            plan = cls.__dict__.get("_robosmi_plan") or ClassPlan(eclass)
+            self._plans[eclass] = plan
+            if issubclass(cls, Element):
+                cls._robosmi_plan = plan
         return plan

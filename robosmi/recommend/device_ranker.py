@@ -36,6 +36,7 @@ _OTHER_ARCHITECTURE = 0.25
 _SAME_BUS, _OTHER_BUS = 1.06, 0.88
 _INSTALLED = 1.03
 _BUSES = frozenset({"i2c", "spi", "onewire"})
+_REMEMBERED = 256  # parts; drawings have the same few again and again
 _AT_LEAST = 5  # candidates are listed whatever the decision (contract)
 _WHERE = {
     "name": "its name",
@@ -77,6 +78,7 @@ class DeviceRanker:
     def __init__(self, index: LibraryIndex, knowledge: Knowledge, architecture: str | None = None) -> None:
         self.index, self.knowledge, self.architecture = index, knowledge, architecture
         self._finder = EvidenceFinder(index, knowledge.stop)
+        self._weighed: dict[tuple[object, ...], tuple[PartWords, list[tuple[float, Evidence]]]] = {}
         numbers = {name: number for number, name in enumerate(index.names())}
         self._usual = {
             device: [numbers[name] for name in libraries if name in numbers] for device, libraries in knowledge.usual.items()
@@ -106,6 +108,16 @@ class DeviceRanker:
 
     def weigh(self, query: ComponentQuery) -> tuple[PartWords, list[tuple[float, Evidence]]]:
         """What a part asks for, and the libraries that most speaks for with their scores, best first."""
+        key = (
+            query.title, query.family, query.tags, tuple(query.properties.items()), query.description, query.connectors,
+        )  # fmt: skip
+        if key not in self._weighed:
+            if len(self._weighed) >= _REMEMBERED:
+                self._weighed.clear()
+            self._weighed[key] = self._weigh(query)
+        return self._weighed[key]
+
+    def _weigh(self, query: ComponentQuery) -> tuple[PartWords, list[tuple[float, Evidence]]]:
         known = self.knowledge
         part = part_words(query, known.stop, known.lexicon, self._usual, exact=known.exact)
         found = [(self._score(entry, part), entry) for entry in self._finder.gather(part, LOOKED_AT)]

@@ -128,10 +128,8 @@ def main(arguments: list[str]) -> int:
         for project, bounds in ((folder / "shipped", SHIPPED), (folder / "grown", BOUNDS)):
             figures = measured(project, queries)
             times = f"opened in {figures['open_ms']:.0f} ms, a query {figures['query_ms']:.1f} ms"
-            print(
-                f"{figures['libraries']:6.0f} libraries: {times} (slowest {figures['slowest_ms']:.1f}), "
-                f"{figures['memory_mb']:.0f} MB"
-            )
+            rest = f"(slowest {figures['slowest_ms']:.1f}), {figures['memory_mb']:.0f} MB"
+            print(f"{figures['libraries']:6.0f} libraries: {times} {rest}")
             broken += [f"{key} {figures[key]:.0f} > {bound:.0f}" for key, bound in bounds.items() if figures[key] > bound]
         print(f"the grown index has {size:.1f} MB; processor time, best of 3 processes")
     print(*broken, sep="\n")

@@ -1,8 +1,9 @@
-"""What a person changed is never overwritten, and what no run made stays where it is (issue 10, item 9)."""
+"""What a person changed is merged or stops the run, and is never lost; what no run made stays where it is."""
 
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -11,11 +12,13 @@ import robosmi
 from robosmi.errors import StoppedError
 from tests.running import run, tree
 
-GENERATED = [
+TEXTS = [
     "line_follower/line_follower.ino",
     "line_follower/adapters.h",
     "line_follower/sketch.yaml",
     "line_follower/MIGRATION.md",
+]
+MODELS = [
     "models/code.xmi",
     "models/hardware.xmi",
     "models/platform.xmi",
@@ -24,8 +27,8 @@ GENERATED = [
 ]
 
 
-@pytest.mark.parametrize("name", GENERATED)
-def test_migrate_stops_before_an_edit_and_names_the_file(name: str, migrated: Path, line_follower: Path) -> None:
+@pytest.mark.parametrize("name", MODELS)
+def test_migrate_stops_before_an_edit_of_a_model_and_names_the_file(name: str, migrated: Path, line_follower: Path) -> None:
     (migrated / name).write_bytes((migrated / name).read_bytes() + b"\n")
     before = tree(migrated)
     outcome = run("migrate", line_follower, "-o", migrated)
@@ -35,22 +38,70 @@ def test_migrate_stops_before_an_edit_and_names_the_file(name: str, migrated: Pa
     assert tree(migrated) == before
 
 
-@pytest.mark.parametrize("name", ["line_follower/line_follower.ino", "line_follower/adapters.h"])
-def test_generate_stops_before_an_edit_too(name: str, migrated: Path) -> None:
-    (migrated / name).write_bytes((migrated / name).read_bytes() + b"// mine\n")
+@pytest.mark.parametrize("name", TEXTS)
+def test_an_edit_of_a_text_is_kept_by_migrate_and_generate(name: str, migrated: Path, line_follower: Path) -> None:
+    edited = (migrated / name).read_bytes() + b"\n// mine\n"
+    (migrated / name).write_bytes(edited)
+    first = run("migrate", line_follower, "-o", migrated, "--json")
+    assert first.code == 0
+    assert [f["location"]["path"] for f in first.document["findings"] if f["rule"] == "RS512"] == [str(migrated / name)]
+    assert (migrated / name).read_bytes() == edited
     before = tree(migrated)
-    outcome = run("generate", migrated / "models" / "plan.xmi", "-o", migrated)
-    assert outcome.code == 5
-    assert name in outcome.err
+    assert run("generate", migrated / "models" / "plan.xmi", "-o", migrated).code == 0
+    assert run("migrate", line_follower, "-o", migrated).code == 0
+    assert tree(migrated) == before, "a further run changes something"
+
+
+def test_an_edit_and_a_changed_source_are_merged_and_lines_are_still_traced(migrated: Path, line_follower: Path) -> None:
+    sketch = migrated / "line_follower" / "line_follower.ino"
+    sketch.write_text("// my head\n// and more\n" + sketch.read_text() + "// my tail\n")
+    line_follower.write_text(line_follower.read_text().replace("drive_speed(0, 0)", "drive_speed(1, 1)"))
+    assert run("migrate", line_follower, "-o", migrated).code == 0
+    lines = sketch.read_text().splitlines()
+    assert lines[:2] == ["// my head", "// and more"]
+    assert lines[-1] == "// my tail"
+    assert any("drive_speed(1, 1);" in line for line in lines)
+    plan = robosmi.load_model(migrated / "models" / "plan.xmi")
+    setup = next(t for t in plan.trace.texts if t.path.endswith(".ino") and t.rule == "setup")
+    assert lines[setup.line - 1] == "void setup() {"
+
+
+def test_an_edit_of_a_line_that_is_made_anew_is_a_marked_conflict_and_the_old_file_is_kept(
+    migrated: Path, line_follower: Path
+) -> None:
+    sketch = migrated / "line_follower" / "line_follower.ino"
+    old = sketch.read_text().replace("drive_speed(0, 0)", "drive_speed(2, 2)")
+    assert old != sketch.read_text()
+    sketch.write_text(old)
+    line_follower.write_text(line_follower.read_text().replace("drive_speed(0, 0)", "drive_speed(1, 1)"))
+    outcome = run("migrate", line_follower, "-o", migrated, "--json")
+    assert outcome.code == 1
+    assert "RS511" in outcome.rules()
+    text = sketch.read_text()
+    assert text.index("<<<<<<< yours") < text.index("drive_speed(2, 2)") < text.index("drive_speed(1, 1)") < text.index(">>>>>>>")
+    assert (sketch.parent / "line_follower.ino.orig").read_text() == old
+    before = tree(migrated)
+    line_follower.write_text(line_follower.read_text().replace("drive_speed(1, 1)", "drive_speed(3, 3)"))
+    assert run("migrate", line_follower, "-o", migrated).code == 5
     assert tree(migrated) == before
 
 
-def test_all_edited_files_are_named(migrated: Path, line_follower: Path) -> None:
-    for name in GENERATED[:2]:
+def test_an_output_from_before_there_was_a_record_is_taken_over(migrated: Path, line_follower: Path) -> None:
+    shutil.rmtree(migrated / ".robosmi")
+    assert run("migrate", line_follower, "-o", migrated).code == 0
+    shutil.rmtree(migrated / ".robosmi")
+    for name in TEXTS[:2]:
         (migrated / name).write_text("mine\n")
     with pytest.raises(StoppedError) as stopped:
         robosmi.migrate([line_follower], migrated)
-    assert all(name in stopped.value.message for name in GENERATED[:2])
+    assert all(name in stopped.value.message for name in TEXTS[:2])
+
+
+def test_a_dry_run_does_not_touch_an_edited_file(migrated: Path, line_follower: Path) -> None:
+    (migrated / TEXTS[0]).write_text((migrated / TEXTS[0]).read_text() + "// mine\n")
+    before = tree(migrated)
+    assert run("migrate", line_follower, "-o", migrated, "--dry-run").code == 0
+    assert tree(migrated) == before
 
 
 def test_a_foreign_file_of_the_same_name_stops_the_run(line_follower: Path, tmp_path: Path) -> None:
@@ -104,11 +155,11 @@ def test_a_removed_file_is_made_again(migrated: Path, line_follower: Path) -> No
 
 
 def test_an_edit_that_was_taken_back_no_longer_stops_the_run(migrated: Path, line_follower: Path) -> None:
-    sketch = migrated / "line_follower" / "line_follower.ino"
-    text = sketch.read_bytes()
-    sketch.write_bytes(text + b"// mine\n")
+    plan = migrated / "models" / "plan.xmi"
+    text = plan.read_bytes()
+    plan.write_bytes(text + b"\n")
     assert run("migrate", line_follower, "-o", migrated).code == 5
-    sketch.write_bytes(text)
+    plan.write_bytes(text)
     assert run("migrate", line_follower, "-o", migrated).code == 0
 
 
@@ -134,4 +185,4 @@ def test_nothing_is_left_behind_by_a_run(migrated: Path, line_follower: Path, tm
     (migrated / "line_follower" / "adapters.h").write_text("mine")
     run("migrate", line_follower, "-o", migrated)
     assert sorted(p.name for p in tmp_path.iterdir()) == ["input", "out"]
-    assert sorted(p.name for p in migrated.iterdir()) == [".robosmi.json", "line_follower", "models"]
+    assert sorted(p.name for p in migrated.iterdir()) == [".robosmi", ".robosmi.json", "line_follower", "models"]

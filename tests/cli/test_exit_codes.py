@@ -168,8 +168,8 @@ def test_dry_run_of_generate_writes_nothing(migrated: Path, tmp_path: Path) -> N
 
 
 def test_dry_run_stops_where_the_run_would_stop(migrated: Path, line_follower: Path) -> None:
-    sketch = migrated / "line_follower" / "line_follower.ino"
-    sketch.write_text(sketch.read_text() + "// mine\n")
+    plan = migrated / "models" / "plan.xmi"
+    plan.write_text(plan.read_text() + "\n")
     before = tree(migrated)
     assert run("migrate", line_follower, "-o", migrated, "--dry-run").code == 5
     assert tree(migrated) == before

@@ -10,6 +10,7 @@ import pytest
 
 from robosmi.errors import ModelError, RobosmiError, RuleError, SourceError
 from robosmi.generate import Gen, formatters, region_id
+from robosmi.model.opening import open_model
 from tests.generate.support import book, library
 
 PAGE = """\
@@ -112,6 +113,19 @@ def test_ids_of_regions_come_from_the_model() -> None:
     ants._internal_id = "_7"
     ants.name = "Renamed"
     assert region_id(ants) == "_7"
+
+
+def test_elements_of_another_technology_make_files_too(tmp_path: Path) -> None:
+    (tmp_path / "parts.csv").write_text("name,price\nbolt,2\nnut,1\n")
+    P = open_model(tmp_path / "parts.csv", name="P")
+    g = Gen(tmp_path / "out", {"part": "{{ p.price }}\n{% protected region_id(p), start='#' %}\n{% endprotected %}\n"}, [P])
+
+    @g.rule("parts", template="part", target=lambda p: f"{p.name}.txt")
+    def Part(p: Any) -> None: ...
+
+    trace = g.run().trace
+    assert (tmp_path / "out" / "nut.txt").read_text().startswith("1\n# protected region nut on begin\n")
+    assert [e.name for e in trace.elements("nut.txt", 1)] == ["nut"]
 
 
 def test_formatters_indent_by_brackets_and_tags() -> None:

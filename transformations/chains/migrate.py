@@ -6,8 +6,9 @@ flag, project file, history, rule above the limit; what is left stays open.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from robosmi import __version__
 from robosmi.diagnostics import Finding, Location, Severity
@@ -27,6 +28,7 @@ from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_p
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.circuit import the_board
 from robosmi.transformations.queries.code import views
+from robosmi.transformations.queries.plan import library_json
 from robosmi.transformations.t2m.boards import load_board
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.target_platform import target_facts
@@ -137,6 +139,7 @@ def migrate(
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
+    ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
 ) -> Generated:
     """Migrate a program: plan, generate, write.
 
@@ -147,6 +150,7 @@ def migrate(
         strict: stop when a choice is open.
         adapters: `placeholders`; bodies (`filled`) are not there yet.
         project, hardware, target, source_platform, include_dirs, defines, libraries, bind: see `plan_migration`.
+        ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
 
     Raises:
         SourceError: an input cannot be read or used, or the output cannot be written.
@@ -157,10 +161,17 @@ def migrate(
         raise UsageError(
             "adapters with bodies are not part of this version", fix="leave out --adapters, or give --adapters placeholders"
         )
-    models = plan_migration(
-        files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
-        defines=defines, libraries=libraries, bind=bind,
-    )  # fmt: skip
+
+    def planned(said: Mapping[str, str]) -> MigrationModels:
+        return plan_migration(
+            files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
+            defines=defines, libraries=said, bind=bind,
+        )  # fmt: skip
+
+    models = planned(libraries or {})
+    left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
+    if ask is not None and left and (answers := ask(left)):
+        models = planned({**(libraries or {}), **answers})
     made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made)
     return made

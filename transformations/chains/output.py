@@ -5,17 +5,18 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
+from robosmi.generate.commit import commit, recover
+from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
 from robosmi.metamodels import migration
-from robosmi.model.files import write_folder
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
@@ -24,6 +25,8 @@ from robosmi.transformations.m2m.edits import derive_edits
 from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said
 from robosmi.transformations.t2m.target_platform import target_facts
 
+LAST = ".robosmi/generated"
+"""Where the texts that were made last are kept, beside the models."""
 KINDS = {".ino": "sketch", ".cpp": "sketch", ".h": "adapters", ".yaml": "project", ".md": "report", ".xmi": "model"}
 
 
@@ -92,6 +95,8 @@ class Generated:
 
 
 def _kind(name: str) -> str:
+    if name.startswith(f"{LAST}/"):
+        return "record"
     return "source" if name.startswith(f"{FOLDER}/source/") else KINDS.get(Path(name).suffix, "record")
 
 
@@ -121,18 +126,39 @@ def produce(
         )
     derive_edits(plan, models.files)
     generator = content("generator", target_facts(plan.board.name if plan.board else "").generator)
-    contents = {file.path: file.text().encode() for file in generator(plan, models.files)}
-    contents |= {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
+    recover(output)
     manifest = Manifest.load(output)
+    texts = {file.path: file.text() for file in generator(plan, models.files)}
+    kept = keep_texts(output, LAST, texts, manifest.files)
+    _move_traces(plan, kept.lines)
+    contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
     exempt = tuple(inputs)
-    obsolete = manifest.guard(output, contents, inputs=exempt)
+    obsolete = manifest.guard(output, contents | kept.records, inputs=(*exempt, *kept.merged, *kept.orphans)) | kept.obsolete
     by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
     if not dry_run:
-        record = Manifest.of(contents, by_person)
+        record = Manifest.of(contents | kept.records, by_person)
         # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
-        record.files |= {name: manifest.files[name] for name in exempt if name in manifest.files}
-        write_folder(output, {**contents, MANIFEST: record.to_bytes()}, obsolete)
-    return Generated(models, output, contents, not dry_run, [c for key, c in by_person.items() if key not in manifest.choices])
+        record.files |= {name: manifest.files[name] for name in (*exempt, *kept.orphans) if name in manifest.files}
+        written = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
+        changed = {name: data for name, data in written.items() if not _is(output / name, data)}
+        commit(output, changed, obsolete)
+    new = [c for key, c in by_person.items() if key not in manifest.choices]
+    return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
+
+
+def _is(path: Path, data: bytes) -> bool:
+    return path.is_file() and path.read_bytes() == data
+
+
+def _move_traces(plan: migration.MigrationPlan, lines: Mapping[str, Mapping[int, int]]) -> None:
+    """Bring text traces to where their lines are in files with edits; a trace whose lines are all gone goes."""
+    for text in list(plan.trace.texts) if plan.trace is not None else ():
+        if text.path in lines:
+            found = [lines[text.path][n] for n in range(text.line, text.endLine + 1) if n in lines[text.path]]
+            if found:
+                text.line, text.endLine = min(found), max(found)
+            elif plan.trace is not None:
+                plan.trace.texts.remove(text)
 
 
 def _key(choice: migration.LibraryChoice) -> str:
@@ -146,12 +172,16 @@ def _component(decision: Any) -> str:
 
 def remember(made: Generated) -> None:
     """Count the libraries that persons chose (paper 3.3); a history that cannot be written is a finding, not a failure."""
-    history = History()
     try:
+        history = History()
         for choice in made.new_choices if made.written else []:
             component = choice.component
             if component is not None:
-                history.record(component.partId, component.partTitle or component.title, choice.choice)
+                history.record(
+                    component.partId, component.partTitle or component.title, choice.choice, component=component.title,
+                    version=choice.chosen.version if choice.chosen is not None else "",
+                    target=made.models.plan.board.name if made.models.plan.board is not None else "",
+                )  # fmt: skip
     except RobosmiError as error:
         made.notes.append(
             Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix)

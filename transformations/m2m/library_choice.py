@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
@@ -45,6 +46,11 @@ class LibraryModels:
     elements: dict[str, platform.Library] = field(default_factory=dict)
     _index: LibraryIndex | None = None
 
+    @cached_property
+    def takes(self) -> Mapping[str, Takes]:
+        """What libraries take of the target, by name."""
+        return library_takes(self.target)
+
     def get(self, name: str) -> platform.Library:
         """The element of a library, with those that it depends on.
 
@@ -57,7 +63,7 @@ class LibraryModels:
             facts = library_in(self._index, name)
             name = facts.name  # as the index writes it
             if name not in self.elements:
-                takes = library_takes(self.target).get(name, Takes())
+                takes = self.takes.get(name, Takes())
                 self.elements[name] = platform.Library(
                     name=name,
                     version=facts.version,
@@ -77,8 +83,7 @@ class LibraryModels:
         """What a library and those that it depends on take of the target, as far as is known."""
         if library is None:
             return []
-        known = library_takes(self.target)
-        return [known[name] for name in (library.name, *library.depends) if name in known]
+        return [self.takes[name] for name in (library.name, *library.depends) if name in self.takes]
 
 
 def choose_libraries(
