@@ -13,9 +13,9 @@ from typing import Any
 
 from pyecore import ecore
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFeature
-from pyecore.valuecontainer import EList, EOrderedSet, EValue
 
 from robosmi.model import strict
+from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder, note_link
 
 _PYTHON = {ecore.EString: str, ecore.EInt: int, ecore.ELong: int, ecore.EBoolean: bool, ecore.EDouble: float}
 _PLANS: dict[type, dict[str, tuple[Any, Any, Any]]] = {}
@@ -31,7 +31,6 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
     cls = type(element)
     plan = _PLANS.get(cls) or _plan(cls)
     slots = element.__dict__
-    isset = element._isset
     for name, value in features.items():
         if value is None:
             continue
@@ -42,7 +41,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         if put is None or not put(element, slots, feature._name, feature, kind, value):
             setattr(element, name, value)
         else:
-            isset[feature] = None
+            _set(slots, feature)
 
 
 def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
@@ -73,21 +72,10 @@ def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
     return plan
 
 
-def _holder(element: Any, feature: Any, value: Any, is_ref: bool) -> Any:
-    holder = EValue.__new__(EValue)
-    holder.owner = element
-    holder.feature = feature
-    holder.is_ref = is_ref
-    holder.is_cont = is_ref and feature.containment
-    holder.generic_type = None
-    holder._value = value
-    return holder
-
-
 def _put_attribute(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
     if value.__class__ is not kind:
         return False
-    slots[name] = _holder(element, feature, value, False)
+    slots[name] = holder(AttributeValue, element, feature, value)
     return True
 
 
@@ -95,15 +83,15 @@ def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any
     found = list(values) if values.__class__ is not str else None
     if found is None or any(value.__class__ is not kind for value in found):
         return False
-    collection = slots[name] = EList(element, feature)
-    list.extend(collection, found)
+    slots[name] = many = collection(element, feature)
+    list.extend(many, found)
     return True
 
 
 def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
     if value.__class__ is not EEnumLiteral or value.eContainer() is not kind[0]:
         return False
-    slots[name] = _holder(element, feature, value, False)
+    slots[name] = holder(AttributeValue, element, feature, value)
     return True
 
 
@@ -111,25 +99,31 @@ def _adopt(element: Any, feature: Any, kind: Any, value: Any) -> bool:
     """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
     if value.__class__ is EProxy or not isinstance(value, kind):
         return False
-    if feature.containment:
-        if value._container is not None or value._eresource is not None:
-            return False
-        value._container = element
-        value._containment_feature = feature
-    value._inverse_rels.add((element, feature))
+    if not feature.containment:
+        note_link(value, (element, feature))
+        return True
+    if value._container is not None or value._eresource is not None:
+        return False
+    slots = value.__dict__
+    slots["_container"] = element
+    slots["_containment_feature"] = feature
+    if "_inverse_rels" in slots:
+        slots["_inverse_rels"].add((element, feature))
+    else:
+        slots["_birth"] = (element, feature)
     return True
 
 
 def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
     if not _adopt(element, feature, kind, value):
         return False
-    slots[name] = _holder(element, feature, value, True)
+    slots[name] = holder(ContainedValue if feature.containment else ReferenceValue, element, feature, value)
     return True
 
 
 def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
-    collection = slots[name] = EOrderedSet(element, feature)
-    items, positions = collection.items, collection.map
+    many = slots[name] = collection(element, feature)
+    items, positions = many.items, many.map
     for value in values:
         if value in positions:
             continue
@@ -137,14 +131,14 @@ def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind
             positions[value] = len(items)
             items.append(value)
         else:
-            collection.append(value)
+            many.append(value)
     return True
 
 
 def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
     """Containment of many with a single-valued opposite: the parts know their container under its name."""
-    collection = slots[name] = EOrderedSet(element, feature)
-    items, positions = collection.items, collection.map
+    many = slots[name] = collection(element, feature)
+    items, positions = many.items, many.map
     back = feature.eOpposite
     for value in values:
         if value in positions:
@@ -153,12 +147,13 @@ def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kin
             value.__class__ is not EProxy and isinstance(value, kind) and value._container is None and value._eresource is None
         )
         if not fresh or back._name in value.__dict__:
-            collection.append(value)
+            many.append(value)
             continue
-        value._container = element
-        value._containment_feature = feature
-        value.__dict__[back._name] = _holder(value, back, element, True)
-        value._isset[back] = None
+        own = value.__dict__
+        own["_container"] = element
+        own["_containment_feature"] = feature
+        own[back._name] = holder(ReferenceValue, value, back, element)
+        _set(own, back)
         positions[value] = len(items)
         items.append(value)
     return True
@@ -169,11 +164,18 @@ def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: An
     if value.__class__ is EProxy or not isinstance(value, kind):
         return False
     back = feature.eOpposite
-    collection = value.__dict__.get(back._name)
-    if collection is None:
-        collection = value.__dict__[back._name] = EOrderedSet(value, back)
-    slots[name] = _holder(element, feature, value, True)
-    collection.map[element] = len(collection.items)
-    collection.items.append(element)
-    value._isset[back] = None
+    own = value.__dict__
+    many = own.get(back._name)
+    if many is None:
+        many = own[back._name] = collection(value, back)
+    slots[name] = holder(ReferenceValue, element, feature, value)
+    many.map[element] = len(many.items)
+    many.items.append(element)
+    _set(own, back)
     return True
+
+
+def _set(slots: dict[str, Any], feature: Any) -> None:
+    """Note that a feature was set, where it is not read off the slots when somebody asks."""
+    if "_isset" in slots:
+        slots["_isset"][feature] = None

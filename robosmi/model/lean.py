@@ -2,7 +2,7 @@
 
 pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are holders with
 what all share in their class, and descriptors that make the four containers when somebody asks. Elements stay pyecore
-EObjects: its own setters, collections and `delete` work on them. Only the XMI reader and `strict` use this module.
+EObjects: its own setters, collections and `delete` work on them. Only the XMI reader, `construct` and `strict` use this module.
 """
 
 from __future__ import annotations
@@ -98,12 +98,30 @@ def _set_features(element: Any) -> Any:
 
 
 def _back_links(element: Any) -> Any:
-    """Who refers to the element by references without opposite, as the reader noted it."""
+    """Who refers to the element by references without opposite, as `note_link` and containers noted it."""
     slots = element.__dict__
     found = set(slots.pop("_linked", ()))
     if (birth := slots.pop("_birth", None)) is not None:
         found.add(birth)
     return found
+
+
+def note_link(target: Any, link: tuple[Any, Any]) -> None:
+    """Let an element know who refers to it by a reference without opposite.
+
+    Args:
+        target: the element.
+        link: who refers, and by which feature.
+    """
+    slots = target.__dict__
+    if "_inverse_rels" in slots:
+        slots["_inverse_rels"].add(link)
+    elif "_linked" in slots:
+        slots["_linked"].append(link)
+    elif hasattr(type(target), "_inverse_rels"):
+        slots["_linked"] = [link]
+    else:
+        target._inverse_rels.add(link)
 
 
 class _Own:

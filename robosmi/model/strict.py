@@ -39,8 +39,6 @@ if TYPE_CHECKING:
         value: int
 
 else:
-    from pyecore.innerutils import InternalSet
-
     _Base = ecore.EObject
     EnumLiteral = ecore.EEnumLiteral
 
@@ -67,21 +65,12 @@ class Element(_Base):
     if not TYPE_CHECKING:
 
         def __new__(cls, *args: Any, **features: Any) -> Any:
-            """As pyecore's, without its process-wide set of all instances and without a guarded assignment for each slot."""
-            instance = object.__new__(cls)
-            instance.__dict__.update(
-                _internal_id=None,
-                _isset=InternalSet(),
-                _container=None,
-                _containment_feature=None,
-                _eresource=None,
-                listeners=[],
-                _eternal_listener=[],
-                _inverse_rels=set(),
-                _staticEClass=False,
-                dyn_inst=instance,
-            )
-            return instance
+            """As pyecore's, without its process-wide set of all instances and without ballast (`lean`)."""
+            if "_inverse_rels" not in cls.__dict__:
+                from robosmi.model.lean import prepare  # it needs this module
+
+                prepare(cls)
+            return object.__new__(cls)
 
         _renamed: dict[str, str] = {}
         """Names of features that would hide what every element has (`delete`) -> the attribute that has them."""

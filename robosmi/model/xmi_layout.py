@@ -14,6 +14,7 @@ from robosmi.errors import ModelError
 from robosmi.model import datatypes, features
 from robosmi.model.strict import Element
 
+_KEPT = 1 << 10  # texts of values of one feature
 FEATURE_MAP, VALUE, VALUES, LINKS, CHILDREN = range(5)
 """How a feature is written: not at all if it is empty, an attribute, elements with text, references, contained elements."""
 
@@ -100,7 +101,8 @@ class Layout:
             if issubclass(cls, Element):
                 cls._robosmi_layout = known
         self.has_id: bool = known[0]
-        self.columns: list[Column] = [column.copy() for column in known[1]]
+        # start tags have a file's own prefixes; the texts of values are the same in all files
+        self.columns: list[Column] = [column.copy() if column.kind == CHILDREN else column for column in known[1]]
 
     def columns_in(self, slots: dict[str, Any]) -> list[Shaped]:
         """The columns of an element that has these slots."""
@@ -153,3 +155,10 @@ class Layouts:
         """The layout of an element's class."""
         found = self.known[element.__class__] = Layout(element.eClass)
         return found
+
+    def close(self) -> None:
+        """Forget the texts of many values, which a class that is kept would keep too."""
+        for layout in self.known.values():
+            for column in layout.columns:
+                if len(column.rendered) > _KEPT:
+                    column.rendered.clear()

@@ -119,7 +119,7 @@ class Linker:
             return
         slots[entry.key] = holder(ReferenceValue, owner, entry.feature, target)
         if entry.back is None:
-            _note(target, (owner, entry.feature))
+            lean.note_link(target, (owner, entry.feature))
         else:
             self._two_sided.append((document, line, owner, entry, [target]))
 
@@ -130,7 +130,7 @@ class Linker:
             many = slots[entry.key] = collection(owner, entry.feature)
         for target in targets:
             if _put(many, target) and entry.back is None:
-                _note(target, (owner, entry.feature))
+                lean.note_link(target, (owner, entry.feature))
         if entry.back is not None:
             self._two_sided.append((document, line, owner, entry, targets))
 
@@ -183,7 +183,7 @@ class Linker:
             _move(slots[entry.key], place)
         part._container, part._containment_feature = owner, entry.feature
         if entry.back is None:
-            _note(part, (owner, entry.feature))
+            lean.note_link(part, (owner, entry.feature))
         else:
             part.__dict__[entry.back._name] = holder(ReferenceValue, part, entry.back, owner)
 
@@ -207,19 +207,6 @@ def _move(many: Any, place: int) -> None:
     list.insert(items, place, list.pop(items))
     if not isinstance(many, list):
         many.map.update((item, index) for index, item in enumerate(items[place:], place))
-
-
-def _note(target: Any, link: tuple[Any, Any]) -> None:
-    """Let the target know who refers to it."""
-    slots = target.__dict__
-    if "_inverse_rels" in slots:
-        slots["_inverse_rels"].add(link)
-    elif "_linked" in slots:
-        slots["_linked"].append(link)
-    elif hasattr(type(target), "_inverse_rels"):
-        slots["_linked"] = [link]
-    else:
-        target._inverse_rels.add(link)
 
 
 def _without_types(parts: list[str]) -> list[str]:

@@ -79,9 +79,11 @@ class _Writer:
         if len(self.roots) == 1:
             tag = self.name_of(self.roots[0].eClass)
             body = self.elements([("", tag, self.roots[0])], "")
+            self.layouts.close()
             return self.head(tag) + body
         named = [(self.name_of(root.eClass), root) for root in self.roots]
         body = self.elements([(f"<{tag}", tag, root) for tag, root in named], "  ")
+        self.layouts.close()
         return self.head("xmi:XMI") + (b">\n" + body + b"</xmi:XMI>\n" if self.roots else b"/>\n")
 
     def head(self, tag: str) -> bytes:

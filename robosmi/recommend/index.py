@@ -134,6 +134,7 @@ class LibraryIndex:
         self.identifiers = lru_cache(maxsize=256)(self._identifiers)
         self.facts = lru_cache(maxsize=1024)(self._facts)
         self.library = lru_cache(maxsize=2048)(self._library)
+        self.library_named = lru_cache(maxsize=2048)(self._library_named)
         self.header = lru_cache(maxsize=4096)(self._header)
 
     @property
@@ -185,8 +186,11 @@ class LibraryIndex:
         """
         return self._libraries("id = ?", number)[0]
 
-    def library_named(self, name: str) -> Library | None:
-        """The library of that name: letter for letter, else without regard to case if that is unique, else None."""
+    def _library_named(self, name: str) -> Library | None:
+        """The library of that name: letter for letter, else without regard to case if that is unique, else None.
+
+        To be called as `library_named`.
+        """
         found = self._libraries("name = ? COLLATE NOCASE", name, may_be_empty=True)
         exact = [library for library in found if library.name == name]
         return exact[0] if exact else found[0] if len(found) == 1 else None

@@ -73,15 +73,16 @@ def plan_migration(
     paths = with_headers(paths, include_dirs, api)
     program, findings = read_program(paths, platform_name, include_dirs, defines)
     main = _the_main(program)
-    for view in views(program, api):
+    seen = views(program, api)
+    for view in seen:
         findings = [*findings, *library_cogs(view), *unknown_functions(view)]
     drawn, board, stored = None, None, {}
     places = _store_units(program)
     for path in paths:
         stored[places[str(path)]] = path.read_bytes()
     names = {place: path for path, place in places.items()}
-    for unit in program.units:
-        findings = [*findings, *remarks(unit, stored[unit.path], names[unit.path])]
+    for view in seen:
+        findings = [*findings, *remarks(view, stored[view.unit.path], names[view.unit.path])]
     if drawing_path is not None:
         drawing = read_drawing(drawing_path, project.roles)
         component = the_board(drawing.circuit)
@@ -118,7 +119,7 @@ def plan_migration(
     earlier = ForgivingHistory()
     findings = [*findings, *history_findings(earlier)]
     plan, repository = make_plan(
-        _sketch_name(main), __version__, program, drawn, board or load_board(facts.board), api, facts, choices, ranker,
+        _sketch_name(main), __version__, seen, drawn, board or load_board(facts.board), facts, choices, ranker,
         earlier, stored, findings, places,
     )  # fmt: skip
     return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})

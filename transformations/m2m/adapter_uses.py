@@ -8,10 +8,10 @@ say it. No function is known by its name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import all_of_kind
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CalledFunction, CodeView
@@ -22,18 +22,15 @@ _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
 """Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""
 
 
-def called_functions(
-    program: ccode.Program, views: Iterable[CodeView], target: TargetFacts, names: TargetNames
-) -> dict[str, CalledFunction]:
+def called_functions(views: Sequence[CodeView], target: TargetFacts, names: TargetNames) -> dict[str, CalledFunction]:
     """The functions that need an adapter, by name.
 
     Args:
-        program: the code model.
         views: a view of each unit.
         target: the target.
         names: its names.
     """
-    own = _own_names(program)
+    own = _own_names(views)
     found: dict[str, CalledFunction] = {}
     for view in views:
         for function in [*view.called().values(), *_referenced(view)]:
@@ -41,22 +38,24 @@ def called_functions(
             there = there and not _RESERVED.match(function.name)
             if there or function.name in own or (function.entry is None and not function.calls):
                 continue
-            known = found.setdefault(function.name, function)
-            if known is not function:
+            known = found.get(function.name)
+            if known is None:
+                found[function.name] = replace(function, calls=list(function.calls))  # the views keep theirs
+            else:
                 known.calls += [c for c in function.calls if c not in known.calls]
                 known.callee = known.callee or function.callee
     return dict(sorted(found.items()))
 
 
-def _own_names(program: ccode.Program) -> set[str]:
+def _own_names(views: Iterable[CodeView]) -> set[str]:
     """Functions and macros that the program defines in any of its files."""
-    defined = {d.name for u in program.units for d in u.declarations if isinstance(d, ccode.Function) and d.definition}
-    return defined | {m.name for u in program.units for m in u.macros}
+    defined = {d.name for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    return defined | {m.name for v in views for m in v.unit.macros}
 
 
 def _referenced(view: CodeView) -> Iterable[CalledFunction]:
     """Functions of the platform that are handed on without being called."""
-    for reference in all_of_kind(view.unit, ccode.NameReference):
+    for reference in view.of_kind(ccode.NameReference):
         if isinstance(reference.target, ccode.ExternalSymbol) or (
             isinstance(reference.target, ccode.Function) and not reference.target.definition
         ):
@@ -74,9 +73,9 @@ def _referenced(view: CodeView) -> Iterable[CalledFunction]:
             yield CalledFunction(other, calls, known, known.header if known else "", callee=calls[0].callee if calls else None)
 
 
-def handed_on(program: ccode.Program) -> set[str]:
+def handed_on(views: Iterable[CodeView]) -> set[str]:
     """Names of functions from elsewhere that are values somewhere: their types must be the ones the program expects."""
-    references = (r for unit in program.units for r in all_of_kind(unit, ccode.NameReference))
+    references = (r for view in views for r in view.of_kind(ccode.NameReference))
     return {
         r.name
         for r in references
@@ -84,12 +83,12 @@ def handed_on(program: ccode.Program) -> set[str]:
     }
 
 
-def own_prototypes(program: ccode.Program) -> dict[str, ccode.Function]:
+def own_prototypes(views: Sequence[CodeView]) -> dict[str, ccode.Function]:
     """The first prototype of each function that the program declares and defines nowhere."""
-    own = _own_names(program)
+    own = _own_names(views)
     found: dict[str, ccode.Function] = {}
-    for unit in program.units:
-        for declaration in unit.declarations:
+    for view in views:
+        for declaration in view.unit.declarations:
             if isinstance(declaration, ccode.Function) and declaration.name not in own:
                 found.setdefault(declaration.name, declaration)
     return found

@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
 from robosmi.transformations.m2m import old_c
 from robosmi.transformations.m2m.text_change import Change, Rule
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
     FunctionType,
     ValueType,
@@ -28,25 +29,25 @@ from robosmi.transformations.queries.source_text import is_header
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
 
-def changes(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> list[Change]:
+def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> list[Change]:
     """What has to change in a unit.
 
     Args:
-        unit: the unit.
+        view: the unit.
         data: its bytes.
         functions: what adapters take and give.
     """
-    if unit.language != "C":
+    if view.unit.language != "C":
         return []
     found: dict[tuple[int, int, str], Change] = {}
     for rule in RULES:
-        for change in rule(unit, data, functions):
+        for change in rule(view, data, functions):
             found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
     return list(found.values())
 
 
-def _conversions(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    for value, wanted in expectations(unit, functions):
+def _conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    for value, wanted in expectations(view, functions):
         text = data[value.startOffset : value.endOffset]
         null = _NULLS.fullmatch(text) and (wanted.depth or wanted.function)
         if text and not null and (reason := _conversion(value, wanted, functions)):
@@ -165,9 +166,9 @@ def _primary(value: ccode.Expression) -> bool:
     return isinstance(value, kinds)
 
 
-def _enumerations(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def _enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Counting and adding in an enumeration: the sum is a number in C++, which has to be made a value again."""
-    for step in all_of_kind(unit, ccode.Unary):
+    for step in view.of_kind(ccode.Unary):
         kind = _enumeration(step.operand, functions) if step.operator in ("++", "--") else ""
         if kind and step.operand is not None and not all_of_kind(step.operand, ccode.Call):
             text = _text(step.operand, data)
@@ -176,7 +177,7 @@ def _enumerations(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, F
             if step.postfix and used:
                 made = f"({kind})({made} {'-' if step.operator == '++' else '+'} 1)"
             yield Change(step, "replace", made if used else made[1:-1], "C++ does not count in an enumeration")
-    for assignment in all_of_kind(unit, ccode.Assignment):
+    for assignment in view.of_kind(ccode.Assignment):
         kind = _enumeration(assignment.left, functions) if assignment.operator != "=" else ""
         if kind and assignment.left is not None and not all_of_kind(assignment.left, ccode.Call):
             text = f"{_text(assignment.left, data)} = ({kind})({_text(assignment.left, data)} {assignment.operator[:-1]} ("
@@ -194,8 +195,9 @@ def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, Fu
     return re.sub(r"\b(?:static|const|volatile|register)\b\s*", "", kind.spelling) if plain and kind is not None else ""
 
 
-def _shared(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def _shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A variable that a header declares without extern: one for all files in C, one for each in C++."""
+    unit = view.unit
     units = [u for u in unit.program.units if not is_header(u)] if is_header(unit) and unit.program is not None else []
     defined = {
         d.name
@@ -212,10 +214,10 @@ def _shared(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Functio
             yield Change(variable, "share", "", "all files that include the header share it")
 
 
-def _tentative(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def _tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Globals that are declared twice: all but one become mere declarations."""
     by_name: dict[str, list[ccode.Variable]] = {}
-    for declaration in unit.declarations:
+    for declaration in view.unit.declarations:
         if (
             isinstance(declaration, ccode.Variable)
             and declaration.storage.name in ("unspecified", "staticStorage")
@@ -230,9 +232,9 @@ def _tentative(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Func
                 yield Change(variable, rule, "", "the variable is declared a second time")
 
 
-def _extern(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def _extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Variables that the program declares and defines nowhere: their declaration becomes the definition."""
-    program = unit.program
+    program = view.unit.program
     defined = (
         {
             d.name
@@ -244,7 +246,7 @@ def _extern(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Functio
         else set()
     )
     seen: set[str] = set()
-    for declaration in unit.declarations:
+    for declaration in view.unit.declarations:
         if not isinstance(declaration, ccode.Variable) or declaration.name in defined | seen:
             continue
         if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
@@ -268,34 +270,34 @@ TEXT_RULES = frozenset(
 """Rules that each change a place of their own in a declaration, so that several may apply to one."""
 
 
-def remarks(unit: ccode.SourceUnit, data: bytes, path: str) -> Iterator[Finding]:
+def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
     """RS312: what no simple edit mends.
 
     Args:
-        unit: the unit.
+        view: the unit.
         data: its bytes.
         path: the unit's file as the user knows it.
     """
-    if unit.language != "C":
+    if view.unit.language != "C":
         return
-    for element, message in _unmended(unit, data):
+    for element, message in _unmended(view, data):
         place = Location(path, element.line, element.column)
         yield Finding("RS312", Severity.warning, message, place, fix="write it in C++ in the sketch, or otherwise in the source")
 
 
-def _unmended(unit: ccode.SourceUnit, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
-    for value in (*all_of_kind(unit, ccode.UnknownExpression), *all_of_kind(unit, ccode.InitializerList)):
+def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
+    for value in (*view.of_kind(ccode.UnknownExpression), *view.of_kind(ccode.InitializerList)):
         text = data[value.startOffset : value.endOffset].decode("latin-1")
         if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):
             yield value, "a list that names the elements of an array by their index is no C++"
         elif re.search(r"[{,]\s*\.\w+\s*=(?!=)", text):
             yield value, "a list that names members is C++ only where it names them in their order"
-    for literal in all_of_kind(unit, ccode.StringLiteral):
+    for literal in view.of_kind(ccode.StringLiteral):
         variable = literal.eContainer()
         use = variable.valueType if isinstance(variable, ccode.Variable) else None
         if use is not None and use.arrayDims.strip("[] ") == str(len(literal.text)) and use.pointerDepth == 0:
             yield literal, "the array has no room for the zero byte at the end of its text"
-    for variable in all_of_kind(unit, ccode.Variable):
+    for variable in view.of_kind(ccode.Variable):
         kind = of_use(variable.valueType)
         if kind is not None and "restrict" in kind.spelling:
             yield variable, "'restrict' is no word of C++"

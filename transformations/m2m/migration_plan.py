@@ -20,7 +20,7 @@ from robosmi.transformations.m2m.library_choice import LibraryModels, choose_lib
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import partition
 from robosmi.transformations.m2m.port_binding import bind_ports
-from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.t2m.target_platform import TargetFacts, target_model
 
 
@@ -53,10 +53,9 @@ class Hardware:
 def make_plan(
     name: str,
     version: str,
-    program: ccode.Program,
+    views: Sequence[CodeView],
     drawn: Hardware | None,
     board: platform.Board,
-    api: ApiIndex,
     target: TargetFacts,
     choices: Choices,
     ranker: Ranker,
@@ -70,10 +69,9 @@ def make_plan(
     Args:
         name: the sketch's name.
         version: the tool's version.
-        program: the code model; paths of its units are relative to the models' folder.
+        views: a view of each unit of the program; paths of units are relative to the models' folder.
         drawn: the hardware, or None where there is no drawing.
         board: the target board.
-        api: what is known of the source platform.
         target: the target.
         choices: what persons said.
         ranker: ranks libraries.
@@ -89,14 +87,15 @@ def make_plan(
         UsageError: a choice names what does not exist.
     """
     trace = Trace()
-    dependence = partition(program, api, target, files, trace)
+    program = views[0].program
+    dependence = partition(views, target, files, trace)
     assert dependence.source is not None
     connections = list(drawn.connections) if drawn else []
     for connection in connections:
         trace.link(
             "connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection]
         )
-    bindings = bind_ports(program, dependence.source, api, connections, board, choices.bind, choices.limit)
+    bindings = bind_ports(views, dependence.source, connections, board, choices.bind, choices.limit)
     for binding in bindings:
         trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
     libraries = LibraryModels(target.platform)

@@ -14,6 +14,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2m.signatures import declare
 from robosmi.transformations.m2m.text_change import Change
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others, type_of
 from robosmi.transformations.queries.main_program import exits
 from robosmi.transformations.queries.signature_text import nothing
@@ -21,10 +22,10 @@ from robosmi.transformations.queries.signature_text import nothing
 _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
 
 
-def empty_lists(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def empty_lists(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """`f()` says nothing of its parameters in C and that there are none in C++."""
-    defined = {d.name: d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition}
-    for function in all_of_kind(unit, ccode.Function):
+    defined = {d.name: d for d in view.unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    for function in view.of_kind(ccode.Function):
         if function.parameters or function.variadic or function.name == "main" or not re.search(r"\(\s*\)$", function.signature):
             continue
         known = defined.get(function.name)
@@ -43,18 +44,18 @@ def _list(function: ccode.Function) -> str:
     return ", ".join([*shown, *(["..."] if function.variadic else [])])
 
 
-def parameters_behind(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def parameters_behind(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """`f(a) int a; {`: the types of the parameters come into the list."""
-    for function in all_of_kind(unit, ccode.Function):
+    for function in view.of_kind(ccode.Function):
         names = [p.name for p in function.parameters]
         inner = function.signature[function.signature.find("(", function.signature.find(function.name)) + 1 :].removesuffix(")")
         if function.body is not None and names and [w.strip() for w in inner.split(",")] == names:
             yield Change(function, "parameters-behind", _list(function), "C++ declares parameters in the list only")
 
 
-def implicit_int(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def implicit_int(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A declaration without a type is one of type int."""
-    for element in (*all_of_kind(unit, ccode.Function), *all_of_kind(unit, ccode.Variable)):
+    for element in (*view.of_kind(ccode.Function), *view.of_kind(ccode.Variable)):
         if element.name == "main" or (isinstance(element, ccode.Variable) and declared_with_others(element)):
             continue
         head = data[element.startOffset : element.endOffset].decode("latin-1")
@@ -63,9 +64,9 @@ def implicit_int(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Fu
             yield Change(element, "implicit-int", str(found.start()), "C++ wants the type int written")
 
 
-def missing_returns(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def missing_returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A function that ends without its value: harmless in C where nobody uses the value, undefined in C++ in any case."""
-    for function in all_of_kind(unit, ccode.Function):
+    for function in view.of_kind(ccode.Function):
         body, returned = function.body, function.returnType
         if body is None or returned is None or function.name == "main" or data[body.endOffset - 1 : body.endOffset] != b"}":
             continue
@@ -93,9 +94,9 @@ def _leaves(statement: ccode.Statement | None) -> bool:
     return True
 
 
-def returns(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """`return;` where a value is promised, `return value;` where none is."""
-    for leave in all_of_kind(unit, ccode.Return):
+    for leave in view.of_kind(ccode.Return):
         function = ancestor_of_kind(leave, ccode.Function)
         if function is None or function.name == "main" or function.returnType is None:
             continue
@@ -110,9 +111,9 @@ def returns(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, Functio
             yield Change(leave, "return-without-value", "", "the function has no value in C++ either")
 
 
-def jumped_over(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A jump over a local's initial value: the value becomes an assignment, which may be jumped over."""
-    for statement in all_of_kind(unit, ccode.DeclarationStatement):
+    for statement in view.of_kind(ccode.DeclarationStatement):
         scope, function = statement.eContainer(), ancestor_of_kind(statement, ccode.Function)
         initialised = [d for d in statement.declarations if isinstance(d, ccode.Variable) and d.initializer is not None]
         if function is None or not initialised or not _jumped(statement, scope, function):
@@ -132,9 +133,9 @@ def _jumped(statement: ccode.Statement, scope: object, function: ccode.Function)
     return any(g.labelName in labels and g.startOffset < statement.startOffset for g in all_of_kind(function, ccode.Goto))
 
 
-def zero_constants(unit: ccode.SourceUnit, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A constant without a value, which is zero in C."""
-    for variable in unit.declarations:
+    for variable in view.unit.declarations:
         if not isinstance(variable, ccode.Variable):
             continue
         use = variable.valueType

@@ -8,10 +8,10 @@ already is put aside for the program only (see `target_names`).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.signatures import Signature, declare, for_target
 from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CodeView
@@ -39,19 +39,17 @@ _NO_TYPES = ARITHMETIC | {
 
 
 def used_symbols(
-    program: ccode.Program, views: Iterable[CodeView], adapted: Iterable[str], target: TargetFacts, names: TargetNames
+    views: Sequence[CodeView], adapted: Iterable[str], target: TargetFacts, names: TargetNames
 ) -> dict[str, list[ccode.NameReference]]:
     """The values that need a placeholder, with their uses: the platform's, and those that nobody knows.
 
     Args:
-        program: the code model.
         views: a view of each unit.
         adapted: functions that have an adapter.
         target: the target.
         names: its names.
     """
-    views = list(views)
-    there = _own(program) | set(adapted) | names.same | names.keywords | names.absent
+    there = _own(views) | set(adapted) | names.same | names.keywords | names.absent
     found: dict[str, list[ccode.NameReference]] = {s.name: [] for view in views for s in view.symbols() if s.name not in there}
     for view in views:
         for use in view.unit.macroUses:
@@ -59,7 +57,7 @@ def used_symbols(
             known = use.name in there or use.name in names.macros or use.name in STANDARD_NAMES or use.functionLike
             if use.macro is None and not known and (entry is None or entry.header not in target.standard_headers):
                 found.setdefault(use.name, [])
-        for reference in all_of_kind(view.unit, ccode.NameReference):
+        for reference in view.of_kind(ccode.NameReference):
             symbol = reference.target
             if (
                 not isinstance(symbol, ccode.ExternalSymbol)
@@ -70,26 +68,26 @@ def used_symbols(
             entry = view.resolve(reference.name)
             if (entry is None or entry.header not in target.standard_headers) and reference.name not in STANDARD_NAMES:
                 found.setdefault(reference.name, []).append(reference)
-    for name in size_names(program) - there - names.macros - STANDARD_NAMES.keys():
+    for name in size_names(views) - there - names.macros - STANDARD_NAMES.keys():
         if not any((entry := view.resolve(name)) is not None and entry.header in target.standard_headers for view in views):
             found.setdefault(name, [])
     return dict(sorted(found.items()))
 
 
-def size_names(program: ccode.Program) -> set[str]:
+def size_names(views: Sequence[CodeView]) -> set[str]:
     """Names in the sizes of arrays that nothing in the program declares: the model has sizes as text."""
-    written = {w for u in program.units for t in all_of_kind(u, ccode.TypeUse) for w in _WORD.findall(t.arrayDims or "")}
-    declared = {d.name for u in program.units for d in all_of_kind(u, ccode.Declaration)} if written else set()
-    return written - declared - _own(program) - _NO_TYPES - {"sizeof"}
+    written = {w for v in views for t in v.of_kind(ccode.TypeUse) for w in _WORD.findall(t.arrayDims or "")}
+    declared = {d.name for v in views for d in v.of_kind(ccode.Declaration)} if written else set()
+    return written - declared - _own(views) - _NO_TYPES - {"sizeof"}
 
 
-def _own(program: ccode.Program) -> set[str]:
+def _own(views: Sequence[CodeView]) -> set[str]:
     """Names that some file of the program declares or defines at file scope."""
-    own = {m.name for u in program.units for m in u.macros}
-    for unit in program.units:
-        own.update(d.name for d in unit.declarations)
+    own = {m.name for v in views for m in v.unit.macros}
+    for view in views:
+        own.update(d.name for d in view.unit.declarations)
         for kind in (ccode.Record, ccode.Enumeration, ccode.EnumerationLiteral):
-            own.update(d.name for d in all_of_kind(unit, kind) if ancestor_of_kind(d, ccode.Function) is None)
+            own.update(d.name for d in view.of_kind(kind) if ancestor_of_kind(d, ccode.Function) is None)
     return own - {""}
 
 
@@ -99,9 +97,7 @@ def implied_headers(views: Iterable[CodeView], target: TargetFacts, names: Targe
     missing: set[str] = set()
     for view in views:
         used = {str(e.name) for e in view.elements if isinstance(e, (ccode.NameReference, ccode.MacroUse))}
-        used |= set(view.called()) | {
-            t.declaration.name for t in all_of_kind(view.unit, ccode.TypeUse) if t.declaration is not None
-        }
+        used |= set(view.called()) | {t.declaration.name for t in view.of_kind(ccode.TypeUse) if t.declaration is not None}
         for name in used - there:
             entry = view.resolve(name)
             if entry is not None and entry.header in target.standard_headers and not view.defined(name):
@@ -174,41 +170,36 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     return f"{storage}{declare(kind, name)}{' = 0' if plain else ''};"
 
 
-def wanted_types(program: ccode.Program, functions: Mapping[str, FunctionType]) -> dict[str, str]:
+def wanted_types(views: Iterable[CodeView], functions: Mapping[str, FunctionType]) -> dict[str, str]:
     """Name nobody declares -> the pointer type that a place expects of it."""
     found: dict[str, str] = {}
-    for unit in program.units:
-        for expression, kind in expectations(unit, functions):
+    for view in views:
+        for expression, kind in expectations(view, functions):
             if isinstance(expression, ccode.NameReference) and isinstance(expression.target, ccode.ExternalSymbol) and kind.depth:
                 found.setdefault(expression.name, kind.spelling)
     return found
 
 
 def type_uses(
-    program: ccode.Program,
+    views: Sequence[CodeView],
     sources: Mapping[str, bytes],
     signatures: Iterable[str],
-    views: list[CodeView],
     target: TargetFacts,
     names: TargetNames,
 ) -> list[migration.SymbolUse]:
     """The placeholders of types that nobody declares, in the program and in the signatures that are generated.
 
     Args:
-        program: the code model.
+        views: a view of each unit.
         sources: path of a unit -> its bytes.
         signatures: types as written in what is generated.
-        views: a view of each unit.
         target: the target.
         names: its names.
     """
-    there = _NO_TYPES | names.declared | names.keywords | _own(program)
+    there = _NO_TYPES | names.declared | names.keywords | _own(views)
     # A tag or typedef inside a function hides nothing here: the model links its uses to it.
     in_program = {
-        t.declaration.name
-        for u in program.units
-        for t in all_of_kind(u, ccode.TypeUse)
-        if isinstance(t.declaration, ccode.ExternalSymbol)
+        t.declaration.name for v in views for t in v.of_kind(ccode.TypeUse) if isinstance(t.declaration, ccode.ExternalSymbol)
     }
     pointed = {word for text in signatures if "*" in text for word in type_names(text.partition("*")[0])}
     found = (in_program | {word for text in signatures for word in type_names(text)}) - there
@@ -218,32 +209,25 @@ def type_uses(
         if entry is not None and entry.header in target.standard_headers:
             text, status = f"#include <{entry.header}>", migration.AdapterStatus.filled
         else:
-            text, status = _type(name, program, sources, pointed=name in pointed), migration.AdapterStatus.todo
+            text, status = _type(name, views, sources, pointed=name in pointed), migration.AdapterStatus.todo
         made.append(migration.SymbolUse(name=name, placeholder=text, status=status))
     return made
 
 
-def _type(name: str, program: ccode.Program, sources: Mapping[str, bytes], *, pointed: bool) -> str:
-    uses = [
-        t
-        for u in program.units
-        for t in all_of_kind(u, ccode.TypeUse)
-        if t.declaration is not None and t.declaration.name == name
-    ]
-    fields = members(name, program, sources)
-    listed = _listed(name, program)
+def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], *, pointed: bool) -> str:
+    uses = [t for v in views for t in v.of_kind(ccode.TypeUse) if t.declaration is not None and t.declaration.name == name]
+    fields = members(name, views, sources)
+    listed = _listed(name, views)
     fields += [f"int32_t value{number}" for number in range(len(fields) + 1, listed + 1)]
     tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)
-    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not _computed(name, program)):
+    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not _computed(name, views)):
         return f"struct {name} {{{''.join(f' {f};' for f in fields)}{' ' * bool(fields)}}};"
     return f"typedef int32_t {name};"
 
 
-def _listed(name: str, program: ccode.Program) -> int:
+def _listed(name: str, views: Iterable[CodeView]) -> int:
     """How many values a list gives to a variable of the type, at most."""
-    variables = (
-        v for u in program.units for v in all_of_kind(u, ccode.Variable) if isinstance(v.initializer, ccode.InitializerList)
-    )
+    variables = (v for view in views for v in view.of_kind(ccode.Variable) if isinstance(v.initializer, ccode.InitializerList))
     kinds = [(v.valueType, v.initializer) for v in variables if v.valueType is not None]
     lists = [
         value for kind, value in kinds if kind.declaration is not None and kind.declaration.name == name and not kind.arrayDims
@@ -251,12 +235,12 @@ def _listed(name: str, program: ccode.Program) -> int:
     return max((len(value.elements) for value in lists if isinstance(value, ccode.InitializerList)), default=0)
 
 
-def _computed(name: str, program: ccode.Program) -> bool:
+def _computed(name: str, views: Iterable[CodeView]) -> bool:
     """Whether a value of the type is calculated with or is given a number."""
-    for unit in program.units:
+    for view in views:
         variables: tuple[ccode.Variable | ccode.Parameter, ...] = (
-            *all_of_kind(unit, ccode.Variable),
-            *all_of_kind(unit, ccode.Parameter),
+            *view.of_kind(ccode.Variable),
+            *view.of_kind(ccode.Parameter),
         )
         for variable in variables:
             use = variable.valueType

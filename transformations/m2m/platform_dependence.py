@@ -8,7 +8,7 @@ platforms; no rule knows a function by its name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, migration, platform
@@ -53,38 +53,35 @@ class Dependence:
     divisions: list[Division] = field(default_factory=list)
 
 
-def partition(
-    program: ccode.Program, api: ApiIndex, target: TargetFacts, sources: Mapping[str, bytes], trace: Trace
-) -> Dependence:
+def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[str, bytes], trace: Trace) -> Dependence:
     """Judge every element of the program.
 
     Args:
-        program: the code model.
-        api: what is known of its platform.
+        views: a view of each unit of the program.
         target: the target.
         sources: path of a unit -> its bytes.
         trace: where links are recorded.
     """
     result = Dependence()
+    program, api = views[0].program, views[0].api
     names = target_names(target.platform)
-    views = [CodeView(unit, program, api) for unit in program.units]
-    called = called_functions(program, views, target, names)
-    used = used_symbols(program, views, called, target, names)
+    called = called_functions(views, target, names)
+    used = used_symbols(views, called, target, names)
     includes = [i.header for u in program.units for i in u.includes]
     result.source = api.to_model([*called, *used], includes)
     known = {f.name: f for h in result.source.headers for f in h.functions}
-    prototypes = own_prototypes(program)
-    values = handed_on(program)
+    prototypes = own_prototypes(views)
+    values = handed_on(views)
     result.adapters = [
         adapter(c, known.get(name), prototypes.get(name), api.name, target, names, handed=name in values)
         for name, c in called.items()
     ]
     functions = {a.name: function_type(a.targetSignature) for a in result.adapters}
-    result.symbols = _symbols(result, program, views, used, functions, sources, api, target, names)
+    result.symbols = _symbols(result, views, used, functions, sources, api, target, names)
     for unit in program.units:
         _judge_unit(unit, api, target, result, names)
     result.dispositions += _judge_externals(program, result)
-    _change_unit_texts(program, sources, functions, prototypes, names, result)
+    _change_unit_texts(views, sources, functions, prototypes, names, result)
     for disposition in result.dispositions:
         trace.link("platform dependence", STEP, [disposition.element], [disposition])
     for made in result.adapters:
@@ -96,8 +93,7 @@ def partition(
 
 def _symbols(
     result: Dependence,
-    program: ccode.Program,
-    views: list[CodeView],
+    views: Sequence[CodeView],
     used: Mapping[str, list[ccode.NameReference]],
     functions: Mapping[str, FunctionType],
     sources: Mapping[str, bytes],
@@ -108,10 +104,10 @@ def _symbols(
     """Placeholders: headers, then types, then values."""
     assert result.source is not None
     known = {s.name: s for h in result.source.headers for s in h.symbols}
-    wanted = wanted_types(program, functions)
+    wanted = wanted_types(views, functions)
     attributes = set(api.settings["parser"].get("attribute_macros", ()))
-    several = sum(not is_header(u) for u in program.units) > 1
-    sizes = size_names(program)
+    several = sum(not is_header(v.unit) for v in views) > 1
+    sizes = size_names(views)
     values = []
     for number, (name, uses) in enumerate(used.items(), 1):
         symbol = known.get(name)
@@ -126,14 +122,14 @@ def _symbols(
         for p in (functions[a.name].returns, *functions[a.name].parameters)
     ]
     written += [known[n].typeName for n in used if n in known and known[n].typeName]
-    types = type_uses(program, sources, written, views, target, names)
+    types = type_uses(views, sources, written, target, names)
     headers = implied_headers(views, target, names)
     done = {t.placeholder for t in types}
     return [*(h for h in headers if h.placeholder not in done), *types, *values]
 
 
 def _change_unit_texts(
-    program: ccode.Program,
+    views: Sequence[CodeView],
     sources: Mapping[str, bytes],
     functions: Mapping[str, FunctionType],
     prototypes: Mapping[str, ccode.Function],
@@ -156,7 +152,7 @@ def _change_unit_texts(
             result.dispositions.append(made)
             by_element[id(element)] = made
 
-    renamed = {r.name: r for r in renamings(program, sources, names)}
+    renamed = {r.name: r for r in renamings(views, sources, names)}
     for renaming in renamed.values():
         change(renaming.element, RENAME, renaming.new, renaming.reason)
     adapted = {a.name for a in result.adapters if a.signatureSource == OWN_PROTOTYPE}
@@ -169,10 +165,10 @@ def _change_unit_texts(
                 "the program declares it and defines it nowhere: its body is to be written here",
             )
             by_element[id(prototype)].action = migration.Action.adapt
-    for unit in program.units:
-        for macro in redefined(unit, names):
+    for view in views:
+        for macro in redefined(view.unit, names):
             change(macro, REDEFINE, macro.name, f"the target has a macro '{macro.name}' of its own, which gives way")
-        for found in changes(unit, sources[unit.path], functions):
+        for found in changes(view, sources[view.unit.path], functions):
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
 

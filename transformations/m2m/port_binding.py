@@ -11,10 +11,10 @@ import re
 from collections.abc import Mapping, Sequence
 
 from robosmi.errors import UsageError, did_you_mean
-from robosmi.metamodels import ccode, migration, platform
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.m2m.edits import port_place
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.ports import Port, convention_of, ports
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 _SIGNALS = {"in": "read", "out": "write"}
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -24,9 +24,8 @@ NAME_CONFIDENCE = 0.9
 
 
 def bind_ports(
-    program: ccode.Program,
+    views: Sequence[CodeView],
     source: platform.Platform,
-    api: ApiIndex,
     connections: Sequence[migration.Connection],
     board: platform.Board,
     said: Mapping[str, str],
@@ -35,9 +34,8 @@ def bind_ports(
     """A decision for each port of the program.
 
     Args:
-        program: the code model.
+        views: a view of each unit of the program.
         source: the platform model that the plan refers to.
-        api: what is known of the source platform.
         connections: the connections of the target board.
         board: the target board.
         said: NAME -> PIN (a label, or a connection's name), as persons said.
@@ -46,7 +44,7 @@ def bind_ports(
     Raises:
         UsageError: a name is no port of the program, or a pin is none of the board.
     """
-    found = ports(program, api)
+    found = ports(views)
     known = {port.name for port in found}
     for name in said:
         if name not in known:

@@ -7,12 +7,12 @@ hides a name of the core stays.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_of_kind
 from robosmi.transformations.m2m.target_names import TargetNames
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.tokens import name_tokens
 
 RENAME, REDEFINE = "rename", "redefine-macro"
@@ -36,17 +36,17 @@ class Renaming:
     reason: str
 
 
-def renamings(program: ccode.Program, sources: Mapping[str, bytes], names: TargetNames) -> list[Renaming]:
+def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: TargetNames) -> list[Renaming]:
     """The names that have to change, in the order of their first declaration.
 
     Args:
-        program: the code model.
+        views: a view of each unit.
         sources: path of a unit -> its bytes.
         names: the target's names.
     """
     found: dict[str, Renaming] = {}
     taken: set[str] | None = None
-    for declaration, top in _declarations(program):
+    for declaration, top in _declarations(views):
         name = declaration.name
         if not name or name in found or (name == "main" and isinstance(declaration, ccode.Function)):
             continue
@@ -59,7 +59,7 @@ def renamings(program: ccode.Program, sources: Mapping[str, bytes], names: Targe
         else:
             continue
         if taken is None:
-            taken = {text for unit in program.units for _, _, text in name_tokens(sources[unit.path])}
+            taken = {text for view in views for _, _, text in name_tokens(sources[view.unit.path])}
         new = f"{name}_"
         while new in taken or new in names.macros | names.declared | names.keywords:
             new += "_"
@@ -68,13 +68,13 @@ def renamings(program: ccode.Program, sources: Mapping[str, bytes], names: Targe
     return list(found.values())
 
 
-def _declarations(program: ccode.Program) -> Iterator[tuple[ccode.Declaration, bool]]:
+def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration, bool]]:
     """Every declaration of the program with whether it is visible outside of a function."""
-    for unit in program.units:
-        if unit.language != "C":
+    for view in views:
+        if view.unit.language != "C":
             continue
-        top = {id(d) for d in unit.declarations}
-        for declaration in all_of_kind(unit, ccode.Declaration):
+        top = {id(d) for d in view.unit.declarations}
+        for declaration in view.of_kind(ccode.Declaration):
             literal = isinstance(declaration, ccode.EnumerationLiteral) and id(declaration.eContainer()) in top
             yield declaration, id(declaration) in top or literal
 

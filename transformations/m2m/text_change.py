@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 
 
@@ -29,5 +30,5 @@ class Change:
     reason: str
 
 
-Rule = Callable[[ccode.SourceUnit, bytes, Mapping[str, FunctionType]], Iterator[Change]]
-"""Unit, its bytes, what adapters take and give -> the changes."""
+Rule = Callable[[CodeView, bytes, Mapping[str, FunctionType]], Iterator[Change]]
+"""View of a unit, its bytes, what adapters take and give -> the changes."""

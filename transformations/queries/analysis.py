@@ -21,8 +21,9 @@ def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> 
     """The contract's `{"units": [...]}`; findings of the analysis itself (RS108, RS109) are added to the list given."""
     units = []
     calls = code.user_calls(program)
-    for view in code.views(program, api):
-        units.append(_unit(view, calls))
+    views = code.views(program, api)
+    for view in views:
+        units.append(_unit(view, views, calls))
         findings.extend(library_cogs(view))
         findings.extend(unknown_functions(view))
     return {"units": units}
@@ -59,7 +60,7 @@ def _finding(
     return Finding(rule, severity, message, place, fix=fix)
 
 
-def _unit(view: code.CodeView, user_calls: dict[str, list[ccode.Call]]) -> dict[str, Any]:
+def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str, list[ccode.Call]]) -> dict[str, Any]:
     unit, api = view.unit, view.api
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function)]
     variables = [d for d in unit.declarations if isinstance(d, ccode.Variable)]
@@ -99,7 +100,7 @@ def _unit(view: code.CodeView, user_calls: dict[str, list[ccode.Call]]) -> dict[
         ],
         "main": _main(unit),
         "cogs": [{"via": c.via, "function": c.function, "line": int(c.call.line)} for c in code.cogs_of(view)],
-        "pin_uses": [use.to_json() for use in pin_uses.pin_uses_of(view)],
+        "pin_uses": [use.to_json() for use in pin_uses.pin_uses_of(view, views)],
         "coverage": {
             "calls_in_text": int(unit.callsInText),
             "calls_in_model": int(unit.callsInModel),

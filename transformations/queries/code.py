@@ -8,14 +8,15 @@ name means. Structure of main is in `main_program`, values of pins in `pin_uses`
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
 
 from robosmi.metamodels import ccode
 from robosmi.query import Q, all_contents
 from robosmi.transformations.t2m.platform_api import ApiIndex, Entry
 
+T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
 _NAMES = re.compile(r"[A-Za-z_]\w*")
 _LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*', re.DOTALL)
@@ -79,7 +80,7 @@ class Constructs:
 
 
 class CodeView:
-    """One pass over a unit, kept for several queries.
+    """One pass over a unit, kept for many queries: of a code model that is read and changes no more.
 
     Args:
         unit: the unit.
@@ -96,6 +97,15 @@ class CodeView:
         self.calls: list[ccode.Call] = _distinct(e for e in self.elements if isinstance(e, ccode.Call) and not e.viaMacro)
         self.own_macros: dict[str, ccode.Macro] = {str(m.name): m for m in unit.macros}
         self._functions: dict[str, CalledFunction] | None = None
+        self._kinds: dict[type, list[Any]] = {}
+
+    def of_kind(self, kind: type[T]) -> Sequence[T]:
+        """The unit's elements of a kind, a container before what it contains."""
+        found = self._kinds.get(kind)
+        if found is None:
+            wanted = {cls for cls in set(map(type, self.elements)) if issubclass(cls, kind)}
+            found = self._kinds[kind] = [x for x in self.elements if x.__class__ in wanted]
+        return found
 
     def resolve(self, name: str) -> Entry | None:
         """The declaration that a name means in this unit, None where the repository does not know it."""
@@ -254,8 +264,10 @@ def standard_calls(program: ccode.Program, api: ApiIndex) -> list[CalledFunction
 
 def _merge(into: dict[str, CalledFunction], functions: Iterable[CalledFunction]) -> None:
     for function in functions:
-        known = into.setdefault(function.name, function)
-        if known is not function:
+        known = into.get(function.name)
+        if known is None:
+            into[function.name] = replace(function, calls=list(function.calls))  # the views keep theirs
+        else:
             known.calls += function.calls
             known.in_macro = known.in_macro or function.in_macro
 

@@ -11,7 +11,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
 
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|struct|union|enum)\b")
 ARITHMETIC = frozenset(
@@ -163,19 +164,19 @@ def declared_with_others(variable: ccode.Variable) -> bool:
     return bool(variable.shared) or (isinstance(statement, ccode.DeclarationStatement) and len(statement.declarations) > 1)
 
 
-def expectations(unit: ccode.SourceUnit, functions: Mapping[str, FunctionType]) -> Iterator[tuple[ccode.Expression, ValueType]]:
+def expectations(view: CodeView, functions: Mapping[str, FunctionType]) -> Iterator[tuple[ccode.Expression, ValueType]]:
     """Each expression whose place says what type it must give, with that type."""
-    for variable in all_of_kind(unit, ccode.Variable):
+    for variable in view.of_kind(ccode.Variable):
         if variable.initializer is not None:
             yield from _initial(variable.initializer, of_use(variable.valueType))
-    for assignment in all_of_kind(unit, ccode.Assignment):
+    for assignment in view.of_kind(ccode.Assignment):
         if assignment.operator == "=" and assignment.right is not None:
             yield from _value(assignment.right, type_of(assignment.left, functions))
-    for leave in all_of_kind(unit, ccode.Return):
+    for leave in view.of_kind(ccode.Return):
         function = ancestor_of_kind(leave, ccode.Function)
         if leave.value is not None and function is not None and function.name != "main":
             yield from _value(leave.value, of_use(function.returnType))
-    for call in all_of_kind(unit, ccode.Call):
+    for call in view.of_kind(ccode.Call):
         if call.calleeName in functions:
             wanted = [parse(p) for p in functions[call.calleeName].parameters]
         elif call.callee is not None and call.callee.definition:

@@ -6,15 +6,15 @@ argument has is asked of `values`. Masks of registers, bodies of macros and othe
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.queries.code import CalledFunction, CodeView, views
+from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.values import RUNTIME, Value, Values
-from robosmi.transformations.t2m.platform_api import ApiIndex, Convention, PinParameter
+from robosmi.transformations.t2m.platform_api import Convention, PinParameter
 
 
 @dataclass
@@ -53,15 +53,24 @@ class PinUse:
         }
 
 
-def pin_uses(program: ccode.Program, api: ApiIndex) -> list[PinUse]:
-    """The pins that a program uses, by unit and line."""
-    return [use for view in views(program, api) for use in pin_uses_of(view)]
+def pin_uses(views: Sequence[CodeView]) -> list[PinUse]:
+    """The pins that a program uses, by unit and line.
+
+    Args:
+        views: a view of each of its units.
+    """
+    return [use for view in views for use in pin_uses_of(view, views)]
 
 
-def pin_uses_of(view: CodeView) -> list[PinUse]:
-    """The pins that a unit uses, by line; two entries with the same function, pin, direction and line are one."""
+def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
+    """The pins that a unit uses, by line; two entries with the same function, pin, direction and line are one.
+
+    Args:
+        view: the unit.
+        views: a view of each unit of the program, since any may set up what a convention is used for.
+    """
     values = Values(view.program, view.unit)
-    called = {name for v in views(view.program, view.api) if v.unit is not view.unit for name in v.called()} | set(view.called())
+    called = {name for v in views for name in v.called()}
     found: dict[tuple[str, int | None, str, int], PinUse] = {}
     for function in view.functions_of("platform", "posix"):
         facts = view.api.pins(function.name, function.header)

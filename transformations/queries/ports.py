@@ -7,13 +7,13 @@ says. Values are `pin_uses`' business; what a port becomes on the target is the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, platform
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.values import passed_arguments
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 
 @dataclass
@@ -42,10 +42,14 @@ class Port:
         return {use.direction for use in self.uses} - {"unknown"}
 
 
-def ports(program: ccode.Program, api: ApiIndex) -> list[Port]:
-    """The ports of a program, in the order of their first use."""
+def ports(views: Sequence[CodeView]) -> list[Port]:
+    """The ports of a program, in the order of their first use.
+
+    Args:
+        views: a view of each of its units.
+    """
     found: dict[object, Port] = {}
-    for use in pin_uses(program, api):
+    for use in pin_uses(views):
         if use.origin == "convention":
             name = f"P{use.pin}"
             found.setdefault(("convention", use.pin), Port(name, "convention", use.call, use.pin, use.expression)).uses.append(
@@ -61,11 +65,6 @@ def ports(program: ccode.Program, api: ApiIndex) -> list[Port]:
             if use not in port.uses and (port.pin is None or use.pin in (port.pin, None)):
                 port.uses.append(use)
     return list(found.values())
-
-
-def runtime_uses(program: ccode.Program, api: ApiIndex) -> list[PinUse]:
-    """The pin uses whose pin no text decides."""
-    return [use for use in pin_uses(program, api) if use.pin is None]
 
 
 def convention_of(port: Port, source: platform.Platform) -> platform.PinConvention | None:

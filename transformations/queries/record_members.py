@@ -6,22 +6,22 @@ parameter or field of the type. Members of members become records within.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_of_kind
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.t2m.c_source.lexer import tokens
 
 
-def members(type_name: str, program: ccode.Program, sources: Mapping[str, bytes]) -> list[str]:
+def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, bytes]) -> list[str]:
     """Declarators of the members that are used, `int32_t x`, sorted by name."""
     tree: dict[str, Any] = {}
-    for unit in program.units:
+    for view in views:
         named: tuple[ccode.Variable | ccode.Parameter | ccode.Field, ...] = (
-            *all_of_kind(unit, ccode.Variable),
-            *all_of_kind(unit, ccode.Parameter),
-            *all_of_kind(unit, ccode.Field),
+            *view.of_kind(ccode.Variable),
+            *view.of_kind(ccode.Parameter),
+            *view.of_kind(ccode.Field),
         )
         mine = [
             v
@@ -31,7 +31,7 @@ def members(type_name: str, program: ccode.Program, sources: Mapping[str, bytes]
         holders = {v.name for v in mine if not isinstance(v, ccode.Field)}
         fields = {v.name for v in mine if isinstance(v, ccode.Field)}
         if mine:
-            words = [t[3] for t in tokens(sources[unit.path]) if t[0] not in ("comment", "directive")]
+            words = [t[3] for t in tokens(sources[view.unit.path]) if t[0] not in ("comment", "directive")]
             for i, word in enumerate(words):
                 if (word in holders and words[i - 1] not in (".", "->", "struct")) or (
                     word in fields and words[i - 1] in (".", "->")

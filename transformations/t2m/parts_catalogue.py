@@ -72,7 +72,7 @@ class Catalogue:
     """
 
     def __init__(self, project: Path | None = None) -> None:
-        self._project = project
+        self._names = names(project)
         self._files = [(path, path.stat().st_mtime_ns) for path in _files(project)]
 
     def find(self, part_id: str) -> Part | None:
@@ -84,7 +84,7 @@ class Catalogue:
         quoted = f'"{part_id}"'
         for path, changed in self._files:
             if path.suffix == ".sqlite":
-                if (part := _opened(path, changed).part(part_id, names(self._project))) is not None:
+                if (part := _opened(path, changed).part(part_id, self._names)) is not None:
                     return part
                 continue
             for line, chunk in _chunks(path, changed):

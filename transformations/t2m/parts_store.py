@@ -53,6 +53,7 @@ class PartsFile:
         import sqlite3  # 5 ms, wanted only when there is such a file
 
         self.path = path
+        self._parts: dict[str, tuple[Names, Part | None]] = {}
         try:  # immutable: no locks, no look for a journal
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
         except sqlite3.Error as error:
@@ -75,8 +76,11 @@ class PartsFile:
         Raises:
             PlatformDataError: the file is damaged.
         """
-        rows = self._all(f"SELECT {_COLUMNS} FROM part WHERE id = ?", part_id)
-        return self._part(rows[0], known) if rows else None
+        kept = self._parts.get(part_id)
+        if kept is None or kept[0] is not known:
+            rows = self._all(f"SELECT {_COLUMNS} FROM part WHERE id = ?", part_id)
+            kept = self._parts[part_id] = (known, self._part(rows[0], known) if rows else None)
+        return kept[1]
 
     def words(self, part_id: str) -> dict[str, int]:
         """How often each word stands in the description of a part; empty for a part that is not here."""

@@ -94,7 +94,7 @@ def test_own_definitions_win_and_locals_shadow(api: ApiIndex) -> None:
 
 
 def test_pin_uses(api: ApiIndex) -> None:
-    uses = [(u.function, u.pin, u.direction, u.origin) for u in pin_uses(read(PROGRAMS / "pins.c"), api)]
+    uses = [(u.function, u.pin, u.direction, u.origin) for u in pin_uses(code.views(read(PROGRAMS / "pins.c"), api))]
     expected: list[tuple[str, int | None, str, str]] = [
         *[("freqout", 4, "out", "literal"), ("freqout", 5, "out", "constant")],
         ("low", None, "out", "runtime"),
