@@ -15,7 +15,7 @@ from pathlib import Path
 from robosmi.diagnostics import Finding, Severity
 from robosmi.generate.manifest import NAME, Manifest
 from robosmi.model.codegen import Rendered, render
-from robosmi.model.files import write_folder
+from robosmi.model.commit import update
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
         contents |= {f"{root}/{name}": data for name, data in inner.items()}
         contents[f"{root}/{NAME}"] = Manifest.of(inner).to_bytes()
     unchanged = {path for path, data in rendered.files.items() if _has(folder / path, data)}
-    write_folder(folder, contents, frozenset(obsolete))
+    update(folder, contents, obsolete)
     return GeneratedPackages(
         [folder / path for path in sorted({*rendered.files} - unchanged)],
         [folder / path for path in sorted(unchanged)],

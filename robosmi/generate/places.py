@@ -7,7 +7,7 @@ from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.generate.commit import STAGE
+from robosmi.model.commit import STAGE
 from robosmi.model.files import within
 
 _BLOCK = 1 << 16

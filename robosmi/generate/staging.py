@@ -13,13 +13,13 @@ from typing import overload
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
-from robosmi.generate.commit import commit, recover
 from robosmi.generate.keep import keep
 from robosmi.generate.output import Text, text_of
 from robosmi.generate.places import Places
 from robosmi.generate.record import Record
 from robosmi.generate.regions import merge
 from robosmi.generate.result import FileChange, Generation, Write
+from robosmi.model.commit import commit, recover
 
 
 @dataclass(slots=True)

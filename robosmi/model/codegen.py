@@ -19,9 +19,9 @@ import pyecoregen.ecore as pyecoregen
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
+from robosmi.model.commit import update
 from robosmi.model.ecore_description import Class, Package
 from robosmi.model.ecore_loader import MetamodelError, load_metamodels
-from robosmi.model.files import write_folder
 from robosmi.model.linearise import bases, topological
 from robosmi.model.package_cycles import Cycles
 from robosmi.model.package_names import Names
@@ -167,7 +167,7 @@ def _mixins(folder: Path, module: str) -> dict[str, frozenset[str]]:
 def generate_built_in() -> None:
     """Write our own packages anew."""
     folder = resources.built_in("metamodels")
-    write_folder(folder, render(sorted(folder.glob("*.ecore"))).files)
+    update(folder, render(sorted(folder.glob("*.ecore"))).files)
 
 
 if __name__ == "__main__":

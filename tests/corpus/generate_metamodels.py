@@ -29,9 +29,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from robosmi.errors import RobosmiError
 from robosmi.model.codegen import Rendered, render
+from robosmi.model.commit import update
 from robosmi.model.ecore_description import Class, Enumeration, Package, is_known
 from robosmi.model.ecore_loader import MetamodelError, load_metamodels
-from robosmi.model.files import write_folder
 from robosmi.model.package_names import Names
 from robosmi.model.package_types import is_feature_map
 
@@ -134,7 +134,7 @@ def attempt(path: Path, folder: Path, base: str) -> tuple[str, Rendered | None, 
         return f"refused: {error.message.split(':')[0].split(chr(39))[0].strip()}", None, 0
     if render([path]).files != rendered.files:
         raise AssertionError("generated twice, it differs")
-    write_folder(folder / base, rendered.files)
+    update(folder / base, rendered.files)
     packages = load_metamodels([path])
     for name in sorted({".".join([base, *Path(file).parent.parts]) for file in rendered.files}):
         importlib.import_module(name)

@@ -11,7 +11,8 @@ from pyecore.resources import URI, ResourceSet
 import robosmi
 from robosmi.errors import InternalError, ModelError, SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform, trace
-from robosmi.model.files import write_atomic, write_folder
+from robosmi.model.commit import update
+from robosmi.model.files import write_atomic
 from robosmi.model.metamodels import built_in
 from robosmi.model.xmi_reader import read_models, resolve
 from robosmi.model.xmi_writer import to_xmi
@@ -302,9 +303,9 @@ def test_a_file_is_replaced_whole_or_not_at_all(tmp_path: Path) -> None:
 
 
 def test_a_folder_is_filled_and_cleared_of_what_is_obsolete(tmp_path: Path) -> None:
-    write_folder(tmp_path / "out", {"a/b.txt": b"1", "c.txt": b"2"})
+    update(tmp_path / "out", {"a/b.txt": b"1", "c.txt": b"2"})
     (tmp_path / "out" / "mine.txt").write_bytes(b"3")
-    write_folder(tmp_path / "out", {"a/b.txt": b"4"}, frozenset({"c.txt"}))
+    update(tmp_path / "out", {"a/b.txt": b"4"}, frozenset({"c.txt"}))
     assert {str(p.relative_to(tmp_path / "out")): p.read_bytes() for p in (tmp_path / "out").rglob("*") if p.is_file()} == {
         "a/b.txt": b"4", "mine.txt": b"3",
     }  # fmt: skip
@@ -314,5 +315,5 @@ def test_a_folder_is_filled_and_cleared_of_what_is_obsolete(tmp_path: Path) -> N
 def test_nothing_is_written_outside_of_the_folder(tmp_path: Path) -> None:
     for name in ("../evil.txt", "/tmp/evil.txt", "a/../../evil.txt", ""):
         with pytest.raises(InternalError, match="outside"):
-            write_folder(tmp_path / "out", {"fine.txt": b"1", name: b"2"})
+            update(tmp_path / "out", {"fine.txt": b"1", name: b"2"})
     assert list(tmp_path.iterdir()) == []

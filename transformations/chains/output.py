@@ -12,11 +12,11 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
-from robosmi.generate.commit import commit, recover
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
 from robosmi.metamodels import migration
+from robosmi.model.commit import recover, update
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
@@ -139,15 +139,9 @@ def produce(
         record = Manifest.of(contents | kept.records, by_person)
         # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
         record.files |= {name: manifest.files[name] for name in (*exempt, *kept.orphans) if name in manifest.files}
-        written = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-        changed = {name: data for name, data in written.items() if not _is(output / name, data)}
-        commit(output, changed, obsolete)
+        update(output, {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}, obsolete)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
-
-
-def _is(path: Path, data: bytes) -> bool:
-    return path.is_file() and path.read_bytes() == data
 
 
 def _move_traces(plan: migration.MigrationPlan, lines: Mapping[str, Mapping[int, int]]) -> None:

@@ -18,12 +18,37 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError, StoppedError
+from robosmi.errors import InternalError, SourceError, StoppedError
+from robosmi.model.files import within
 
 STAGE = ".robosmi-commit"
 """Folder with what is about to be moved into place; in the output folder, or beside one that is new (with its name behind)."""
 _JOURNAL = "journal.json"
 _FIX = "give another output folder, or check its permissions and the space on the disk"
+
+
+def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:
+    """Bring files of a folder up to date, all or none. A file that has its bytes already is left untouched.
+
+    Args:
+        folder: the folder; made when missing. Files in it that are not named stay as they are.
+        contents: relative path -> bytes.
+        removed: relative paths of files that go.
+
+    Raises:
+        SourceError: the folder cannot be written, or something is in the way.
+        StoppedError: another run is writing there.
+        InternalError: a path leads out of the folder.
+    """
+    for name in contents:
+        if not within(name):
+            raise InternalError(f"'{name}' would be written outside of the output folder '{folder}'")
+    recover(folder)
+    commit(folder, {name: data for name, data in contents.items() if not _has(folder / name, data)}, removed)
+
+
+def _has(path: Path, data: bytes) -> bool:
+    return path.is_file() and path.read_bytes() == data
 
 
 def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:

@@ -14,7 +14,7 @@ import pytest
 
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate import Gen
-from robosmi.generate.commit import STAGE, commit, interrupted, recover
+from robosmi.model.commit import STAGE, commit, interrupted, recover
 
 FILES = 40
 KILLS = 200
