@@ -90,6 +90,7 @@ class Chain:
         makes: str,
         metamodel: Paths,
         file: str | Path | None = None,
+        trace: str | Path | None = None,
         reads: Paths = (),
         step: str = "",
     ) -> None:
@@ -101,10 +102,11 @@ class Chain:
             makes: name of the model it makes.
             metamodel: its .ecore files.
             file: where it is saved; without one it stays in memory, and is made anew whenever a later step needs it.
+            trace: where the trace is saved as a model that refers to those of the sources and targets; these must have files.
             reads: further files it reads.
             step: the step's name; the function's if not given.
         """  # fmt: skip
-        self._add(step, "transform", function, models, makes=makes, metamodel=metamodel, file=file, reads=reads)
+        self._add(step, "transform", function, models, makes=makes, metamodel=metamodel, file=file, trace=trace, reads=reads)
 
     def migrate(
         self,
@@ -150,7 +152,7 @@ class Chain:
         self._add(step, "generate", function, models, folder=folder, templates=templates, reads=reads)
 
     def _add(self, name: str, kind: str, function: Callable[..., Any] | None, models: Names, **options: Any) -> None:
-        for key in ("file", "folder", "templates"):
+        for key in ("file", "trace", "folder", "templates"):
             if options.get(key) is not None:
                 options[key] = self.folder / options[key]
         for key in ("metamodel", "reads"):
@@ -180,7 +182,8 @@ class Chain:
         """The steps in the order in which they are done, once it is sure that they can be.
 
         Raises:
-            SourceError: the chain has a circle, a model that no step makes, or a file that is not there.
+            SourceError: the chain has a circle, a model that no step makes, a file that is not there, or a trace of a model
+                without a file.
         """
         graph = self.graph()
         ordered = in_order(self.steps, graph, self.place)
@@ -190,6 +193,15 @@ class Chain:
                 location=self.place or Location(str(path)),
                 fix="correct the path, relative to the chain's folder; nothing was done",
             )
+        files = {step.makes: step.file for step in ordered}
+        for step in ordered:
+            for model in (*step.models, step.makes) if step.trace is not None else ():
+                if files[model] is None:
+                    raise SourceError(
+                        f"the step '{step.name}' saves a trace, which cannot refer to the model '{model}': it has no file",
+                        location=self.place,
+                        fix=f"give the step that makes '{model}' a file; nothing was done",
+                    )
         return ordered
 
     def run(self, *, dry_run: bool = False, keep: bool = True, force: bool = False) -> ChainResult:

@@ -20,7 +20,7 @@ from robosmi.model.files import read_input
 _KEYS: dict[str, dict[str, bool]] = {
     "load": {"file": True, "metamodel": False, "driver": False},
     "validate": {"models": True, "stop_at": False},
-    "transform": {"models": True, "makes": True, "metamodel": True, "file": False},
+    "transform": {"models": True, "makes": True, "metamodel": True, "file": False, "trace": False},
     "migrate": {"models": True, "makes": True, "metamodel": True, "file": False},
     "generate": {"models": True, "folder": True, "templates": False},
 }

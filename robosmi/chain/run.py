@@ -134,20 +134,20 @@ class Run:
 
     def guard(self, step: Step, known: StepState | None) -> None:
         """A model that was changed by hand since a step wrote it is not written over."""
-        if step.kind == "load" or step.file is None or known is None or not step.file.is_file():
-            return
-        name = relative(step.file, self.folder)
-        if known.outputs.get(name) not in (None, digest_of(step.file)):
-            raise StoppedError(
-                f"'{name}' was changed since the step '{step.name}' made it: writing would lose that",
-                location=Location(str(step.file)),
-                fix="move it away, or let another step read it",
-            )
+        for path in step.stored() if known is not None else []:
+            name = relative(path, self.folder)
+            if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
+                raise StoppedError(
+                    f"'{name}' was changed since the step '{step.name}' made it: writing would lose that",
+                    location=Location(str(path)),
+                    fix="move it away, or let another step read it",
+                )
 
     def do(self, step: Step) -> StepResult:
         """Do a step, with the models that it needs."""
         models = {name: self.model(name) for name in step.models}
-        result, made = DOES[step.kind](step, Doing(self.folder, models, self.dry_run, self.keep))
+        files = {name: self.makers[name].file for name in step.models}
+        result, made = DOES[step.kind](step, Doing(self.folder, models, files, self.dry_run, self.keep))
         if made is not None:
             self.models[step.makes] = made
         if self.dry_run and result.state == "done":
@@ -167,8 +167,7 @@ class Run:
         """Note what a step read, made and said."""
         if self.dry_run:
             return
-        if step.kind != "load" and step.file is not None:
-            result.outputs[relative(step.file, self.folder)] = ""
+        result.outputs |= {relative(path, self.folder): "" for path in step.stored()}
         result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
         self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed")

@@ -56,7 +56,7 @@ class State:
         """Write it, whole or not at all; nothing where nothing changed."""
         steps = {name: vars(entry) for name, entry in self.steps.items()}
         data = (json.dumps({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
-        if not self.path.is_file() or self.path.read_bytes() != data:
+        if self.path.read_bytes() != data if self.path.is_file() else bool(steps):
             write_atomic(self.path, data)
 
 

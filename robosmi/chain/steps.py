@@ -8,20 +8,21 @@ from __future__ import annotations
 
 import inspect
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RuleError
 from robosmi.generate import Gen
+from robosmi.model import save_model
 from robosmi.model.driver import Model
 from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.opening import open_model
 from robosmi.query import ModelView
-from robosmi.query.erl import place_of
+from robosmi.query.erl import place_of, technology
 from robosmi.transform import ETL, Flock
 from robosmi.validate import EVL
 
@@ -40,6 +41,7 @@ class Step:
         makes: name of the model that it makes, "" for none.
         file: the file of that model, None if it stays in memory; for `load` the file that is read.
         metamodel: .ecore files of that model.
+        trace: the file of the trace of `transform`, None for none.
         driver: the driver of a model that is loaded; found by the file's ending if None.
         folder: where `generate` writes.
         templates: where its templates are: a folder, or None for the built-in ones.
@@ -56,6 +58,7 @@ class Step:
     makes: str = ""
     file: Path | None = None
     metamodel: tuple[Path, ...] = ()
+    trace: Path | None = None
     driver: str | None = None
     folder: Path | None = None
     templates: Path | None = None
@@ -70,8 +73,11 @@ class Step:
 
     def outputs(self) -> list[Path]:
         """The files and folders that it makes."""
-        own = [self.file] if self.kind != "load" and self.file is not None else []
-        return [*own, *([self.folder] if self.folder is not None else [])]
+        return [*self.stored(), *([self.folder] if self.folder is not None else [])]
+
+    def stored(self) -> list[Path]:
+        """The model files that it makes: the model's, and that of its trace."""
+        return [path for path in (self.file, self.trace) if path is not None and self.kind != "load"]
 
 
 @dataclass
@@ -108,10 +114,11 @@ class StepResult:
 
 @dataclass
 class Doing:
-    """What a step needs while it is done: the models, where paths are relative to, and the options of the run."""
+    """What a step needs while it is done: the models and their files, where paths are relative to, the options of the run."""
 
     folder: Path
     models: Mapping[str, Model]
+    files: Mapping[str, Path | None]
     dry_run: bool
     keep: bool
 
@@ -127,9 +134,15 @@ def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
     """Check constraints; the step fails when a finding is worse than it may be."""
     v = EVL(*doing.models.values())
     call(step, v, doing.models)
-    findings = v.run().findings()
+    findings = [_located(finding, doing.files) for finding in v.run().findings()]
     failed = any(finding.severity > step.greatest for finding in findings)
     return StepResult(step, "failed" if failed else "done", findings=findings), None
+
+
+def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
+    """The finding with the file of the model that its element is in, where the constraint gives no place."""
+    file = files.get((finding.element or "").partition("!")[0])
+    return replace(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
 
 
 def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
@@ -140,13 +153,23 @@ def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     call(step, module, models)
     module.run()
     result = StepResult(step, "done", findings=[Finding("RS530", Severity.warning, text) for text in module.warnings])
-    if step.file is not None:
-        name = relative(step.file, doing.folder)
-        result.written.append(name)
-        if not doing.dry_run:
-            step.file.parent.mkdir(parents=True, exist_ok=True)
+    result.written = [relative(path, doing.folder) for path in step.stored()]
+    if not doing.dry_run:
+        for path in step.stored():
+            path.parent.mkdir(parents=True, exist_ok=True)
+        if step.file is not None:
             made.save(step.file)
+        if step.trace is not None and isinstance(module, ETL):
+            files = {**doing.files, step.makes: step.file}
+            stored = {relative(path, step.trace.parent): models[name] for name, path in files.items() if path is not None}
+            save_model(module.trace.to_model(), step.trace, {p: list(m.roots) for p, m in _of_emf(stored)})
     return result, made
+
+
+def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:
+    for name, model in models.items():
+        if isinstance(own := technology(model), EmfModel):
+            yield name, own
 
 
 def generate(step: Step, doing: Doing) -> tuple[StepResult, None]:

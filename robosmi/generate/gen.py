@@ -75,6 +75,15 @@ class Gen:
         self._record = Record(self.folder, RECORD if keep is True else keep) if keep else None
         self._staging = self._fresh()
 
+    def give(self, values: Mapping[str, Any] | None = None, filters: Mapping[str, Callable[..., Any]] | None = None) -> None:
+        """Give the templates further values and filters, before the first is rendered: for functions that add rules to a `Gen`.
+
+        Args:
+            values: what every template sees besides, by name.
+            filters: further filters for templates, by name.
+        """
+        self.templates.give(values or {}, filters or {})
+
     def _fresh(self) -> Staging:
         return Staging(self.folder, self._record)
 

@@ -92,9 +92,14 @@ class Templates:
         self._templates: dict[str, jinja2.Template] = {}
         self._contexts: dict[str, list[Context]] = {}
         self._environment = _environment(_loader(where))
-        self._environment.globals.update({"region_id": self._region_id, **(values or {})})
+        self._globals: dict[str, Any] = {}
+        self.give({"region_id": self._region_id, **(values or {})}, {"outdent": outdented, **(filters or {})})
+
+    def give(self, values: Mapping[str, Any], filters: Mapping[str, Callable[..., Any]]) -> None:
+        """Give all templates further values and filters, by name."""
+        self._environment.globals.update(values)
         self._globals = dict(self._environment.globals)  # what templates have is a ChainMap, and slow
-        self._environment.filters.update({"outdent": outdented, **(filters or {})})
+        self._environment.filters.update(filters)
 
     def names(self) -> list[str]:
         """The names of all templates."""

@@ -43,10 +43,6 @@ class ETL:
     """
 
     def __init__(self, *models: Any, schedule: str = "auto") -> None:
-        if schedule not in SCHEDULES:
-            raise UsageError(
-                f"there is no schedule '{schedule}'{did_you_mean(schedule, SCHEDULES)}", fix=f"use one of: {', '.join(SCHEDULES)}"
-            )
         self.models: list[Model] = [as_model(m) for m in models]
         self.schedule = schedule
         self.pre = Blocks()
@@ -56,6 +52,23 @@ class ETL:
         self.warnings: list[str] = []
         self._included: list[ETL] = []
         self._running: Schedule | None = None
+
+    @property
+    def schedule(self) -> str:
+        """`match`, `demand` or `auto`; may be set until the run.
+
+        Raises:
+            UsageError: there is no such schedule.
+        """
+        return self._chosen
+
+    @schedule.setter
+    def schedule(self, chosen: str) -> None:
+        if chosen not in SCHEDULES:
+            raise UsageError(
+                f"there is no schedule '{chosen}'{did_you_mean(chosen, SCHEDULES)}", fix=f"use one of: {', '.join(SCHEDULES)}"
+            )
+        self._chosen = chosen
 
     @overload
     def rule(self, body: F, /) -> F: ...

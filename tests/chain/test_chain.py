@@ -16,11 +16,16 @@ import pytest
 from robosmi.chain import Chain, ChainResult, read_chain
 from robosmi.chain.steps import DOES
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError
-from robosmi.transform import ETL
+from robosmi.metamodels import trace
+from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
+from robosmi.transform import ETL, Trace
+from tests.emf_judge import judge
 from tests.running import run as command
 from tests.running import tree
 
 SITE = Path(__file__).parent / "site"
+TRACE = Path(__file__).parents[2] / "metamodels" / "trace.ecore"
 ALL = ["load library", "load prices", "constraints", "to_site", "pages"]
 
 
@@ -164,6 +169,42 @@ def test_a_failed_validation_stops_the_steps_that_use_its_models(site: Path) -> 
     assert (run(site)["pages"].state) == "done"
 
 
+def test_findings_say_the_file_of_the_model(site: Path) -> None:
+    replace(site / "rules.py", "b.year > 1900", "b.year > 2000")
+    findings = run(site).findings
+    assert [f.message for f in findings] == ["Ants is old"]
+    assert [(str(f.location), f.element) for f in findings] == [
+        (str(site / "library.xmi"), "library!Book //@sections.1/@items.0")
+    ]
+
+
+def test_a_trace_is_saved_beside_the_models_and_refers_to_them(site: Path) -> None:
+    replace(site / "chain.toml", 'file = "build/site.xmi"', 'file = "build/site.xmi"\ntrace = "traces/site.xmi"')
+    assert run(site)["to_site"].written == ["build/site.xmi", "traces/site.xmi"]
+    file = site / "traces" / "site.xmi"
+    text = file.read_text()
+    assert 'href="../library.xmi#//@sections.1/@items.0"' in text
+    assert 'href="../build/site.xmi#//@pages.2"' in text
+    judge([TRACE, site / "library.ecore", site / "site.ecore"], file)
+    metamodels = [trace, *Metamodel.load(site / "library.ecore", site / "site.ecore").packages]
+    links = Trace.of_model(EmfModel.load(file, metamodels).roots[0]).links
+    assert [(link.source.name, link.targets[0].title) for link in links if link.rule == "Page"] == [
+        (name, name) for name in ("Propellers", "Boards", "Ants", "Zap")
+    ]
+    assert done(run(site)) == []
+    file.unlink()
+    assert done(run(site)) == ["to_site"]
+    replace(file, "Page", "Sheet")
+    with pytest.raises(StoppedError, match=r"'traces/site.xmi' was changed"):
+        run(site)
+
+
+def test_a_dry_run_saves_no_trace(site: Path) -> None:
+    replace(site / "chain.toml", 'file = "build/site.xmi"', 'file = "build/site.xmi"\ntrace = "traces/site.xmi"')
+    assert run(site, dry_run=True)["to_site"].written == ["build/site.xmi", "traces/site.xmi"]
+    assert not (site / "traces").exists()
+
+
 def test_a_step_that_fails_leaves_the_earlier_ones_done(site: Path) -> None:
     replace(site / "templates" / "page.html", "p.price", "p.prise")
     with pytest.raises(RobosmiError, match="prise"):
@@ -206,6 +247,19 @@ def shout(t: ETL, a: Any, b: Any) -> None:
 def louder(t: ETL, b: Any, c: Any) -> None:
     """Louder still."""
     shout(t, b, c)
+
+
+def test_a_function_sets_the_options_of_its_language(site: Path) -> None:
+    rules = site / "rules.py"
+    replace(rules, "    price = {row.title", '    t.schedule = "demand"\n    price = {row.title')
+    text = '    """A file for each page, and an index."""\n'
+    replace(rules, text, text + '    g.give(values={"sign": "eur"}, filters={"loud": str.upper})\n')
+    replace(site / "templates" / "page.html", "{{ p.price }}", "{{ sign | loud }} {{ p.price }}")
+    run(site)
+    assert "<b>EUR 8.25</b>" in (site / "out" / "Ants.html").read_text()
+    replace(rules, '"demand"', '"demnd"')
+    with pytest.raises(RobosmiError, match="there is no schedule 'demnd'"):
+        run(site)
 
 
 def test_a_chain_in_python_and_its_graph(site: Path) -> None:
@@ -281,6 +335,7 @@ def test_a_chain_with_a_circle(site: Path) -> None:
         ('load = "prices"', 'load = "prices"\nname = "../x"', "'../x' cannot be a step's name"),
         ("[[step]]", "[[stepp]]", "'stepp' is no table of a chain"),
         ("[[step]]", "step = 1 #", "no TOML"),
+        ('file = "build/site.xmi"', 'trace = "t.xmi"', "saves a trace, which cannot refer to the model 'site': it has no file"),
         ('"rules.py:pages"', '"rules.py:page"', "has no function 'page' (did you mean 'pages'?)"),
         ('"rules.py:pages"', '"rule.py:pages"', "there is no file"),
         ('"rules.py:pages"', '"nowhere.at.all:pages"', "cannot be imported"),
@@ -315,6 +370,11 @@ def test_code_that_cannot_be_imported(old: str, new: str, line: int, cause: str,
     error = wrong(site, RuleError)
     assert cause in error.message
     assert str(error.location) == f"{site / 'rules.py'}:{line}"
+
+
+def test_a_model_that_cannot_be_read(site: Path) -> None:
+    replace(site / "library.xmi", 'year="1999"', 'year="long ago"')
+    assert "'long ago' is no whole number" in wrong(site, RobosmiError).message
 
 
 def test_a_function_that_does_not_fit(site: Path) -> None:

@@ -11,19 +11,23 @@ import importlib
 import io
 import json
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from robosmi.errors import RobosmiError
 from tests.epsilon.running import CASES, load
 
+Port = Callable[..., Any]
 
-def run_steps(name: str, out: Path) -> None:
+
+def run_steps(name: str, out: Path, port: Port | None = None) -> None:
     """Do all steps of a case.
 
     Args:
         name: of the case, below cases/egl.
         out: where `stepN` and `stepN.json` are put.
+        port: what is run instead of the case's own port.
     """
     case = CASES / "egl" / name
     spec = json.loads((case / "input.json").read_text(encoding="utf-8"))
@@ -35,7 +39,7 @@ def run_steps(name: str, out: Path) -> None:
     for step in spec["steps"]:
         if "run" in step:
             number += 1
-            result = run_script(name, case, spec, step, work)
+            result = run_script(case, spec, step, work, port or importlib.import_module(f"tests.epsilon.ports.egl.{name}").port)
             (out / f"step{number}.json").write_text(json.dumps(result, indent=1), encoding="utf-8")
             shutil.copytree(work, out / f"step{number}")
         else:
@@ -43,12 +47,11 @@ def run_steps(name: str, out: Path) -> None:
     shutil.rmtree(work)
 
 
-def run_script(name: str, case: Path, spec: dict[str, Any], step: dict[str, Any], folder: Path) -> dict[str, Any]:
+def run_script(case: Path, spec: dict[str, Any], step: dict[str, Any], folder: Path, port: Port) -> dict[str, Any]:
     """One run: what it printed, what it said of the files, and its error."""
     models = [load(one | {"file": step.get("models", {}).get(one["name"], one["file"])}, case) for one in spec["models"]]
     script = step["run"] if isinstance(step["run"], str) else spec["script"]
-    module = importlib.import_module(f"tests.epsilon.ports.egl.{name}")
-    g = module.port(folder, *models, script, step.get("target", spec.get("target")))
+    g = port(folder, *models, script, step.get("target", spec.get("target")))
     printed, error, messages = io.StringIO(), None, []
     with contextlib.redirect_stdout(printed):
         try:

@@ -13,6 +13,7 @@ import io
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -55,13 +56,13 @@ def load(spec: dict[str, Any], case: Path) -> ModelView:
     return ModelView(EmfModel.load(case / spec["file"], metamodel, spec["name"]))
 
 
-def run(kind: str, name: str, out: Path) -> None:
-    """Run the port of a case and write its results."""
+def run(kind: str, name: str, out: Path, port: Callable[..., Any] | None = None) -> None:
+    """Run the port of a case, or another function that takes the case's models, and write its results."""
     case = CASES / kind / name
     spec = json.loads((case / "input.json").read_text(encoding="utf-8"))
     models = [load(one, case) for one in spec["models"]]
     printed, error = io.StringIO(), None
-    module = importlib.import_module(f"tests.epsilon.ports.{kind}.{name}").port(*models)
+    module = (port or importlib.import_module(f"tests.epsilon.ports.{kind}.{name}").port)(*models)
     with contextlib.redirect_stdout(printed):
         try:
             module.run(fix=spec.get("fix")) if isinstance(module, EVL) else module.run()
