@@ -10,12 +10,14 @@ from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView
 
 EPSILON = Path(__file__).parent / "epsilon"
+LIBRARY = Path(__file__).parent / "epsilon" / "eol"
+"""Folder of library.ecore and library.xmi, which the EOL cases are about."""
 
 
 def library(name: str = "L") -> Any:
     """The library."""
-    metamodel = Metamodel.load(EPSILON / "eol" / "library.ecore")
-    return ModelView(EmfModel.load(EPSILON / "eol" / "library.xmi", metamodel, name))
+    metamodel = Metamodel.load(LIBRARY / "library.ecore")
+    return ModelView(EmfModel.load(LIBRARY / "library.xmi", metamodel, name))
 
 
 def empty(metamodel: str, name: str) -> Any:

@@ -22,7 +22,7 @@ SECTIONS, BOOKS, RUNS, BOUND = 1000, 100, 11, 2.0
 
 def library() -> tuple[Q[Any], Q[Any]]:
     """The sections and the books of a library."""
-    metamodel = Metamodel.load(ROOT / "tests" / "query" / "eol" / "library.ecore")
+    metamodel = Metamodel.load(ROOT / "tests" / "epsilon" / "eol" / "library.ecore")
     view = ModelView((), metamodel.packages, "L")
     root = view.create("Library", name="bench")
     for number in range(SECTIONS):

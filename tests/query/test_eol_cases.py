@@ -13,7 +13,7 @@ import pytest
 
 from tests.eol_cases import check, main, same
 
-FOLDER = Path(__file__).parent / "eol"
+FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
 FILES = sorted(path.name for path in FOLDER.glob("*.json"))
 
 

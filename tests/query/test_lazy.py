@@ -13,7 +13,7 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.query import Bag, Lazy, ModelView, OrderedSet, Q, Run, Set, UndefinedError
 
-FOLDER = Path(__file__).parent / "eol"
+FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
 
 
 class Watched:

@@ -25,7 +25,7 @@ from robosmi.query import (
 )
 from robosmi.query import operations as registered
 
-FOLDER = Path(__file__).parent / "eol"
+FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
 
 
 @pytest.fixture(autouse=True)

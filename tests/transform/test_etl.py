@@ -13,7 +13,7 @@ from robosmi.model.driver import UnknownTypeError
 from robosmi.model.opening import open_model
 from robosmi.query import ModelView
 from robosmi.transform import ETL
-from tests.library import EPSILON, empty, library
+from tests.library import LIBRARY, empty, library
 
 FORMS = {
     "handles in the decorator": "lambda L, G: (L.Comic, [G.Node])",
@@ -301,7 +301,7 @@ def test_an_unknown_type_is_refused() -> None:
 
 def test_a_failed_run_leaves_the_files_alone(tmp_path: Path) -> None:
     source = tmp_path / "library.xmi"
-    source.write_bytes((EPSILON / "eol" / "library.xmi").read_bytes())
+    source.write_bytes((LIBRARY / "library.xmi").read_bytes())
     L, G = library("L"), empty("graph", "G")
     t = ETL(L, G)
     t.rule(L.Book, to=G.Node, name="X")(lambda b, n: 1 / 0)
