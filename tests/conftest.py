@@ -1,4 +1,4 @@
-"""What all tests share: a history of their own, and the folder with the shared facts where there is one."""
+"""What all tests share: a history of their own, the folder with the shared facts if there is one, EMF's word on every model."""
 
 from __future__ import annotations
 
@@ -6,7 +6,16 @@ from pathlib import Path
 
 import pytest
 
+from tests.written_models_judge import MARKS, Judge
+
 ROOT = Path(__file__).resolve().parents[1]
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Have real EMF judge every model that a test writes."""
+    for mark, meaning in MARKS.items():
+        config.addinivalue_line("markers", f"{mark}(reason): {meaning}")
+    config.pluginmanager.register(Judge(), "written models")
 
 
 @pytest.fixture(autouse=True)

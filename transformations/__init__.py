@@ -36,6 +36,7 @@ _DRIVERS = {
     "c": "robosmi.transformations.t2m.c_source.on_demand:open_program",
     **dict.fromkeys((".c", ".cc", ".cpp", ".cxx", ".h"), "robosmi.transformations.t2m.c_source.on_demand:open_program"),
     **dict.fromkeys((".fz", ".fzp"), "robosmi.model.plain_xml:open_xml"),
+    **dict.fromkeys(("fritzing", ".fzz"), "robosmi.transformations.t2m.fritzing.drawing_model:open_drawing"),
 }
 """Drivers of models by name, and by the endings of the files that they open."""
 

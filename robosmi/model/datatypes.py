@@ -75,19 +75,20 @@ def _read_real(text: str) -> float:
 
 
 def java_double(value: float) -> str:
-    """As Java's `Double.toString` prints it: 1.0E7, Infinity, NaN."""
-    return _java(float(value), repr(float(value)))
+    """As Java's `Double.toString` prints it: 1.0E7, Infinity, NaN, and 4.9E-324, as it takes two digits (JDK 19)."""
+    shortest, two = repr(float(value)), f"{value:.1e}"
+    return _java(float(value), two if float(two) == value else shortest)
 
 
 def java_float(value: float) -> str:
-    """As Java's `Float.toString` prints it: the fewest digits that give the same 32-bit number."""
+    """As Java's `Float.toString` prints it: the fewest digits, two at least, that give the same 32-bit number."""
     try:
         single = struct.unpack("f", struct.pack("f", value))[0]
     except OverflowError:
         raise ValueError(f"{value!r} is too big for 32 bits") from None
     if single != single or single in (float("inf"), float("-inf")):
         return _java(single, repr(single))
-    digits = next(d for n in range(9) if struct.unpack("f", struct.pack("f", float(d := f"{single:.{n}e}")))[0] == single)
+    digits = next(d for n in range(1, 9) if struct.unpack("f", struct.pack("f", float(d := f"{single:.{n}e}")))[0] == single)
     return _java(single, repr(float(digits)))
 
 

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
+from functools import partial
 from typing import Any
 
 from pyecore import ecore
 
 from robosmi.errors import ModelError
-from robosmi.model.datatypes import literal_text
-from robosmi.model.ecore_description import Class, Classifier, DataType, Enumeration, Feature, Package
+from robosmi.model.datatypes import default, literal_text
+from robosmi.model.ecore_description import XML_TYPES, Class, Classifier, DataType, Enumeration, Feature, Package
+from robosmi.model.ecore_details import Details
 from robosmi.model.python_names import MEMBER, python_name
 from robosmi.model.strict import Element
 
@@ -76,6 +78,7 @@ class _Maker:
     def __init__(self) -> None:
         self.made: dict[Classifier, Any] = {}
         self.features: dict[Feature, Any] = {}
+        self.xml_types = ecore.EPackage(XML_TYPES.name, XML_TYPES.uri, XML_TYPES.prefix)
 
     def make(self, packages: list[Package]) -> list[Any]:
         classes: list[Class] = []
@@ -102,6 +105,8 @@ class _Maker:
         for feature, made in self.features.items():
             if feature.opposite is not None and made.eOpposite is None:
                 made.eOpposite = self.features[feature.opposite]
+        known: dict[Any, Any] = {**self.features, **{p: made for _, epackages in outermost for p, made in epackages.items()}}
+        Details(packages, lambda one: self._classifier(one) if isinstance(one, Classifier) else known.get(one)).add()
         return [epackages[root] for root, epackages in outermost]
 
     def _class(self, cls: Class) -> Any:
@@ -124,6 +129,8 @@ class _Maker:
         found = self.made.get(classifier)
         if found is None:
             found = self.made[classifier] = _known(classifier)
+            if classifier.package is XML_TYPES and found.eContainer() is None:
+                self.xml_types.eClassifiers.append(found)  # so that a metamodel that is written can name it
         return found
 
     def _fill(self, cls: Class) -> None:
@@ -155,7 +162,10 @@ class _Maker:
                 kind = ecore.EObject.eClass
             return ecore.EReference(feature.name, kind, containment=feature.containment, **common)
         kind = kind if isinstance(kind, ecore.EDataType) else ecore.EJavaObject
-        return ecore.EAttribute(feature.name, kind, iD=feature.is_id, defaultValueLiteral=feature.default, **common)
+        made = ecore.EAttribute(feature.name, kind, iD=feature.is_id, defaultValueLiteral=feature.default, **common)
+        if feature.default is not None:
+            made.get_default_value = partial(default, made, kind)  # pyecore knows fewer texts of values ("1.5f")
+        return made
 
 
 def _supertypes_first(classes: list[Class]) -> Iterator[Class]:

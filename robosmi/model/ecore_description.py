@@ -6,9 +6,10 @@ so the generator works on these. They are made by `ecore_loader`; Ecore's own ty
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from robosmi.diagnostics import Location
 
@@ -18,11 +19,16 @@ XML_TYPE_URI = "http://www.eclipse.org/emf/2003/XMLType"
 
 @dataclass(eq=False)
 class Element:
-    """Anything with a name and a place."""
+    """Anything with a name and a place.
+
+    Attributes:
+        node: what stands in the file there; None for Ecore's own.
+    """
 
     name: str
     location: Location = field(repr=False)
     documentation: str = field(default="", repr=False)
+    node: Any = field(default=None, repr=False, kw_only=True)
 
 
 @dataclass(eq=False)
@@ -32,12 +38,14 @@ class Package(Element):
     Attributes:
         source: the .ecore file.
         parent: the package it lies in.
+        find: what a node of the file refers to by a feature of Ecore, as far as it is known.
     """
 
     uri: str = ""
     prefix: str = ""
     source: Path = field(default=Path(), repr=False)
     parent: Package | None = field(default=None, repr=False)
+    find: Callable[[Any, str], list[Element]] = field(default=lambda node, name: [], repr=False)
     classifiers: list[Classifier] = field(default_factory=list, repr=False)
     subpackages: list[Package] = field(default_factory=list, repr=False)
 
@@ -72,6 +80,7 @@ class Classifier(Element):
     """An EClassifier."""
 
     package: Package = field(default=None, repr=False)  # type: ignore[assignment]
+    type_parameters: list[TypeParameter] = field(default_factory=list, repr=False, kw_only=True)
 
     @property
     def path(self) -> str:
@@ -158,6 +167,7 @@ class Operation(Typed):
 
     owner: Class = field(default=None, repr=False)  # type: ignore[assignment]
     parameters: list[Typed] = field(default_factory=list, repr=False)
+    type_parameters: list[TypeParameter] = field(default_factory=list, repr=False)
 
 
 @dataclass(eq=False)
@@ -169,7 +179,6 @@ class Class(Classifier):
     supertypes: list[Class] = field(default_factory=list, repr=False)
     features: list[Feature] = field(default_factory=list, repr=False)
     operations: list[Operation] = field(default_factory=list, repr=False)
-    type_parameters: list[TypeParameter] = field(default_factory=list, repr=False)
 
     def ancestors(self) -> list[Class]:
         """All supertypes, direct and indirect, each once, farthest first in Ecore's order."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +121,7 @@ class _Loader:
                 self._name(file, node, "package"), self._place(file, node), _documentation(node), node.get("nsURI"),
                 node.get("nsPrefix") or node.get("name"), file.path, parent,
             )  # fmt: skip
+            package.node, package.find = node, partial(self._referred, file)
             self._built[node] = package
             (self.packages if parent is None else parent.subpackages).append(package)
             for child in node.tagged("eClassifiers"):
@@ -149,12 +151,15 @@ class _Loader:
                         self._integer(file, child, "value", 0), child.get("literal") or name,
                     )
                 )  # fmt: skip
+                made.literals[index].node = child
                 self._built[child] = made.literals[index]
         elif node.kind == "EDataType":
             java = node.get("instanceClassName") or node.get("instanceTypeName")
             made = DataType(self._name(file, node, "data type"), place, text, package, java)
+            self._type_parameters(file, node, made.type_parameters)
         else:
             made = self._class(file, node, package)
+        made.node = node
         self._built[node] = made
         return made
 
@@ -174,6 +179,7 @@ class _Loader:
             self._pending.append((file, generic, generic.get("eClassifier"), Class, add))
         for child in node.tagged("eStructuralFeatures"):
             feature = Feature(self._name(file, child, "feature"), self._place(file, child), _documentation(child), owner=cls)
+            feature.node = child
             feature.is_reference = child.kind == "EReference"
             feature.containment = child.flag("containment")
             feature.is_id = child.flag("iD")
@@ -190,10 +196,11 @@ class _Loader:
             operation = Operation(
                 self._name(file, child, "operation"), self._place(file, child), _documentation(child), owner=cls
             )
-            self._type_parameters(file, child, [])
+            operation.node = child
+            self._type_parameters(file, child, operation.type_parameters)
             self._typing(file, child, operation)
             for inner in child.tagged("eParameters"):
-                parameter = Typed(inner.get("name"), self._place(file, inner), _documentation(inner))
+                parameter = Typed(inner.get("name"), self._place(file, inner), _documentation(inner), node=inner)
                 self._typing(file, inner, parameter)
                 operation.parameters.append(parameter)
             cls.operations.append(operation)
@@ -202,7 +209,7 @@ class _Loader:
 
     def _type_parameters(self, file: EcoreFile, node: Node, found: list[TypeParameter]) -> None:
         for child in node.tagged("eTypeParameters"):
-            parameter = TypeParameter(child.get("name"), self._place(file, child))
+            parameter = TypeParameter(child.get("name"), self._place(file, child), node=child)
             for bound in child.tagged("eBounds"):
                 self._generic(file, bound, parameter.bounds.append)
             found.append(parameter)
@@ -254,6 +261,22 @@ class _Loader:
             put(found)
         for typed in self._typed:
             typed.type = _erased(typed)
+
+    def _referred(self, file: EcoreFile, node: Node, name: str) -> list[Element]:
+        """What a node refers to by a feature that models do not need; nothing is a problem here, and no further file is read."""
+        found: list[Element] = []
+        for text, _ in _references(node, name):
+            for word in [text] if name in ("eClassifier", "eTypeParameter") else text.split():
+                uri, _, fragment = word.rpartition("#")
+                where: Any = (file, None) if not uri else self.files.find(uri, file)
+                if isinstance(where, Package):
+                    target: Element | None = known(where, fragment.rpartition("/")[2])
+                else:
+                    there = where and where[0].find(fragment, where[1])
+                    target = self._built.get(there) if there else None
+                if target is not None:
+                    found.append(target)
+        return found
 
     def _target(self, file: EcoreFile, node: Node, text: str) -> Element | None:
         uri, mark, fragment = text.rpartition("#")

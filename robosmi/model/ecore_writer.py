@@ -11,7 +11,7 @@ from typing import Any
 
 from pyecore import ecore
 
-from robosmi.model.datatypes import is_data_type, real
+from robosmi.model.datatypes import is_data_type, real, to_text
 from robosmi.model.features import as_package, eclass_of, is_off
 
 WIDTH = 80
@@ -165,9 +165,18 @@ def _value(element: Any, name: str) -> Any:
     if name == "eType" and element.eGenericType is not None:
         return None
     value = getattr(element, name, None)
+    if name == "defaultValueLiteral" and value is None:
+        return _default(element)
     if name in ("eTypeParameters", "eKeys", "eGenericExceptions", "eExceptions") and value is None:
         return ()
     return value
+
+
+def _default(feature: Any) -> str | None:
+    """The text of a default that is given as a value, as generated packages do; None if it is that of the type."""
+    value = getattr(feature, "default_value", None)
+    kind = real(feature.eType)
+    return None if value is None or value == kind.default_value else str(to_text(kind)(value))
 
 
 def _text(element: Any, name: str, form: str, value: Any, default: Any) -> str | None:

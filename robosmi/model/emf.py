@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
+from pyecore import ecore
 from pyecore.ecore import EObject
 
 from robosmi.errors import ModelError
@@ -56,7 +57,7 @@ class EmfModel(TypedModel):
         """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
 
         Args:
-            path: the file.
+            path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
             metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None.
             name: what `M!Book` calls it; the file's name without its ending if None.
 
@@ -72,7 +73,10 @@ class EmfModel(TypedModel):
             used = Metamodel.load(metamodel)
         else:
             used = Metamodel.of(built_in() if metamodel is None else metamodel)
-        roots = next(iter(read_documents(file, used).values())).roots
+        documents = read_documents(file, used)
+        if not documents:  # the file is a metamodel
+            return cls(Metamodel.packages_of(file), Metamodel([ecore.eClass]), name or file.stem, file)
+        roots = next(iter(documents.values())).roots
         packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         return cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
 

@@ -1,4 +1,4 @@
-"""Ids and fragments of EMF elements: `//@sections.0/@items.1` both ways, xmi:id, and attributes that are ids.
+"""Ids and fragments of EMF elements: `//@sections.0/@items.1` both ways, `//Book/title` in metamodels, xmi:id, id attributes.
 
 As EMF's XMLResourceImpl has it: an id if there is one, else the way from the root. Files of references (`a.xmi#//`) are the
 reader's and writer's.
@@ -7,10 +7,13 @@ reader's and writer's.
 from __future__ import annotations
 
 from typing import Any
+from urllib.parse import quote, unquote
+
+from pyecore.ecore import EModelElement, ENamedElement
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.features import all_features
-from robosmi.model.structure import place_in
+from robosmi.model.structure import contents, place_in
 
 
 def own_id(element: Any) -> str | None:
@@ -45,13 +48,24 @@ def fragment_of(element: Any, roots: list[Any]) -> str:
     steps: list[str] = []
     while (container := element.eContainer()) is not None:
         feature = element.eContainmentFeature()
-        if feature.many:
+        name = element.name if isinstance(element, ENamedElement) else None
+        if name and _named(container, name) is element:
+            steps.append(quote(name, safe=_SAFE))
+        elif feature.many:
             steps.append(f"@{feature.name}.{place_in(getattr(container, feature._name), element)}")
         else:
             steps.append(f"@{feature.name}")
         element = container
     place = next((i for i, r in enumerate(roots) if r is element), 0) if len(roots) > 1 else 0
     return "/".join(["/" if len(roots) < 2 else f"/{place}", *reversed(steps)])
+
+
+_SAFE = "!$&'()*+,;=@~-._:"
+
+
+def _named(container: Any, name: str) -> Any:
+    """The first element of a metamodel with that name in a container, or None; EMF's fragments say names there."""
+    return next((part for part in contents(container) if getattr(part, "name", None) == name), None)
 
 
 def resolve(fragment: str, roots: list[Any]) -> Any:
@@ -75,7 +89,9 @@ def resolve(fragment: str, roots: list[Any]) -> Any:
 
 
 def _step(element: Any, step: str) -> Any:
-    """One step of a fragment, `@items.1` or `@parent`."""
+    """One step of a fragment, `@items.1`, `@parent`, or in a metamodel a name."""
+    if step[:1] != "@" and isinstance(element, EModelElement):
+        return _named(element, unquote(step))
     name, _, position = step[1:].rpartition(".") if step[-1:].isdecimal() and "." in step else (step[1:], "", "")
     known = {str(feature.name): feature._name for feature in all_features(element.eClass)}
     if step[:1] != "@" or name not in known:

@@ -44,6 +44,20 @@ class Metamodel(Metamodels):
 
         return cls(make_packages(load_metamodels([Path(path) for path in paths])))
 
+    @staticmethod
+    def packages_of(path: Path) -> list[Any]:
+        """The outermost packages of one .ecore file, without those of the files that it refers to.
+
+        Raises:
+            SourceError, ModelError: as `load`.
+        """
+        from robosmi.model.ecore_classes import make_packages
+        from robosmi.model.ecore_loader import load_metamodels
+
+        described = load_metamodels([path])
+        own = zip(described, make_packages(described), strict=True)
+        return [package for one, package in own if one.source == path]
+
     @classmethod
     def of(cls, packages: Any) -> Metamodel:
         """A metamodel of what is given: a `Metamodel` as it is, `Metamodels`, packages, or one package."""

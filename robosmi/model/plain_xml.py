@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import Model, ModelElement
@@ -164,7 +164,7 @@ class XmlModel(Model):
         self._all: list[XmlElement] | None = None
 
     @classmethod
-    def load(cls, path: str | Path, name: str | None = None) -> XmlModel:
+    def load(cls, path: str | Path, name: str | None = None) -> Self:
         """Read an XML file.
 
         Raises:
@@ -176,7 +176,7 @@ class XmlModel(Model):
         return cls.parse(read_input(file, "XML file"), name or file.stem, file)
 
     @classmethod
-    def parse(cls, data: bytes, name: str = "M", path: Path | None = None) -> XmlModel:
+    def parse(cls, data: bytes, name: str = "M", path: Path | None = None) -> Self:
         """Read an XML text; see `load`."""
         place = str(path) if path is not None else name
         start = root_offset(data, place)
@@ -186,15 +186,19 @@ class XmlModel(Model):
 
     def save(self, path: str | Path | None = None) -> None:
         """Write the document as it stands, elements that are in no other left out; see `Model.save`."""
-        from lxml import etree
-
         from robosmi.model.files import write_atomic
+
+        write_atomic(self._target(path), self.to_bytes())
+
+    def to_bytes(self) -> bytes:
+        """The document as it would be saved."""
+        from lxml import etree
 
         encoding = self._root.getroottree().docinfo.encoding or "UTF-8"
         head = f'<?xml version="1.0" encoding="{encoding}"?>\n' if self._head is None else self._head.decode(encoding)
         nodes = [self._root, *self._root.itersiblings()]
         parts = [str(etree.tostring(node, encoding="unicode", with_tail=False)) for node in nodes]
-        write_atomic(self._target(path), "".join([head, "\n".join(parts), "\n"]).encode(encoding, "xmlcharrefreplace"))
+        return "".join([head, "\n".join(parts), "\n"]).encode(encoding, "xmlcharrefreplace")
 
     # Types
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from pyecore import ecore
 
+from robosmi.model.ecore_description import XML_TYPE_URI
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
 
@@ -219,12 +220,14 @@ _XML = {
 XML_JAVA = {name: java for java, names in _XML.items() for name in names.split()}
 """Data type of XML Schema -> Java class; all others are texts (XMLType.ecore of EMF)."""
 _XML_TYPES: dict[str, Any] = {}
+_XML_PACKAGE = package("type", XML_TYPE_URI, "type")
 
 
 def xml_type(name: str) -> Any:
     """A data type of XML Schema, the same object for the same name."""
     if name not in _XML_TYPES:
-        _XML_TYPES[name] = datatype(name, XML_JAVA.get(name, "java.lang.String"))
+        made = _XML_TYPES[name] = datatype(name, XML_JAVA.get(name, "java.lang.String"))
+        _XML_PACKAGE.eClassifiers.append(made)  # so that a metamodel that is written can name it
     return _XML_TYPES[name]
 
 

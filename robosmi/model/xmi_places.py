@@ -195,6 +195,8 @@ def metamodel_place(element: Any) -> tuple[Any, str]:
     steps: list[str] = []
     while not isinstance(one, ecore.EPackage):
         container = one.eContainer()
+        if container is None and one.name == "EStringToStringMapEntry":  # ours, since pyecore has none
+            container = ecore.eClass
         if container is None:
             raise Unplaced
         steps.append(quote(str(one.name), safe=_SAFE))

@@ -48,6 +48,7 @@ class LayeredIndex(LibraryIndex):
         self.identifiers = lru_cache(maxsize=256)(lambda term: self._counts(lambda layer: layer.identifiers(term)))
         self.facts = lru_cache(maxsize=1024)(self._facts)
         self.library = lru_cache(maxsize=2048)(self._library)
+        self.library_named = lru_cache(maxsize=2048)(self._library_named)
         self.header = lru_cache(maxsize=4096)(self._header)
 
     def close(self) -> None:
@@ -59,8 +60,8 @@ class LayeredIndex(LibraryIndex):
         """The names of all libraries in the order of their numbers; a hidden one's is that of the one that hides it."""
         return list(self._names)
 
-    def library_named(self, name: str) -> Library | None:
-        """See `LibraryIndex.library_named`; the last file that has it counts."""
+    def _library_named(self, name: str) -> Library | None:
+        """See `LibraryIndex._library_named`; the last file that has it counts."""
         for n in reversed(range(len(self._layers))):
             found = self._layers[n].library_named(name)
             if found is not None and found.id + self._first[n] not in self._hidden:

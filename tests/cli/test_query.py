@@ -23,6 +23,8 @@ EMF = (CASES / "emf" / "shelf.xmi", "--metamodel", CASES / "emf" / "shelf.ecore"
         ((CASES / "rows" / "authors.csv",), "authors.all.Full_Name", ["Ada", 'Ben "B" Bolt, Jr.']),
         ((CASES / "program" / "robot.c",), "Call.all.select(lambda c: c.callee.definition).calleeName", ["clamp"]),
         ((CASES / "program" / "robot.c", "--driver", "c"), "If.all.size()", 2),
+        ((CASES / "emf" / "shelf.ecore",), "EClass.all.select(lambda c: c.abstract).name", ["Named"]),
+        ((CASES / "archive" / "shelf.fzz",), "t_book.all.i_pages.sum()", 258),
     ],
 )
 def test_the_value_of_an_expression_on_any_technology(model: tuple[object, ...], expression: str, value: object) -> None:
@@ -49,7 +51,17 @@ def test_further_models_are_called_by_their_names(tmp_path: Path) -> None:
     assert outcome.result["value"] == ["Gears", "Levers", "Zap"]
 
 
+def test_an_ecore_file_that_is_none_is_told_so(tmp_path: Path) -> None:
+    (tmp_path / "half.ecore").write_text("<half", encoding="utf-8")
+    outcome = run("query", tmp_path / "half.ecore", "EClass.all")
+    assert outcome.code == 3
+    assert "half.ecore:1" in outcome.err
+
+
 def test_a_drawing_is_a_model_of_plain_xml(examples: Path, tmp_path: Path) -> None:
+    packed = next((examples / "line_follower").glob("*.fzz"))
+    outcome = run("query", packed, "t_instance.all.collect(lambda i: i.e_title).excluding(None).text", "--json")
+    assert "Basic Servo1" in outcome.result["value"]
     with zipfile.ZipFile(next((examples / "line_follower").glob("*.fzz"))) as archive:
         archive.extractall(tmp_path)
     outcome = run(

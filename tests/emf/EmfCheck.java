@@ -50,7 +50,10 @@ public class EmfCheck {
 
     /** loads; load errors are reported, never thrown */
     static Resource load(ResourceSet rs, String file, String tag) {
-        Resource r = rs.createResource(URI.createFileURI(new File(file).getAbsoluteFile().toPath().normalize().toString()));
+        URI uri = URI.createFileURI(new File(file).getAbsoluteFile().toPath().normalize().toString());
+        Resource known = rs.getResource(uri, false); // another metamodel may refer to this one, and has loaded it
+        if (known != null && known.isLoaded()) return known;
+        Resource r = rs.createResource(uri);
         try { r.load(rs.getLoadOptions()); }
         catch (Exception e) { Throwable c = e.getCause() != null ? e.getCause() : e; say(tag + "-LOAD", String.valueOf(c)); }
         for (Resource.Diagnostic d : r.getErrors()) say(tag + "-LOAD", "line " + d.getLine() + ": " + d.getMessage());
@@ -151,10 +154,27 @@ public class EmfCheck {
         try { judge(a); } catch (Exit e) { System.exit(e.code); }
     }
 
+    static final Map<List<String>, ResourceSet> KEPT = new HashMap<>();
+
+    /** metamodels that are known by their namespaces, as those of an Eclipse that has them installed */
+    static ResourceSet metamodels(List<String> files, boolean validate) {
+        ResourceSet rs = newSet();
+        for (String file : files) for (EObject o : load(rs, file, "METAMODEL").getContents()) packages(o, rs);
+        EcoreUtil.resolveAll(rs);
+        for (Map.Entry<EObject, Collection<EStructuralFeature.Setting>> e : EcoreUtil.UnresolvedProxyCrossReferencer.find(rs).entrySet())
+            say("METAMODEL-PROXY", EcoreUtil.getURI(e.getKey()).toString());
+        for (Resource mm : rs.getResources()) for (EObject o : mm.getContents()) {
+            if (validate) leaves("METAMODEL", Diagnostician.INSTANCE.validate(o));
+            if (o instanceof EPackage && mm.getContents().get(0) == o) mm.setURI(URI.createURI(((EPackage) o).getNsURI()));
+        }
+        return rs;
+    }
+
     /** the ASCII form of a text's output must not depend on the platform's encoding: problems are escaped where they are said */
     static void judge(String[] a) throws Exception {
         List<String> pos = new ArrayList<>();
-        String resave = null, canonTo = null; int bench = 0; boolean validate = true, quiet = false, registered = false;
+        String resave = null, canonTo = null; int bench = 0; boolean validate = true, quiet = false, registered = false, keep = false;
+        Map<URI, URI> places = new HashMap<>();
         for (int i = 0; i < a.length; i++) switch (a[i]) {
             case "--resave": resave = a[++i]; break;
             case "--canon": canonTo = a[++i]; break;
@@ -162,13 +182,21 @@ public class EmfCheck {
             case "--max": maxLines = Integer.parseInt(a[++i]); break;
             case "--no-validate": validate = false; break;
             case "--registered": registered = true; break; // metamodels are known by their namespace, not as files
+            case "--keep": keep = true; break; // as --registered; read once for all models of the process
+            case "--map": places.put(URI.createURI(a[++i]), URI.createFileURI(new File(a[++i]).getAbsolutePath())); break; // where a namespace lies
             case "-q": quiet = true; break;
             default: pos.add(a[i]);
         }
         if (pos.isEmpty()) { System.err.println("usage: EmfCheck metamodel.ecore... [model.xmi] [--resave f] [--canon f] [--bench n] [--no-validate] [--max n] [-q]"); exit(2); }
         ResourceSet rs = newSet();
+        rs.getURIConverter().getURIMap().putAll(places);
         String model = null;
-        for (String p : pos) {
+        if (keep && pos.size() > 1) {
+            model = pos.get(pos.size() - 1);
+            List<String> files = pos.subList(0, pos.size() - 1);
+            if (!KEPT.containsKey(files)) KEPT.put(new ArrayList<>(files), metamodels(files, validate));
+            rs.getPackageRegistry().putAll(KEPT.get(files).getPackageRegistry());
+        } else for (String p : pos) {
             if (p.endsWith(".ecore") && !(p.equals(pos.get(pos.size() - 1)) && pos.size() > 1 && model != null)) {
                 Resource mm = load(rs, p, "METAMODEL");
                 for (EObject o : mm.getContents()) packages(o, rs);

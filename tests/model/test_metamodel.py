@@ -162,3 +162,8 @@ def test_an_object_diagram_shows_containment_once_and_says_what_it_leaves_out() 
     assert "o1 --> o6 : newest" in diagram
     assert "o4 --> o1" not in diagram
     assert "6 more elements are not shown" in to_plantuml(model, limit=2)
+
+
+def test_a_default_is_any_text_that_emf_takes() -> None:
+    data = Metamodel.load(Path(__file__).parent / "generator" / "cases" / "data_types" / "data.ecore")
+    assert data.Account().real == 1.5  # "1.5f" in the file

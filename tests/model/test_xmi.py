@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -16,6 +17,7 @@ from robosmi.model.files import write_atomic
 from robosmi.model.metamodels import built_in
 from robosmi.model.xmi_reader import read_models, resolve
 from robosmi.model.xmi_writer import to_xmi
+from tests.model.kitchen import classes, kitchen, saved
 
 TEXTS = [
     "",
@@ -55,10 +57,19 @@ def test_every_number_survives(value: float, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [(0.1, "0.1"), (1e7, "1.0E7"), (1.5e-4, "1.5E-4"), (100.0, "100.0"), (float("inf"), "Infinity"), (1e22, "1.0E22")],
-)
+    [
+        (0.1, "0.1"), (1e7, "1.0E7"), (1.5e-4, "1.5E-4"), (100.0, "100.0"), (float("inf"), "Infinity"), (1e22, "1.0E22"),
+        (5e-324, "4.9E-324"), (2e-323, "2.0E-323"),
+    ],
+)  # fmt: skip
 def test_numbers_are_written_as_java_prints_them(value: float, text: str) -> None:
     assert f'score="{text}"'.encode() in to_xmi({"a.xmi": migration.Option(label="x", score=value)})["a.xmi"]
+
+
+def test_the_smallest_number_of_32_bits_is_written_as_java_prints_it(tmp_path: Path) -> None:
+    root = SimpleNamespace(**classes(kitchen()))
+    saved(root.Root(name="r", items=[root.Item(name="i", f=1.4e-45)]), tmp_path / "a.xmi")
+    assert 'f="1.4E-45"' in (tmp_path / "a.xmi").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("value", [0, -1, 2**31 - 1, 2**62])

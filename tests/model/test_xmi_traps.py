@@ -114,6 +114,20 @@ def test_emf_writes_what_we_write(case: str, loader: str, tmp_path: Path) -> Non
     assert again(tmp_path / "emf.xmi", kitchen(loader)) == data
 
 
+@pytest.mark.emf_objects("a required value is missing")
+def test_a_missing_required_value_is_saved_as_emf_saves_it_and_told_when_it_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "model.xmi"
+    k = SimpleNamespace(**classes(kitchen()))
+    data = saved(k.Root(items=[k.Item(uid="u")]), path)
+    assert look([KITCHEN], path, "--no-validate").saved == data
+    assert look([KITCHEN], path).text.count("The required feature 'name'") == 2
+    with pytest.raises(ModelError) as caught:
+        again(path, kitchen())
+    assert "model.xmi:2: Root has no 'name', which it needs" in str(caught.value)
+    assert "model.xmi:3: Item has no 'name', which it needs" in str(caught.value)
+
+
+@pytest.mark.emf_writes_otherwise("it forgets the nil")
 def test_nothing_over_a_default_is_kept_where_emf_forgets_it(tmp_path: Path) -> None:
     path = tmp_path / "model.xmi"
     data = saved(model(values(strD=None), "own"), path)
@@ -124,6 +138,7 @@ def test_nothing_over_a_default_is_kept_where_emf_forgets_it(tmp_path: Path) -> 
     assert again(path, kitchen()) == data
 
 
+@pytest.mark.emf_writes_otherwise("it writes the id, which it cannot read again")
 @pytest.mark.parametrize("odd", ["x y", "a#b/c", "a:b"])
 def test_ids_that_emf_cannot_read_in_a_reference_are_passed_over_for_the_path(odd: str, tmp_path: Path) -> None:
     def fill(k: Any, root: Any, a: Any, b: Any) -> None:
@@ -184,8 +199,14 @@ APART = {
 """Files of `xmi/good` that EMF does not write as it read them, or does not read."""
 
 
+def good_files() -> list[Any]:
+    apart = pytest.mark.emf_writes_otherwise
+    files = sorted((FOLDER / "good").glob("*.xmi"))
+    return [pytest.param(path, marks=[apart(APART[path.stem])] if path.stem in APART else []) for path in files]
+
+
 @pytest.mark.parametrize("loader", ["own", "pyecore"])
-@pytest.mark.parametrize("path", sorted((FOLDER / "good").glob("*.xmi")), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", good_files(), ids=lambda p: p.stem)
 def test_files_of_others_are_read_as_emf_reads_them(path: Path, loader: str, tmp_path: Path) -> None:
     file = tmp_path / path.name  # the judge writes beside the file
     shutil.copy(path, file)

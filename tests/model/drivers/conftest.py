@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import shutil
+import zipfile
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,17 @@ from robosmi.model.driver import Model
 from robosmi.model.opening import open_model
 
 CASES = Path(__file__).parent / "cases"
+
+
+def zipped(name: str, content: bytes) -> bytes:
+    """An archive with one entry."""
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w") as archive:
+        archive.writestr(name, content)
+    return held.getvalue()
+
+
+NO_DRAWING, HALF_A_DRAWING = zipped("readme.txt", b"<a/>"), zipped("shelf.fz", b"<half")
 
 
 @dataclass(frozen=True)
@@ -65,6 +78,11 @@ DRIVERS = [
         "xml", "shelf.xml", "t_book", "a_title", ("Gears", "Levers", "Zap"), (("Elemnt", "Element"), ("title", "a_title")),
         "t_book.all.select(lambda b: b.a_title == 'Gears')", {"a_title": "Nuts"}, "Bolts",
         damaged=(b"<half", b"<a>", b"<a b='1' b='2'/>", b"<!DOCTYPE a [<!ENTITY b \"c\">]><a/>"),
+    ),
+    Driver(
+        "archive", "shelf.fzz", "t_book", "a_title", ("Gears", "Levers", "Zap"), (("Elemnt", "Element"), ("title", "a_title")),
+        "t_book.all.select(lambda b: b.a_title == 'Gears')", {"a_title": "Nuts"}, "Bolts",
+        damaged=(b"", b"PK", b"PK\3\4half", b"<half", b"no archive", NO_DRAWING, HALF_A_DRAWING),
     ),
     Driver(
         "rows", "", "books", "title", ("Gears", "Levers", "Zap"), (("boks", "books"), ("titel", "title")),

@@ -17,9 +17,11 @@ from pyecore.resources import URI, ResourceSet
 
 from robosmi.generate.packages import generate_packages
 from robosmi.model import save_model
+from robosmi.model.datatypes import default
 from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.strict_package import EStringToStringMapEntry
+from robosmi.model.xmi_writer import to_xmi
 from tests.emf_judge import judge
 
 CASES = Path(__file__).parent / "cases"
@@ -102,6 +104,23 @@ def test_a_model_of_generated_classes_is_read_again_by_both_kinds_of_classes(cas
         assert again.read_bytes() == file.read_bytes()
         generated = type(model.roots[0]).__module__.startswith("written.")
         assert generated == (known.packages[0] is made)
+
+
+def test_a_generated_package_is_written_as_a_metamodel(case: tuple[Path, Any, Path]) -> None:
+    metamodel, made, file = case
+    path = file.with_name(metamodel.name)
+    path.write_bytes(to_xmi({path.name: made})[path.name])
+    before, after = (Metamodel.load(source) for source in (metamodel, path))
+    assert described(after) == described(before)
+
+
+def described(metamodel: Metamodel) -> list[tuple[Any, ...]]:
+    """The features of a metamodel with what a model depends on."""
+    features = [(path, f) for path, c in metamodel.classifiers() for f in getattr(c, "eStructuralFeatures", ())]
+    return [
+        (path, f.name, f.eType.name, f.lowerBound, f.upperBound, f.is_attribute and str(default(f, f.eType)))
+        for path, f in features
+    ]
 
 
 def test_emf_takes_a_model_of_generated_classes(case: tuple[Path, Any, Path]) -> None:

@@ -105,14 +105,14 @@ def _entries(path: str, digest: str, archive: zipfile.ZipFile) -> Container:
     sketches = [e for e in flat if e.filename.lower().endswith(".fz")]
     if not sketches:
         raise _error(path, "there is no .fz sketch in the archive", _FIX)
-    sketch = _read(path, archive, sketches[0], MAX_BYTES)
+    sketch = read_entry(path, archive, sketches[0], MAX_BYTES)
     result = Container(path, digest, sketches[0].filename, sketch)
     room = MAX_BYTES
     for entry in flat:
         if not entry.filename.lower().endswith(".fzp"):
             continue
         try:
-            content = _read(path, archive, entry, room)
+            content = read_entry(path, archive, entry, room)
         except (zipfile.BadZipFile, zlib.error, EOFError) as error:  # the sketch itself is sound
             result.findings.append(_left_out(path, [entry.filename], f"is damaged: {error}"))
             continue
@@ -144,7 +144,13 @@ def _left_out(path: str, names: list[str], why: str) -> Finding:
     )
 
 
-def _read(path: str, archive: zipfile.ZipFile, entry: zipfile.ZipInfo, limit: int) -> bytes:
+def read_entry(path: str, archive: zipfile.ZipFile, entry: zipfile.ZipInfo, limit: int) -> bytes:
+    """The bytes of an entry of the archive at `path`, of which there may be `limit`.
+
+    Raises:
+        SourceError: it is encrypted, or has more.
+        BadZipFile, zlib.error, EOFError: it is damaged.
+    """
     if entry.flag_bits & 0x1:
         raise _error(path, f"'{entry.filename}' in the archive is encrypted", "save it without a password")
     with archive.open(entry) as stream:

@@ -1,0 +1,175 @@
+"""What an .ecore file says that no model needs, given to the dynamic packages so that nothing is lost when these are written.
+
+Annotations, generic types and their parameters, keys, exceptions, bounds of operations, flags that are on unless switched off.
+pyecore has a place for all of it (`eKeys` aside) but would change its classes when it hears of generic supertypes; so those are
+put in without its notifications. What an element is for models is `ecore_classes`' business. What else an annotation contains
+than texts and references (elements of other metamodels) is not kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from pyecore import ecore
+
+from robosmi.model.ecore_description import Class, Classifier, Element, Feature, Operation, Package, Typed, TypeParameter
+from robosmi.model.ecore_xml import Node
+
+Pair = tuple[Element, Any]
+"""A description, and what was made for it."""
+
+
+class Details:
+    """Completes what was made for the packages of one run.
+
+    Args:
+        packages: the outermost packages.
+        made: what was made for a description, or pyecore's own for one of Ecore's; None where there is nothing.
+    """
+
+    def __init__(self, packages: Iterable[Package], made: Callable[[Element], Any]) -> None:
+        self.packages = list(packages)
+        self.made = made
+        self.parameters: dict[TypeParameter, Any] = {}
+
+    def add(self) -> None:
+        """Complete them all."""
+        for root in self.packages:
+            for package in root.walk():
+                for classifier in package.classifiers:
+                    self.declare(classifier)
+        for root in self.packages:
+            for package in root.walk():
+                self.annotations(package, package, self.made(package))
+                for classifier in package.classifiers:
+                    for one, made in self.parts(classifier):
+                        self.complete(package, one, made)
+
+    def parts(self, classifier: Classifier) -> list[Pair]:
+        """A classifier and all that it holds."""
+        made = self.made(classifier)
+        found: list[Pair] = [(classifier, made)]
+        if isinstance(classifier, Class):
+            found += [(feature, self.made(feature)) for feature in classifier.features]
+            for operation, its in zip(classifier.operations, made.eOperations, strict=True):
+                found.append((operation, its))
+                found += zip(operation.parameters, its.eParameters, strict=True)
+        else:
+            found += zip(getattr(classifier, "literals", ()), getattr(made, "eLiterals", ()), strict=True)
+        return found
+
+    def declare(self, classifier: Classifier) -> None:
+        """Make the type parameters, which generic types refer to."""
+        for one, made in self.parts(classifier):
+            for parameter in getattr(one, "type_parameters", ()):
+                declared = self.parameters[parameter] = ecore.ETypeParameter(parameter.name)
+                made.eTypeParameters.append(declared)
+
+    def complete(self, package: Package, one: Element, made: Any) -> None:
+        """All that the file says of an element besides."""
+        node: Node = one.node
+        self.annotations(package, one, made)
+        for parameter in getattr(one, "type_parameters", ()):
+            declared = self.parameters[parameter]
+            self.annotations(package, parameter, declared)
+            declared.eBounds.extend(self.generic(package, bound) for bound in parameter.node.tagged("eBounds"))
+        if isinstance(one, Typed):
+            self.typed(package, one, made)
+        elif isinstance(one, Classifier):
+            self.names(node, made)
+            if not node.flag("serializable", True):
+                made.serializable = False
+        if isinstance(one, Class):
+            generic = [self.generic(package, child) for child in node.tagged("eGenericSuperTypes")]
+            if any(map(_says_more, generic)):
+                for supertype in generic:
+                    _put(made, ecore.EClass.eGenericSuperTypes, supertype)
+
+    def typed(self, package: Package, one: Typed, made: Any) -> None:
+        """Generic type, bounds, and what references and operations have besides."""
+        node: Node = one.node
+        for child in node.tagged("eGenericType"):
+            generic = self.generic(package, child)
+            if _says_more(generic):
+                made.eGenericType = generic
+        if isinstance(one, Feature):
+            if one.is_reference and not node.flag("resolveProxies", True):
+                made.resolveProxies = False
+            keys = [self.made(key) for key in package.find(node, "eKeys") if isinstance(key, Feature)]
+            if keys:
+                made.eKeys = keys
+            return
+        made.lowerBound, made.upperBound, made.ordered, made.unique = one.lower, one.upper, one.ordered, one.unique
+        if isinstance(one, Operation):
+            generic = [self.generic(package, child) for child in node.tagged("eGenericExceptions")]
+            if any(map(_says_more, generic)):
+                made.eGenericExceptions.extend(generic)
+            else:
+                found = package.find(node, "eExceptions")
+                made.eExceptions.extend([self.made(kind) for kind in found] + [kind.eClassifier for kind in generic])
+
+    @staticmethod
+    def names(node: Node, made: Any) -> None:
+        """The Java classes that the file names, as it names them."""
+        if "<" in (text := node.get("instanceTypeName")):
+            made.instanceTypeName, text = text, ""
+        text = text or node.get("instanceClassName")
+        if isinstance(made, ecore.EClass):
+            made.instanceClassName = text or None
+        else:
+            made.instanceClassName_ = text or None  # pyecore would take its own table's type for it
+
+    def generic(self, package: Package, node: Node) -> Any:
+        """The EGenericType that a node describes, with its arguments and bounds."""
+        result = self._generic(package, node)
+        pending = [(node, result)]
+        while pending:
+            outer, made = pending.pop()
+            for child in outer.tagged("eTypeArguments", "eUpperBound", "eLowerBound"):
+                inner = self._generic(package, child)
+                if child.tag == "eTypeArguments":
+                    made.eTypeArguments.append(inner)
+                else:
+                    setattr(made, child.tag, inner)
+                pending.append((child, inner))
+        return result
+
+    def _generic(self, package: Package, node: Node) -> Any:
+        kind = next((self.made(c) for c in package.find(node, "eClassifier") if isinstance(c, Classifier)), None)
+        parameter = next(
+            (self.parameters.get(p) for p in package.find(node, "eTypeParameter") if isinstance(p, TypeParameter)), None
+        )
+        return ecore.EGenericType(eClassifier=kind, eTypeParameter=parameter)
+
+    def annotations(self, package: Package, one: Element, made: Any) -> None:
+        """The annotations of an element, and theirs."""
+        pending = [(one.node, made)]
+        while pending:
+            node, owner = pending.pop()
+            for child in node.tagged("eAnnotations"):
+                annotation = ecore.EAnnotation(child.attributes.get("source"))
+                for detail in child.tagged("details"):
+                    text = "".join(value.text for value in detail.tagged("value"))
+                    annotation.details[detail.get("key")] = detail.attributes.get("value", text or None)
+                referred = (
+                    self.parameters.get(to) if isinstance(to, TypeParameter) else self.made(to)
+                    for to in package.find(child, "references")
+                )
+                annotation.references.extend(target for target in referred if target is not None)
+                owner.eAnnotations.append(annotation)
+                pending.append((child, annotation))
+
+
+def _says_more(generic: Any) -> bool:
+    """Whether a generic type is more than the name of a classifier; EMF writes only those as such."""
+    return generic.eTypeParameter is not None or len(generic.eTypeArguments) > 0 or generic.eClassifier is None
+
+
+def _put(owner: Any, feature: Any, part: Any) -> None:
+    """Put a part into a feature that holds many, and tell nobody."""
+    collection = getattr(owner, feature._name)
+    part._container, part._containment_feature = owner, feature
+    collection.map[part] = len(collection.items)
+    collection.items.append(part)
+    owner._isset.add(feature)

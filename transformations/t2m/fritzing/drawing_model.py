@@ -1,0 +1,74 @@
+"""The drawing in a `.fzz` as a model of plain XML, to be queried as it is: `t_instance.all.a_moduleIdRef`.
+
+A `Model` like any other of `robosmi.model.plain_xml`; read in memory and within the limits of `container`. Saved, the archive
+keeps its other entries. What the elements mean is `reader`'s business.
+"""
+
+from __future__ import annotations
+
+import io
+import zipfile
+import zlib
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.model.files import read_input, write_atomic
+from robosmi.model.plain_xml import XmlModel
+
+from .container import MAX_BYTES, read_container, read_entry
+
+
+class DrawingModel(XmlModel):
+    """A drawing with the archive around it.
+
+    Args:
+        root, name, path: as for `XmlModel`.
+    """
+
+    def __init__(self, root: Any, name: str = "M", path: Path | None = None) -> None:
+        super().__init__(root, name, path)
+        self.archive = b""
+        self.sketch_name = ""
+
+    def save(self, path: str | Path | None = None) -> None:
+        """Write the drawing: into a copy of its archive, or as XML if the path does not end in `.fzz`; see `Model.save`."""
+        target = self._target(path)
+        text = self.to_bytes()
+        in_archive = self.archive and target.suffix.lower() == ".fzz"
+        write_atomic(target, self._with(text) if in_archive else text)
+
+    def _with(self, text: bytes) -> bytes:
+        """The archive with another drawing in it; the same bytes if that is the same."""
+        out = io.BytesIO()
+        room = MAX_BYTES
+        place = str(self.path)
+        try:
+            with zipfile.ZipFile(io.BytesIO(self.archive)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as new:
+                for entry in old.infolist():
+                    content = read_entry(place, old, entry, room)
+                    room -= len(content)
+                    if entry.filename == self.sketch_name:
+                        if content == text:
+                            return self.archive
+                        content = text
+                    new.writestr(entry, content)
+        except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+            cause = f"the archive cannot be copied: {error}"
+            raise SourceError(cause, location=Location(place), fix="save the drawing as .fz instead") from error
+        return out.getvalue()
+
+
+def open_drawing(path: Path, name: str | None = None) -> DrawingModel:
+    """Open a `.fzz` file.
+
+    Raises:
+        SourceError: it is no archive with a drawing in it, or that is no well-formed XML.
+    """
+    read_input(path, "drawing")
+    held = read_container(path)
+    model = DrawingModel.parse(held.sketch, name or path.stem, path)
+    data = path.read_bytes()
+    model.archive, model.sketch_name = data if data[:2] == b"PK" else b"", held.sketch_name
+    return model
