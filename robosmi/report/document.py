@@ -40,11 +40,16 @@ class Report:
     started: float = field(default_factory=time.perf_counter)
 
     def judge(self, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> None:
-        """Apply the project's severities and accepted findings. An accepted finding stays listed, as info with its reason."""
+        """Apply the project's severities and accepted findings. An accepted finding stays listed, as info with its reason.
+
+        Args:
+            severity: rule -> level.
+            accept: what is accepted; an element is a finding's URI, the title of its component, `#model_index`, or `*`.
+        """
         judged: list[Finding] = []
         for finding in self.findings:
             level = severity.get(finding.rule)
-            reason = next((a.reason for a in accept if a.rule == finding.rule and a.element in (finding.element, "*")), None)
+            reason = next((a.reason for a in accept if a.rule == finding.rule and a.element in _names(finding)), None)
             if level == "off":
                 continue
             if level or reason is not None:
@@ -79,6 +84,12 @@ class Report:
             "artifacts": self.artifacts,
             "timings": {**self.timings, "total_s": round(time.perf_counter() - self.started, 6)},
         }
+
+
+def _names(finding: Finding) -> tuple[object, ...]:
+    """By what a finding's element may be named under `[[accept]]`."""
+    about = finding.evidence
+    return (finding.element, "*", about.get("component") or None, f"#{about['model_index']}" if "model_index" in about else None)
 
 
 def terminal_text(report: Report) -> str:

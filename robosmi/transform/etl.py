@@ -64,6 +64,7 @@ class ETL:
 
     @schedule.setter
     def schedule(self, chosen: str) -> None:
+        """Choose it."""
         if chosen not in SCHEDULES:
             raise UsageError(
                 f"there is no schedule '{chosen}'{did_you_mean(chosen, SCHEDULES)}", fix=f"use one of: {', '.join(SCHEDULES)}"

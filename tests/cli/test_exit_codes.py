@@ -27,10 +27,10 @@ def test_1_is_done_with_a_finding_of_the_level(cases: Path) -> None:
     assert any(f["severity"] == "error" and f["location"]["line"] == 4 for f in outcome.document["findings"])
 
 
-@pytest.mark.parametrize(("level", "code"), [("info", 1), ("warning", 0), ("error", 0), ("never", 0)])
+@pytest.mark.parametrize(("level", "code"), [("info", 1), ("warning", 1), ("error", 0), ("never", 0)])
 def test_fail_on_sets_the_level(level: str, code: int, line_follower: Path, tmp_path: Path) -> None:
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--fail-on", level, "--json")
-    assert {f["severity"] for f in outcome.document["findings"]} == {"info"}
+    assert {f["severity"] for f in outcome.document["findings"]} == {"info", "warning"}
     assert outcome.code == code
 
 

@@ -11,6 +11,7 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, the_board
 
 
@@ -101,4 +102,5 @@ def hardware(path: Path, *, roles: Mapping[str, str] | None = None) -> HardwareA
     if not boards(drawing.circuit):
         the_board(drawing.circuit)  # says what is missing
     result = hardware_report(drawing.circuit, drawing.connections)
-    return HardwareAnalysis(drawing.circuit, drawing.connections, drawing.board_models, result, drawing.findings)
+    findings = [*drawing.findings, *electrical_findings(drawing.circuit)]
+    return HardwareAnalysis(drawing.circuit, drawing.connections, drawing.board_models, result, findings)

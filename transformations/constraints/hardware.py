@@ -1,24 +1,21 @@
 """Constraints on hardware models: titles that say which component is meant, nets and connectors that belong together.
 
-Electrical questions are not asked here; they need to know what parts do.
+The set of all constraints on hardware models, the electrical ones included, which stand in `electrical`.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from robosmi.diagnostics import Location
 from robosmi.metamodels import hardware
+from robosmi.transformations.constraints.electrical import electrical
+from robosmi.transformations.constraints.places import drawing
 from robosmi.validate import EVL, Fail
 
 circuit = EVL()
 """The constraints on a circuit; run them over its model."""
 
-
-def drawing(component: hardware.Component) -> Location | None:
-    """The drawing that a component is in."""
-    return Location(component.circuit.path) if component.circuit is not None and component.circuit.path else None
-
+circuit.include(electrical)
 
 components = circuit.context(hardware.Component, guard=lambda c: c.circuit is not None)
 connectors = circuit.context(hardware.Connector, guard=lambda c: c.net is not None)

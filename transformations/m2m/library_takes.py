@@ -39,8 +39,13 @@ class Takes:
         return f"takes {taken}{f' when {self.when}' if self.when else ''}"
 
 
-def library_takes(platform: str, project: Path | None = None) -> Mapping[str, Takes]:
+def library_takes(platform: str, project: Path | None = None, *, functions: bool = False) -> Mapping[str, Takes]:
     """What libraries of a target take, by the library's name; empty where the target has no such data.
+
+    Args:
+        platform: folder of the target in the platform repository.
+        project: the project folder; the current folder if None.
+        functions: what functions of the target's core take instead, by the function's name.
 
     Raises:
         PlatformDataError: the data are damaged.
@@ -48,18 +53,18 @@ def library_takes(platform: str, project: Path | None = None) -> Mapping[str, Ta
     for folder in resources.folders("platform_repo", project):
         path = folder / platform / "libraries" / "takes.toml"
         if path.is_file():
-            return _read(path, path.stat().st_mtime_ns)
+            return _read(path, path.stat().st_mtime_ns, "function" if functions else "library")
     return {}
 
 
 @lru_cache(maxsize=4)
-def _read(path: Path, mtime_ns: int) -> Mapping[str, Takes]:
+def _read(path: Path, mtime_ns: int, kind: str) -> Mapping[str, Takes]:
     found: dict[str, Takes] = {}
-    for entry in read_data(path).get("library", []):
+    for entry in read_data(path).get(kind, []):
         lists = [entry.get(key, []) for key in ("names", "timers", "pins")]
         if not lists[0] or not set(entry) <= _KEYS or not all(isinstance(text, str) for each in lists for text in each):
             raise PlatformDataError(
-                f"an entry is no library with what it takes: {entry}",
+                f"an entry is no {kind} with what it takes: {entry}",
                 location=Location(str(path)),
                 fix="write names, timers, pins",
             )

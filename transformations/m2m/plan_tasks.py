@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator, Mapping
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import Q, all_of_kind, ancestor_of_kind
+from robosmi.transformations.constraints.electrical import electrical_findings
+from robosmi.transformations.constraints.electrical_plan import together_findings
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.queries.plan import needs_own_types
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
@@ -25,22 +27,31 @@ def plan_tasks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 
 def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Mapping[str, str]) -> list[migration.PlanFinding]:
-    """What readers and checks found, as part of the plan.
+    """What readers and checks found, as part of the plan: findings given, those of the drawing, those of all together.
 
     Args:
-        plan: the plan.
+        plan: the plan, complete but for its findings and tasks.
         read: findings of the readers and mappings.
         paths: path as the user gave it -> path in the plan's folder.
     """
+    drawn = [*electrical_findings(plan.circuit), *together_findings(plan)] if plan.circuit is not None else []
+    components = {c.elementId: c for c in plan.circuit.components} if plan.circuit is not None else {}
+    kept = {*paths.values()}
     findings = [
         migration.PlanFinding(
             rule=f.rule, severity=getattr(Level, f.severity.name), message=f.message, fix=f.fix or "",
-            path=paths.get(f.location.path, f.location.path.rpartition("/")[2]) if f.location else "",
+            path=_stored(f.location.path, paths, kept) if f.location else "",
             line=(f.location.line or 0) if f.location else 0, column=(f.location.column or 0) if f.location else 0,
+            elements=[c for c in [components.get(str(f.evidence.get("model_index", "")))] if c is not None],
         )
-        for f in read
+        for f in [*read, *drawn]
     ]  # fmt: skip
     return findings + list(_width_findings(plan))
+
+
+def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:
+    """The path of a file in the plan's folder, given as the user has it or already so."""
+    return path if path in kept else paths.get(path, path.rpartition("/")[2])
 
 
 def settle(plan: migration.MigrationPlan) -> None:

@@ -6,7 +6,7 @@ from collections import Counter
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity, Task
-from robosmi.metamodels import ccode, migration, platform
+from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, parameter_type, taken_apart, type_names
 
@@ -151,7 +151,13 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
         location = Location(places.get(entry.path, entry.path), entry.line or None, entry.column or None) if entry.path else None
         kind = Finding if isinstance(entry, migration.PlanFinding) else Task
         evidence = {"effort": entry.effort} if entry.effort else {}
+        if isinstance(entry, migration.PlanFinding):
+            evidence |= next(({"component": e.title, "model_index": e.elementId} for e in _components(entry)), {})
         result.append(
             kind(entry.rule, Severity[entry.severity.name], entry.message, location, fix=entry.fix or None, evidence=evidence)
         )
     return result
+
+
+def _components(entry: migration.PlanTask) -> list[hardware.Component]:
+    return [element for element in entry.elements if isinstance(element, hardware.Component)]

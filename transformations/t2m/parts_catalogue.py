@@ -25,7 +25,7 @@ ROLES = ("Unknown", "Board", "Input", "Output", "Both", "Passive", "Power", "Dec
 """The roles, as the hardware metamodel names them."""
 
 _HEAD = "[[part]]"
-_NO_PARTS = ("names.toml", "roles.toml", "curated.toml")
+_NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml")
 _KEYS = "see parts/README.md for the keys"
 
 

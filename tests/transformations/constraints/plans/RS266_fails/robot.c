@@ -1,0 +1,6 @@
+#include "simpletools.h"
+
+int main(void) {
+  print("hello\n");
+  return 0;
+}

@@ -1,0 +1,239 @@
+"""Electrical constraints: for each an example that fails it alone, one that holds all, and the documented severity."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from robosmi.diagnostics import Finding
+from robosmi.errors import PlatformDataError
+from robosmi.plugins import content
+from robosmi.project import Project
+from robosmi.query.run import Run
+from robosmi.transformations.chains.check import check
+from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.chains.migrate import plan_migration
+from robosmi.transformations.constraints.electrical import electrical, electrical_findings
+from robosmi.transformations.constraints.electrical_plan import together, together_findings
+from robosmi.transformations.queries.electrical import stated_volts, wiring
+from robosmi.transformations.queries.plan import said
+from robosmi.transformations.t2m.electrical_facts import FILE, ElectricalFacts
+from robosmi.transformations.t2m.electrical_facts import electrical as facts
+from robosmi.transformations.t2m.fritzing import read_circuit
+from robosmi.validate import Constraint
+from tests.transformations.constraints.draw import drawings
+from tests.transformations.t2m.fritzing.support import CASES
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[2]
+DRAWINGS, PLANS = HERE / "drawings", HERE / "plans"
+OF_DRAWINGS = [c for module in electrical.modules() for context in module.contexts for c in context.constraints]
+OF_PLANS = [c for context in together.contexts for c in context.constraints]
+
+
+def planned(folder: Path) -> list[Finding]:
+    return together_findings(plan_migration([folder / "robot.c"], hardware=next(folder.glob("wiring.*"))).plan)
+
+
+def test_every_constraint_has_its_two_examples_and_no_other() -> None:
+    wanted = [f"{c.id}_{end}" for c in OF_DRAWINGS for end in ("fails", "holds")]
+    assert sorted(p.stem for p in DRAWINGS.glob("RS*.fz")) == sorted(wanted)
+    wanted = [f"{c.id}_{end}" for c in OF_PLANS for end in ("fails", "holds")]
+    assert sorted(p.name for p in PLANS.iterdir()) == sorted(wanted)
+
+
+@pytest.mark.parametrize("constraint", OF_DRAWINGS, ids=lambda c: c.id)
+def test_the_failing_drawing_gives_that_finding_alone(constraint: Constraint) -> None:
+    path = DRAWINGS / f"{constraint.id}_fails.fz"
+    found = hardware(path).findings
+    assert {(f.rule, f.severity) for f in found} == {(constraint.id, constraint.severity)}
+    for finding in found:
+        assert finding.message
+        assert finding.fix
+        assert finding.element
+        assert finding.location is not None
+        assert finding.location.path == str(path)
+        assert finding.evidence["model_index"]
+
+
+@pytest.mark.parametrize("constraint", OF_DRAWINGS, ids=lambda c: c.id)
+def test_the_other_drawing_holds_all(constraint: Constraint) -> None:
+    assert hardware(DRAWINGS / f"{constraint.id}_holds.fz").findings == []
+
+
+@pytest.mark.parametrize("constraint", OF_PLANS, ids=lambda c: c.id)
+def test_the_failing_plan_gives_that_finding_alone(constraint: Constraint) -> None:
+    (finding,) = planned(PLANS / f"{constraint.id}_fails")
+    assert (finding.rule, finding.severity) == (constraint.id, constraint.severity)
+    assert finding.message
+    assert finding.fix
+    assert finding.location is not None
+
+
+@pytest.mark.parametrize("constraint", OF_PLANS, ids=lambda c: c.id)
+def test_the_other_plan_holds_all(constraint: Constraint) -> None:
+    assert planned(PLANS / f"{constraint.id}_holds") == []
+
+
+@pytest.mark.parametrize("constraint", [*OF_DRAWINGS, *OF_PLANS], ids=lambda c: c.id)
+def test_the_severity_is_the_documented_one(constraint: Constraint) -> None:
+    table = (ROOT / "docs" / "reference" / "rules.md").read_text(encoding="utf-8")
+    (level,) = re.findall(rf"^\| {constraint.id} \| (\w+) \|", table, re.MULTILINE)
+    assert constraint.severity.name == level
+
+
+def test_the_drawings_are_those_of_their_table() -> None:
+    written = {p.stem: p.read_text(encoding="utf-8") for p in DRAWINGS.glob("*.fz")}
+    assert written == drawings()
+    for folder in PLANS.glob("RS268_*"):
+        assert (folder / "wiring.fz").read_text(encoding="utf-8") == written["joined_pins"]
+
+
+# ---- where the findings appear
+
+
+@pytest.mark.parametrize(
+    ("case", "wanted"),
+    [("line_following_robot", ["RS240", "RS240", "RS250"]), ("environmental_monitoring_robot", ["RS250"])],
+)
+def test_the_case_drawings_give_warnings_and_nothing_worse(case: str, wanted: list[str]) -> None:
+    found = hardware(CASES[case]).findings
+    assert [(f.rule, f.severity.name) for f in found] == [(rule, "warning") for rule in wanted]
+    assert {f.rule for f in check(CASES[case]).findings} == set(wanted)
+
+
+def test_a_plan_keeps_the_findings_with_their_components() -> None:
+    folder = PLANS / "RS260_fails"
+    models = plan_migration([folder / "robot.c"], hardware=folder / "wiring.csv")
+    (kept,) = [f for f in models.plan.findings if f.rule == "RS260"]
+    assert kept.path == "source/wiring.csv"
+    from robosmi.query import Q
+
+    (finding,) = [f for f in said(Q(models.plan.findings), models.places) if f.rule == "RS260"]
+    assert (finding.evidence["component"], finding.evidence["model_index"]) == ("Warmth", "2")
+    assert finding.location is not None
+    assert finding.location.path == str(folder / "wiring.csv")
+
+
+def test_a_plan_without_a_drawing_is_asked_nothing_of_it() -> None:
+    folder = PLANS / "RS267_fails"
+    plan = plan_migration([folder / "robot.c"], project=Project()).plan
+    assert [f.rule for f in plan.findings if f.rule.startswith("RS2")] == ["RS210"]
+    assert together_findings(plan) == []
+
+
+def test_the_constraints_belong_to_the_sets_that_check_runs() -> None:
+    assert set(electrical.modules()) < set(content("constraints", "hardware").modules())
+    assert together in content("constraints", "migration").modules()
+
+
+def test_components_of_one_title_are_told_apart(tmp_path: Path) -> None:
+    drawing = tmp_path / "two.fz"
+    text = (DRAWINGS / "RS232_holds.fz").read_text(encoding="utf-8").replace("TMP36_2", "TMP36_1")
+    drawing.write_text(text.replace('connectorId="connector2"', 'connectorId="connector9"'), encoding="utf-8")
+    messages = [f.message for f in hardware(drawing).findings if f.rule == "RS235"]
+    assert messages == ["no ground is wired to 'TMP36_1 #1'", "no ground is wired to 'TMP36_1 #3'"]
+
+
+# ---- public drawings
+
+
+ERRORS = {"tank_wifi_l9110": ["RS253"]}
+"""Development sketches with an error: there a module for 3.3 V gets 5 V."""
+
+
+def test_errors_in_public_drawings_are_faults_of_the_drawings(shared: Path) -> None:
+    sketches = sorted((shared / "fritzing" / "dev").glob("*.fzz"))
+    assert len(sketches) == 44
+    found = {p.stem: [f.rule for f in electrical_findings(read_circuit(p)[0]) if f.severity.name == "error"] for p in sketches}
+    assert {name: rules for name, rules in found.items() if rules} == ERRORS
+
+
+# ---- the facts
+
+
+@pytest.mark.parametrize(
+    ("label", "volts"),
+    [
+        ("5V", 5.0),
+        ("+5V", 5.0),
+        ("3V3", 3.3),
+        ("3.3V", 3.3),
+        ("3,3V", 3.3),
+        ("9 V", 9.0),
+        ("5V2", 5.0),
+        ("VIN", None),
+        ("", None),
+    ],
+)
+def test_labels_state_volts(label: str, volts: float | None) -> None:
+    assert stated_volts(label) == volts
+
+
+def test_a_user_s_own_facts_go_before_the_built_in_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    drawing = DRAWINGS / "RS250_fails.fz"
+    own = tmp_path / ".robosmi" / "platform_repo" / FILE
+    own.parent.mkdir(parents=True)
+    own.write_text('[[device]]\nkind = "small servo"\nwords = ["basic servo"]\npeak_ma = 150\n', encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert hardware(drawing).findings == []
+
+
+def test_the_first_entry_that_fits_and_is_not_forbidden_counts() -> None:
+    table = """
+        [[device]]
+        kind = "driver"
+        words = ["motor driver*"]
+        [[device]]
+        kind = "motor"
+        words = ["motor*"]
+        not = ["mount"]
+        [[device]]
+        kind = "mount"
+        families = ["mount*"]
+    """
+    data = ElectricalFacts(tomllib.loads(table), "x.toml")
+    circuit, _ = read_circuit(DRAWINGS / "RS251_fails.fz")
+    motor = next(c for c in circuit.components if c.title == "Motor")
+    kinds = []
+    for title, family in (("Motor driver L1", "x"), ("Motor", "x"), ("Motor mount", "mounts"), ("Wheel", "x")):
+        motor.title, motor.partTitle, motor.family = "M", title, family
+        found = data.find(motor)
+        kinds.append(found.kind if found is not None else None)
+    assert kinds == ["driver", "motor", "mount", None]
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        ('kind = "a"\nwords = ["a"]\nvolt = [1, 2]', "'volt' is no key of a device (did you mean 'volts'?)"),
+        ('kind = "a"\nwords = ["a"]\nvolts = [1]', "'volts' has the value [1]"),
+        ('kind = "a"\nwords = ["a"]\ninductive = "yes"', "'inductive' has the value 'yes'"),
+        ('kind = "a"', "kind is missing, or what it is found by"),
+    ],
+)
+def test_a_damaged_entry_is_named(entry: str, said: str) -> None:
+    with pytest.raises(PlatformDataError, match=re.escape(said)):
+        ElectricalFacts(tomllib.loads(f"[[device]]\n{entry}\n"), "x.toml")
+
+
+def test_every_device_of_the_built_in_table_is_meant_for_something() -> None:
+    table = tomllib.loads((ROOT / "platform_repo" / FILE).read_text(encoding="utf-8"))
+    assert all(low <= high for device in table["device"] for low, high in [device.get("volts", (0, 0))])
+    assert all(0x03 <= address <= 0x77 for device in table["device"] for address in device.get("i2c", ()))
+    assert facts().supply_ma(5.0) == 400
+    assert facts().supply_ma(9.0) is None
+
+
+def test_names_of_parts_do_not_make_a_supply_of_ground() -> None:
+    """A chip drawn the wrong way round has its ground connector on 5 V; what the board says counts."""
+    circuit, _ = read_circuit(DRAWINGS / "RS239_fails.fz")
+    with Run():
+        w = wiring(circuit)
+        sensor = next(c for c in circuit.components if c.title == "TMP36")
+        volts = {connector.name: w.volts(net) for connector, net in w.nets(sensor)}
+    assert json.loads(json.dumps(volts)) == {"VCC": 0.0, "VOUT": None, "GND": 5.0}

@@ -1,0 +1,31 @@
+"""The electrical constraints on circuits, put together: supplies, signals, loads, buses (rules RS230 to RS255).
+
+What only a plan can tell, with the program and the chosen libraries, is in `electrical_plan`.
+"""
+
+from __future__ import annotations
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import hardware
+from robosmi.model import EmfModel
+from robosmi.transformations.constraints.electrical_buses import buses
+from robosmi.transformations.constraints.electrical_loads import loads
+from robosmi.transformations.constraints.electrical_signals import signals
+from robosmi.transformations.constraints.electrical_supply import supply
+from robosmi.transformations.constraints.places import worst_first
+from robosmi.validate import EVL
+
+electrical = EVL()
+"""All of them; run them over a hardware model."""
+
+for part in (supply, signals, loads, buses):
+    electrical.include(part)
+
+
+def electrical_findings(circuit: hardware.Circuit) -> list[Finding]:
+    """What the electrical constraints find in a circuit, the worst first.
+
+    Args:
+        circuit: the circuit.
+    """
+    return worst_first(electrical.run(EmfModel(circuit, name="hardware")).findings())

@@ -1,0 +1,257 @@
+"""Constraints on what program, drawing and libraries say together: directions, timers, serial port, number of pins.
+
+They are asked of a plan that has a drawing (rules RS260 to RS268). What one drawing alone tells is in `electrical`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import migration, platform
+from robosmi.model import EmfModel
+from robosmi.query import ancestor_of_kind, root_of
+from robosmi.transformations.constraints.places import drawing, fault, worst_first
+from robosmi.transformations.m2m.library_takes import Takes, library_takes
+from robosmi.transformations.queries.circuit import role_on
+from robosmi.transformations.queries.electrical import Role, Wiring, listed, who, wiring
+from robosmi.validate import EVL, Fail
+
+together = EVL()
+"""The constraints on program, drawing and libraries together; run them over a plan."""
+
+TONE = "tone"
+"""The core's function that sounds a speaker, as takes.toml calls it."""
+
+
+def together_findings(plan: migration.MigrationPlan) -> list[Finding]:
+    """What the constraints on program, drawing and libraries together find in a plan, the worst first.
+
+    Args:
+        plan: the plan; without a drawing nothing is found.
+    """
+    return worst_first(together.run(EmfModel(plan, name="plan")).findings())
+
+
+def of_plan(element: Any) -> migration.MigrationPlan | None:
+    """The plan of an element, or None if it is in none."""
+    found = root_of(element)
+    return found if isinstance(found, migration.MigrationPlan) else None
+
+
+def is_drawn(element: Any) -> bool:
+    """Whether there is a drawing."""
+    plan = of_plan(element)
+    return plan is not None and plan.circuit is not None
+
+
+def wired(plan: migration.MigrationPlan) -> Wiring:
+    """The wiring of a plan's drawing."""
+    assert plan.circuit is not None
+    return wiring(plan.circuit)
+
+
+def place(element: Any) -> Any:
+    """The drawing of a plan's element."""
+    plan = of_plan(element)
+    return drawing(plan.circuit.components[0]) if plan is not None and plan.circuit is not None else None
+
+
+bindings = together.context(
+    migration.PortBinding, guard=lambda b: is_drawn(b) and (b.connection is not None or b.pin is not None)
+)
+plans = together.context(migration.MigrationPlan, guard=is_drawn)
+choices = together.context(migration.LibraryChoice, guard=lambda c: is_drawn(c) and c.chosen is not None)
+
+
+def is_sensed(connection: migration.Connection | None) -> bool:
+    """Whether a connection is one on which a sensor gives its signal."""
+    return (
+        connection is not None
+        and connection.component is not None
+        and connection.signal is migration.Signal.read
+        and role_on(connection) == "Input"
+        and connection.component.role is Role.Input
+    )
+
+
+def _is_written(binding: migration.PortBinding) -> bool:
+    return binding.signal is migration.Signal.write
+
+
+@bindings.constraint(
+    id="RS260",
+    location=place,
+    advice="bind the port to another pin, or correct the drawing",
+    guard=lambda b: is_sensed(b.connection),
+)
+def DoesNotDriveASensor(b: migration.PortBinding) -> Any:
+    """The program does not drive a pin on which a sensor gives its signal."""
+    connection = b.connection
+    assert connection is not None
+    assert connection.component is not None
+    if not _is_written(b):
+        return True
+    component, label = connection.component, connection.pin.label if connection.pin is not None else ""
+    return fault(
+        component, f"the program drives the port '{b.name}' ({label}), where the sensor '{who(component)}' gives its signal"
+    )
+
+
+@bindings.critique(
+    id="RS261", info=True, location=place, advice="nothing, if the sensor is read so", guard=lambda b: is_sensed(b.connection)
+)
+def OnlyListensToASensor(b: migration.PortBinding) -> Any:
+    """A pin of a sensor is only read."""
+    connection = b.connection
+    assert connection is not None
+    assert connection.component is not None
+    if b.signal is not migration.Signal.bus:
+        return True
+    sensor = connection.component
+    return fault(sensor, f"the program may drive the port '{b.name}' before it reads '{who(sensor)}' there")
+
+
+@bindings.critique(
+    id="RS262", location=place, advice="draw what is there, or bind the port to the pin that is meant",
+    guard=lambda b: b.connection is None and b.pin is not None,
+)  # fmt: skip
+def SomethingIsThere(b: migration.PortBinding) -> Any:
+    """A port of the program is bound to a pin that the drawing has something on."""
+    plan, pin = of_plan(b), b.pin
+    assert plan is not None
+    assert pin is not None
+    if "LED_BUILTIN" in pin.aliases or any(c.pin is pin for c in plan.connections):
+        return True
+    return Fail(f"the program uses the port '{b.name}' on {pin.label}, to which nothing is wired", pin=pin.label)
+
+
+@plans.constraint(id="RS267", location=place, advice="take a board with more pins, or let devices share a bus")
+def PinsAreEnough(p: migration.MigrationPlan) -> Any:
+    """The board has as many pins as the program uses."""
+    used = {b.sourcePin for b in p.portBindings if b.sourcePin >= 0}
+    has = len(p.board.pins) if p.board is not None else len(used)
+    if len(used) <= has:
+        return True
+    assert p.board is not None
+    return Fail(f"the program uses {len(used)} pins, {p.board.title or p.board.name} has {has}", used=len(used), has=has)
+
+
+@plans.constraint(id="RS268", location=place, advice="part the pins in the drawing, or bind one of the ports to another pin")
+def WrittenPinsAreApart(p: migration.MigrationPlan) -> Any:
+    """Pins that the program writes are not joined."""
+    w, board = wired(p), p.boardComponent
+    written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := _pin(b)) is not None}
+    for _, net in w.nets(board) if board is not None else ():
+        labels = [label for owner, label in w.pins_at(net) if owner is board and label in written]
+        if len(labels) > 1 and not net.rail:
+            return Fail(f"the program writes {listed(labels)}, which are joined in the drawing", pins=", ".join(labels))
+    return True
+
+
+def _pin(binding: migration.PortBinding) -> platform.Pin | None:
+    return binding.connection.pin if binding.connection is not None else binding.pin
+
+
+@plans.critique(id="RS263", location=place, advice="choose another library for one of them")
+def TimersAreNotShared(p: migration.MigrationPlan) -> Any:
+    """No two libraries take the same timer."""
+    clashes = []
+    users = timer_users(p)
+    for timer in sorted({timer for timers, _ in users.values() for timer in timers}):
+        sharing = [f"{name}{f' (when {when})' if when else ''}" for name, (timers, when) in users.items() if timer in timers]
+        if len(sharing) > 1:
+            clashes.append(f"{timer} is taken by {listed(sharing)}")
+    return not clashes or Fail("; ".join(clashes))
+
+
+def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...], str]]:
+    """Who takes timers in a plan: the chosen libraries, and the core's function for speakers; with the condition."""
+    folder = plan.target.name.lower() if plan.target is not None else ""
+    known, core = library_takes(folder), library_takes(folder, functions=True)
+    found = {
+        c.chosen.name: (tuple(c.chosen.timers), known.get(c.chosen.name, Takes()).when)
+        for c in plan.libraryChoices
+        if c.chosen is not None and c.chosen.timers
+    }
+    chosen = {c.component for c in plan.libraryChoices if c.chosen is not None}
+    w = wired(plan)
+    sounded = [
+        c.component
+        for c in plan.connections
+        if c.component is not None
+        and c.component not in chosen
+        and c.signal is migration.Signal.write
+        and w.facts(c.component).tone
+    ]
+    if sounded and TONE in core:
+        found[f"{TONE}() for '{who(sounded[0])}'"] = (core[TONE].timers, "")
+    return found
+
+
+@plans.critique(id="RS264", location=place, advice="use a pin whose PWM comes from another timer")
+def PwmIsNotTaken(p: migration.MigrationPlan) -> Any:
+    """What is to be dimmed or slowed down is not on a pin whose timer a library takes."""
+    users = timer_users(p)
+    lost = [
+        f"{c.pin.label} of '{who(c.component)}' ({name} takes {c.pin.timer})"
+        for c in p.connections
+        if c.pin is not None and c.component is not None and c.pin.timer and _wants_pwm(wired(p), c)
+        for name, (timers, _) in users.items()
+        if c.pin.timer in timers
+    ]
+    return not lost or Fail(f"there is no PWM on {listed(lost)}")
+
+
+def _wants_pwm(w: Wiring, connection: migration.Connection) -> bool:
+    component = connection.component
+    assert component is not None
+    if "pwm" in w.facts(component).wants:
+        return True
+    return bool(component.driver) and any(w.data.named(c.name, "pwm") for c in connection.connectors)
+
+
+@choices.critique(id="RS265", location=place, advice="move the device to another pin, or choose another library")
+def PinsAreNotTaken(c: migration.LibraryChoice) -> Any:
+    """A library does not take a pin that another device is on."""
+    plan, library = of_plan(c), c.chosen
+    assert plan is not None
+    assert library is not None
+    own = {o.component for o in plan.libraryChoices if o.chosen is library}
+    for connection in plan.connections:
+        device = connection.component
+        pin = connection.pin.label if connection.pin is not None else ""
+        if pin in library.pins and device is not None and device not in own and connection.signal is not migration.Signal.bus:
+            return fault(device, f"{library.name}, chosen for {_for(c)}, takes {pin}, which '{who(device)}' is on", pin=pin)
+    return True
+
+
+def _for(choice: migration.LibraryChoice) -> str:
+    return f"'{who(choice.component)}'" if choice.component is not None else "another component"
+
+
+@plans.critique(id="RS266", location=place, advice="move it to another pin")
+def SerialPinsAreFree(p: migration.MigrationPlan) -> Any:
+    """The pins of the serial port to the computer are free in a program that talks over it."""
+    talking = next(_terminal_functions(p), None)
+    if talking is None:
+        return True
+    for connection in p.connections:
+        pin, component = connection.pin, connection.component
+        if pin is not None and component is not None and pin.reserved and "uart" in pin.abilities:
+            return fault(
+                component, f"the program talks over the serial port ({talking}), and '{who(component)}' is on {pin.label} of it",
+                pin=pin.label,
+            )  # fmt: skip
+    return True
+
+
+def _terminal_functions(plan: migration.MigrationPlan) -> Iterator[str]:
+    """The functions that the program calls and that take text for the terminal as their first argument."""
+    for use in plan.adapterUses:
+        function = use.function
+        if function is not None and len(use.calls) and ancestor_of_kind(function, platform.Header) is not None:
+            parameters = list(function.parameters)
+            if parameters and parameters[0].meaning is platform.Meaning.text:
+                yield function.name

@@ -1,0 +1,142 @@
+"""Constraints on signals: one source for each, and pins that can do what the device on them needs.
+
+What a pin can is in the board's data. Pins of boards that nobody has written down are not judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from robosmi.metamodels import hardware
+from robosmi.transformations.constraints.electrical_supply import wiring_of
+from robosmi.transformations.constraints.places import drawing, fault
+from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wiring, listed, who
+from robosmi.transformations.t2m.part_names import name_direction
+from robosmi.validate import EVL
+
+signals = EVL()
+"""The constraints on signals; run them over a hardware model."""
+
+nets = signals.context(hardware.Net, guard=lambda n: n.circuit is not None and not n.rail)
+devices = signals.context(
+    hardware.Component, guard=lambda c: c.circuit is not None and c.role in (Role.Input, Role.Output, Role.Both)
+)
+
+
+@nets.constraint(id="RS232", location=drawing, advice="give each a pin of its own")
+def HasOneSource(n: hardware.Net) -> Any:
+    """A signal is driven by one sensor."""
+    w = wiring_of(n)
+    driving = [
+        o for o, c in w.on(n) if o.role is Role.Input and w.facts(o).output == "push-pull" and w.data.named(c.name, "output")
+    ]
+    if len(set(driving)) < 2:
+        return True
+    names = listed([f"'{who(o)}'" for o in driving])
+    return fault(driving[1], f"the outputs of {names} are joined; they drive against each other")
+
+
+@nets.critique(id="RS233", location=drawing, advice="part them, unless the data sheet allows it")
+def DriversAreApart(n: hardware.Net) -> Any:
+    """Outputs of drivers are not joined."""
+    w = wiring_of(n)
+    driving = [(o, c) for o, c in w.on(n) if o.driver and w.data.named(c.name, "driver_output")]
+    if len({(o, c.name) for o, c in driving}) < 2:  # one output may have two connectors
+        return True
+    said = listed([f"{c.name} of '{who(o)}'" for o, c in driving])
+    return fault(driving[1][0], f"outputs are joined: {said}")
+
+
+def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring, BoardPin], bool]) -> list[str]:
+    """The pins of a component that need an ability and do not have it."""
+    w = wiring_of(component)
+    pins = [p for p in w.board_pins(component) if p.pin is not None]
+    served = {p.net for p in pins if p.pin is not None and ability in p.pin.abilities}
+    return [p.label for p in pins if p.net not in served and needs(w, p)]
+
+
+@devices.critique(id="RS240", location=drawing, advice="use an analogue input (A0 and on)")
+def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> Any:
+    """A voltage that is to be measured is on an analogue input."""
+    given = wiring_of(c).facts(c).analog
+    by_name = any(connector.name.strip().lower() in given for connector in c.connectors)
+
+    def needs(w: Wiring, p: BoardPin) -> bool:
+        name = p.connector.name.strip().lower()
+        any_one = "*" in given and not by_name and p.connector.kind is Kind.unknown
+        return any_one or name in given or w.data.named(name, "analog")
+
+    pins = lacking(c, "analog_in", needs) if c.role is Role.Input else []
+    message = f"'{who(c)}' gives a voltage, and {listed(pins)} can only tell high from low" if pins else ""
+    return not pins or fault(c, message, pins=", ".join(pins))
+
+
+@devices.critique(id="RS241", info=True, location=drawing, advice="use a pin with PWM if it is to be more than on or off")
+def CanBeDimmed(c: hardware.Component) -> Any:
+    """What is usually driven with PWM is on a pin that has it."""
+    wanted = "pwm" in wiring_of(c).facts(c).wants and c.role is Role.Output
+    pins = lacking(c, "pwm", lambda w, p: wanted or (c.driver and w.data.named(p.connector.name, "pwm")))
+    return not pins or fault(c, f"'{who(c)}' can only be switched on {listed(pins)}, which has no PWM", pins=", ".join(pins))
+
+
+@devices.critique(id="RS242", info=True, location=drawing, advice="use a pin with an interrupt if edges must not be missed")
+def CanInterrupt(c: hardware.Component) -> Any:
+    """A device whose edges are counted is on a pin with an interrupt."""
+    if "interrupt" not in wiring_of(c).facts(c).wants:
+        return True
+    pins = lacking(c, "interrupt", lambda w, p: p.connector.kind is not Kind.supply)
+    w = wiring_of(c)
+    if not pins or any(p.pin is not None and "interrupt" in p.pin.abilities for p in w.board_pins(c)):
+        return True  # one phase of an encoder is enough
+    return fault(c, f"'{who(c)}' is on {listed(pins)}, which has no interrupt", pins=", ".join(pins))
+
+
+@devices.critique(id="RS243", info=True, location=drawing, advice="use the pins of a serial port, or a software serial port")
+def IsOnASerialPort(c: hardware.Component) -> Any:
+    """A serial device is on the pins of a serial port."""
+    pins = lacking(c, "uart", lambda w, p: w.data.named(p.connector.name, "uart"))
+    return not pins or fault(c, f"'{who(c)}' talks over {listed(pins)}, where the board has no serial port", pins=", ".join(pins))
+
+
+@devices.constraint(id="RS244", location=drawing, advice="use a digital pin")
+def PinCanWrite(c: hardware.Component) -> Any:
+    """What is written is on a pin that can write."""
+    if c.role is not Role.Output:
+        return True
+    pins = lacking(c, "digital", lambda w, p: name_direction(p.connector.name, w.known, c.driver) != "read")
+    return not pins or fault(c, f"'{who(c)}' is driven by {listed(pins)}, which can only measure", pins=", ".join(pins))
+
+
+@devices.critique(id="RS245", info=True, location=drawing, advice="use another pin if there is one free")
+def PinIsFree(c: hardware.Component) -> Any:
+    """A pin that the board needs itself has nothing on it."""
+    w = wiring_of(c)
+    taken = [p for p in w.board_pins(c) if p.pin is not None and p.pin.reserved and not _serial(w, p)]
+    return not taken or fault(
+        c, f"'{who(c)}' is on {listed([p.label for p in taken])} of the board: {taken[0].pin.reserved}",  # type: ignore[union-attr]
+        pins=", ".join(p.label for p in taken),
+    )  # fmt: skip
+
+
+def _serial(w: Wiring, p: BoardPin) -> bool:
+    """Whether a serial device is where it belongs."""
+    return p.pin is not None and "uart" in p.pin.abilities and w.data.named(p.connector.name, "uart")
+
+
+@devices.critique(id="RS255", location=drawing, advice="put a level shifter or a voltage divider between them")
+def BearsTheSignals(c: hardware.Component) -> Any:
+    """The pins of a board do not drive a device above what its signals bear."""
+    w = wiring_of(c)
+    most = w.facts(c).signal_volts
+    if most is None:
+        return True
+    for p in w.board_pins(c, through=False):
+        model = w.board_model(p.board)
+        if p.connector.kind is Kind.signal and model is not None and model.volts > most and not _gives(p.connector.name):
+            return fault(c, f"{p.label} drives {p.connector.name} of '{who(c)}' with {model.volts:g} V; it bears {most:g} V")
+    return True
+
+
+def _gives(name: str) -> bool:
+    return name.strip().lower().startswith(("tx", "state", "stat", "irq", "int"))

@@ -1,0 +1,219 @@
+"""Constraints on supplies: no short circuits, ground and supply for who needs them, voltages and currents that fit.
+
+A net is a supply or ground where the reader of the drawing says so (`rail`); what devices bear is data.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.metamodels import hardware
+from robosmi.transformations.constraints.places import drawing, fault
+from robosmi.transformations.m2m.connector_mapping import behind
+from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
+from robosmi.validate import EVL
+
+supply = EVL()
+"""The constraints on supplies; run them over a hardware model."""
+
+_ACTIVE = (Role.Input, Role.Output, Role.Both)
+_SYMBOLS = ("ground symbol", "power symbol")
+_SAME = 0.75  # volts between two supplies that count as one: 5 V of USB and four rechargeable cells
+
+
+def wiring_of(element: hardware.Component | hardware.Net) -> Wiring:
+    """The wiring that an element is in."""
+    assert element.circuit is not None
+    return wiring(element.circuit)
+
+
+def takes_part(component: hardware.Component) -> bool:
+    """Whether a component is an active device that something is wired to."""
+    if component.circuit is None or component.role not in _ACTIVE:
+        return False
+    w = wiring_of(component)
+    return any(c.kind not in (Kind.supply, Kind.ground) and w.is_wired(component, net) for c, net in w.nets(component))
+
+
+nets = supply.context(hardware.Net, guard=lambda n: n.circuit is not None and n.rail)
+devices = supply.context(hardware.Component, guard=takes_part)
+placed = supply.context(hardware.Component, guard=lambda c: c.circuit is not None and c.role in _ACTIVE)
+boards = supply.context(hardware.Component, guard=lambda c: c.circuit is not None and c.role is Role.Board)
+
+
+@nets.constraint(id="RS230", location=drawing, advice="take the wire away that joins them")
+def SupplyIsApartFromGround(n: hardware.Net) -> Any:
+    """A supply is not joined to its ground."""
+    sources = wiring_of(n).sources(n)
+    minus = {owner: connector for owner, connector in reversed(sources) if connector.kind is Kind.ground}
+    fixed = next((owner for owner in reversed(minus) if _is_fixed(owner)), None)
+    for positive, p in sources:
+        negative = positive if positive in minus else fixed if _is_fixed(positive) else None
+        if p.kind is Kind.supply and negative is not None:
+            m = minus[negative]
+            said = f"{p.name or p.connectorId} of '{who(positive)}' and {m.name or m.connectorId} of '{who(negative)}'"
+            return fault(positive, f"short circuit: {said} are joined", net=n.name)
+    return True
+
+
+def _is_fixed(component: hardware.Component) -> bool:
+    """Whether its ground and supply are those of the circuit; cells may stand in a row."""
+    return component.role is Role.Board or component.family.strip().lower() in _SYMBOLS
+
+
+@nets.constraint(id="RS231", location=drawing, advice="use one of them, or a regulator between them")
+def SuppliesOfOneVoltage(n: hardware.Net) -> Any:
+    """Supplies that are joined have one voltage."""
+    stated = [(o, v) for o, c in wiring_of(n).sources(n) if c.kind is Kind.supply and (v := _source_volts(o, c)) is not None]
+    low, high = (pick(stated, key=lambda s: s[1], default=None) for pick in (min, max))
+    if low is None or high is None or high[1] - low[1] <= _SAME:
+        return True
+    said = f"{low[1]:g} V of '{who(low[0])}' and {high[1]:g} V of '{who(high[0])}'"
+    return fault(high[0], f"supplies of different voltage are joined: {said}", net=n.name)
+
+
+def _source_volts(component: hardware.Component, connector: hardware.Connector) -> float | None:
+    """What a supply gives there: as a board's pin is labelled, as a battery or symbol says of itself."""
+    if component.role is Role.Board:
+        return stated_volts(connector.name)
+    if sum(c.kind is Kind.supply for c in component.connectors) > 1:
+        return None  # what goes in and what comes out
+    volts = next((p.value for p in component.properties if p.name.lower() == "voltage"), "")
+    return stated_volts(volts if volts[-1:].lower() == "v" else f"{volts}V")
+
+
+@devices.critique(id="RS235", location=drawing, advice="wire its ground")
+def HasGround(c: hardware.Component) -> Any:
+    """A component that has ground connectors is wired at one of them."""
+    return _is_supplied(c, Kind.ground) or fault(c, f"no ground is wired to '{who(c)}'")
+
+
+@devices.critique(id="RS236", location=drawing, advice="wire its supply")
+def HasSupply(c: hardware.Component) -> Any:
+    """A component that has supply connectors is wired at one of them."""
+    return _is_supplied(c, Kind.supply) or fault(c, f"no supply is wired to '{who(c)}'")
+
+
+def _is_supplied(component: hardware.Component, kind: Any) -> bool:
+    w = wiring_of(component)
+    return all(c.kind is not kind for c in component.connectors) or any(
+        c.kind is kind and w.is_wired(component, net) for c, net in w.nets(component)
+    )
+
+
+@placed.critique(id="RS237", location=drawing, advice="wire it, or take it out of the drawing")
+def IsConnected(c: hardware.Component) -> Any:
+    """A component is connected to something, in a circuit where anything is."""
+    w = wiring_of(c)
+    if not c.connectors or any(w.is_wired(c, net) for _, net in w.nets(c)):
+        return True
+    return fault(c, f"'{who(c)}' is connected to nothing")
+
+
+@devices.critique(id="RS238", location=drawing, advice="join the grounds", guard=lambda c: not wiring_of(c).facts(c).isolated)
+def GroundsAreJoined(c: hardware.Component) -> Any:
+    """The ground of a component is that of the board whose pins it is on."""
+    w = wiring_of(c)
+    own = [net for connector, net in w.nets(c) if connector.kind is Kind.ground and w.is_wired(c, net)]
+    for board in dict.fromkeys(p.board for p in w.board_pins(c)) if own else ():
+        theirs = {net for connector, net in w.nets(board) if connector.kind is Kind.ground}
+        known = any(connector.kind is Kind.ground for connector in board.connectors)
+        if known and theirs.isdisjoint(own) and not any(_leads_to(w, net, theirs) or (w.volts(net) or 0) > 0 for net in own):
+            return fault(c, f"the ground of '{who(c)}' is not joined to that of '{who(board)}'")
+    return True
+
+
+def _leads_to(w: Wiring, net: hardware.Net, wanted: set[hardware.Net]) -> bool:
+    """Whether something without a supply of its own, such as a switch or a transistor, stands between."""
+
+    def find() -> set[hardware.Net]:
+        plain = [o for o, _ in w.on(net) if all(c.kind not in (Kind.supply, Kind.ground) for c in o.connectors)]
+        return {other for owner in plain for _, other in w.nets(owner)}
+
+    return not wanted.isdisjoint(w.once("switched", net, find))
+
+
+@devices.constraint(id="RS239", location=drawing, advice="exchange the two wires, or look at the names of the connectors")
+def IsTheRightWayRound(c: hardware.Component) -> Any:
+    """Ground and supply of a component are not exchanged."""
+    w = wiring_of(c)
+    supplies = [net for connector, net in w.nets(c) if connector.kind is Kind.supply]
+    grounds = [net for connector, net in w.nets(c) if connector.kind is Kind.ground]
+    wrong = any((w.volts(net) or 0) > 0 for net in grounds) and not any(w.is_ground(net) for net in grounds)
+    if not wrong or (supplies and not any(w.is_ground(net) for net in supplies)):
+        return True if not wrong else fault(c, f"the ground of '{who(c)}' is at a supply")
+    return fault(c, f"ground and supply of '{who(c)}' are exchanged" if supplies else f"the ground of '{who(c)}' is at a supply")
+
+
+@boards.critique(id="RS250", location=drawing, advice="give them a supply of their own, and join its ground to the board's")
+def BoardCanSupplyThem(b: hardware.Component) -> Any:
+    """What takes its supply from a board takes no more than the board gives."""
+    w = wiring_of(b)
+    for net in dict.fromkeys(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
+        volts = w.volts(net)
+        most = w.data.supply_ma(volts) if volts and w.fed_by_board(net) is b else None
+        loads = dict(_loads(w, net)) if most is not None else {}
+        if most is not None and sum(loads.values()) > most:
+            names = listed([f"'{who(c)}'" for c in loads])
+            total = sum(loads.values())
+            message = f"{names} may take {total} mA from the {volts:g} V of '{who(b)}', which gives about {most} mA"
+            return fault(b, message, needed_ma=total, given_ma=most)
+    return True
+
+
+def _loads(w: Wiring, net: hardware.Net) -> Iterator[tuple[hardware.Component, int]]:
+    """What takes a current worth counting from a net, directly or behind a driver that has no other supply."""
+    for owner, connector in w.on(net):
+        if owner.role in (Role.Board, Role.Power, Role.Passive):
+            continue
+        loads = [owner]
+        supplies = [n for c, n in w.nets(owner) if c.kind is Kind.supply or w.data.named(c.name, "motor_supply")]
+        if owner.driver and connector.kind is Kind.supply and all(n is net for n in supplies):
+            loads += behind(owner, w.known)[0]
+        for load in loads:
+            if (peak := w.facts(load).peak_ma) and (load is not owner or _is_fed_there(w, owner, connector)):
+                yield load, peak
+
+
+def _is_fed_there(w: Wiring, component: hardware.Component, connector: hardware.Connector) -> bool:
+    """Whether a component takes its current through a connector: its supply, or a terminal of a load."""
+    return connector.kind is Kind.supply or any(c is connector for c, _ in w.terminals(component))
+
+
+@placed.constraint(id="RS253", location=drawing, advice="use the supply that it is made for, or a regulator")
+def BearsItsSupply(c: hardware.Component) -> Any:
+    """The supply of a component is not above what it bears."""
+    for connector, volts, _, most in _supplied_with(c):
+        if most is not None and volts > most:
+            return fault(c, f"'{who(c)}' bears {most:g} V at {connector.name}, and is given {volts:g} V", volts=volts, most=most)
+    return True
+
+
+@placed.critique(id="RS254", location=drawing, advice="use the supply that it is made for")
+def SupplyIsEnough(c: hardware.Component) -> Any:
+    """The supply of a component is as high as it needs."""
+    for connector, volts, least, _ in _supplied_with(c):
+        if least is not None and 0 < volts < least:
+            message = f"'{who(c)}' needs {least:g} V at {connector.name}, and is given {volts:g} V"
+            return fault(c, message, volts=volts, least=least)
+    return True
+
+
+def _supplied_with(
+    component: hardware.Component,
+) -> Iterator[tuple[hardware.Connector, float, float | None, float | None]]:
+    """The supply connectors with the voltage there, and the least and most that they are made for, as far as known."""
+    w = wiring_of(component)
+    facts = w.facts(component)
+    regulated = any(w.data.named(c.name, "regulator_out") for c in component.connectors)
+    for connector, net in w.nets(component):
+        volts = w.volts(net)
+        stated = stated_volts(connector.name)
+        if volts is None or (connector.kind is not Kind.supply and stated is None):
+            continue
+        if stated is not None:  # labels above 5 V name the usual supply of a motor, no limit
+            yield connector, volts, stated - 0.5 if 4 < stated < 6 else None, stated + _SAME if stated < 6 else None
+        elif facts.volts is not None:
+            most = None if regulated or w.data.named(connector.name, "regulated") else facts.volts[1]
+            yield connector, volts, facts.volts[0], most

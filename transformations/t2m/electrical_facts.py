@@ -1,0 +1,186 @@
+"""What devices need and bear electrically: `parts/electrical.toml` of the platform repository, the user's files first.
+
+An entry is found by a part's id, title or family, or what the drawing calls a chip. What follows from the facts for a drawing
+is asked in `constraints/`; here nothing is judged.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from fnmatch import fnmatchcase
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.metamodels import hardware
+from robosmi.resources import folders
+from robosmi.transformations.t2m.part_names import Phrases, read_toml
+
+FILE = "parts/electrical.toml"
+"""Place of the table in a folder of data; its head says what the keys mean."""
+
+_FINDERS = ("ids", "words", "families", "not")
+_CHIP_NAMES = ("chip label", "part number", "mpn", "label")
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceFacts:
+    """What is known of one kind of device; everything is optional.
+
+    Attributes:
+        kind: what messages call it.
+        volts: least and most at its supply, or None.
+        signal_volts: the most that its signals bear, or None.
+        peak_ma: milliamperes at most while it works.
+        needs_driver: whether a pin cannot drive it.
+        inductive: whether it needs a diode behind a bare transistor.
+        terminals: connectors that these two are about, all if empty.
+        switch: whether it is a transistor.
+        series_resistor: whether it needs one.
+        limits_current: whether what flows through its outputs is limited, or they are contacts.
+        analog: connectors that give a voltage to be measured, `*` for all.
+        wants: abilities of a pin that serve it.
+        output: push-pull where its output cannot share a wire.
+        i2c: addresses that it can have, the first is that of its delivery.
+        pull_ups: whether it brings those of the bus, None if unknown.
+        isolated: whether it needs no common ground.
+        tone: whether it is sounded with the function of that name.
+    """
+
+    kind: str
+    volts: tuple[float, float] | None = None
+    signal_volts: float | None = None
+    peak_ma: int = 0
+    needs_driver: bool = False
+    inductive: bool = False
+    terminals: tuple[str, ...] = ()
+    switch: bool = False
+    series_resistor: bool = False
+    limits_current: bool = False
+    analog: tuple[str, ...] = ()
+    wants: tuple[str, ...] = ()
+    output: str = ""
+    i2c: tuple[int, ...] = ()
+    pull_ups: bool | None = None
+    isolated: bool = False
+    tone: bool = False
+
+
+@dataclass(frozen=True)
+class _Entry:
+    facts: DeviceFacts
+    ids: frozenset[str]
+    families: tuple[str, ...]
+    forbidden: Phrases
+
+
+class ElectricalFacts:
+    """One file: its entries, and what names of connectors say."""
+
+    def __init__(self, table: Mapping[str, Any], path: str) -> None:
+        devices = list(table.get("device", ()))
+        self._entries = [_entry(device, path) for device in devices]
+        self._words = Phrases((word, number) for number, device in enumerate(devices) for word in device.get("words", ()))
+        self.names: Mapping[str, tuple[str, ...]] = {key: tuple(names) for key, names in table.get("names", {}).items()}
+        self.supply_ma = [(float(volts), int(ma)) for volts, ma in table.get("board", {}).get("supply_ma", ())]
+
+    def find(self, component: hardware.Component) -> DeviceFacts | None:
+        """What is known of a component, or None."""
+        for entry in self._entries:
+            if component.partId in entry.ids:
+                return entry.facts
+        about = f"{component.partTitle} / {component.family}"
+        family = component.family.strip().lower()
+        chip = [p.value for p in component.properties if p.name.lower() in _CHIP_NAMES]
+        found = self._by_words(component.partTitle, about) or self._by_family(family, about)
+        for text in () if found else (component.family, *chip, component.title):
+            found = found or self._by_words(text, f"{about} / {text}")
+        return found
+
+    def _by_words(self, text: str, about: str) -> DeviceFacts | None:
+        return self._allowed(sorted({number for number, _ in self._words.found(text)}), about)
+
+    def _by_family(self, family: str, about: str) -> DeviceFacts | None:
+        numbers = [n for n, e in enumerate(self._entries) if any(fnmatchcase(family, pattern) for pattern in e.families)]
+        return self._allowed(numbers, about)
+
+    def _allowed(self, numbers: Iterable[int], about: str) -> DeviceFacts | None:
+        return next((self._entries[n].facts for n in numbers if about not in self._entries[n].forbidden), None)
+
+
+class Electrical:
+    """All files of facts, the user's before the built-in one."""
+
+    def __init__(self, files: tuple[ElectricalFacts, ...]) -> None:
+        self._files = files
+
+    def facts(self, component: hardware.Component) -> DeviceFacts | None:
+        """What is known of a component, or None: of the first file that knows it."""
+        return next((found for file in self._files if (found := file.find(component)) is not None), None)
+
+    def named(self, name: str, meaning: str) -> bool:
+        """Whether a connector's name says something (`sda`, `output`; the keys of `[names]`)."""
+        word = " ".join(name.lower().split())
+        return any(fnmatchcase(word, pattern) for file in self._files for pattern in file.names.get(meaning, ()))
+
+    def supply_ma(self, volts: float) -> int | None:
+        """What a board gives at its supply of that voltage, in mA, or None if nothing is known."""
+        known = [ma for file in self._files for at, ma in file.supply_ma if abs(at - volts) < 0.3]
+        return known[0] if known else None
+
+
+def electrical(project: Path | None = None) -> Electrical:
+    """The facts, read once for each state of the files.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: a file is damaged.
+    """
+    paths = [path for folder in folders("platform_repo", project) if (path := folder / FILE).is_file()]
+    return _read(tuple((str(path), path.stat().st_mtime_ns) for path in paths))
+
+
+@cache
+def _read(files: tuple[tuple[str, int], ...]) -> Electrical:
+    return Electrical(tuple(ElectricalFacts(read_toml(path), path) for path, _ in files))
+
+
+_KEYS = {field.name for field in fields(DeviceFacts)}
+_TYPES: dict[str, Any] = {"kind": str, "peak_ma": int, "signal_volts": (int, float), "output": str} | dict.fromkeys(
+    ("needs_driver", "inductive", "switch", "series_resistor", "limits_current", "pull_ups", "isolated", "tone"), bool
+)
+
+
+def _entry(device: Mapping[str, Any], path: str) -> _Entry:
+    odd = next((key for key in device if key not in _KEYS and key not in _FINDERS), None)
+    if odd is not None:
+        raise _damaged(path, device, f"'{odd}' is no key of a device{did_you_mean(odd, [*_KEYS, *_FINDERS])}")
+    wrong = next((key for key, value in device.items() if not _is_right(key, value)), None)
+    if wrong is not None or "kind" not in device or not any(device.get(key) for key in _FINDERS[:3]):
+        what = f"'{wrong}' has the value {device[wrong]!r}" if wrong else "kind is missing, or what it is found by"
+        raise _damaged(path, device, what)
+    values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in device.items() if k in _KEYS}
+    forbidden = Phrases((word, 0) for word in device.get("not", ()))
+    return _Entry(DeviceFacts(**values), frozenset(device.get("ids", ())), tuple(device.get("families", ())), forbidden)
+
+
+def _is_right(key: str, value: Any) -> bool:
+    if key == "volts":
+        return isinstance(value, list) and len(value) == 2 and all(isinstance(v, (int, float)) for v in value)
+    if key in _TYPES:
+        return isinstance(value, _TYPES[key])
+    kind = int if key == "i2c" else str
+    return isinstance(value, list) and all(isinstance(v, kind) for v in value)
+
+
+def _damaged(path: str, device: Mapping[str, Any], why: str) -> PlatformDataError:
+    return PlatformDataError(
+        f"an entry for '{device.get('kind', '')}' cannot be used: {why}",
+        location=Location(path),
+        fix="the head of the built-in parts/electrical.toml says what the keys mean",
+    )
