@@ -55,12 +55,12 @@ def folders(kind: str, project: Path | None = None) -> Iterator[Path]:
     """
     if kind not in KINDS:
         raise ValueError(f"no kind of data is called '{kind}'")
-    own = [(project or Path.cwd()) / ".robosmi"]
-    own += [Path(p) for p in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if p]
-    own.append(user_data())
-    for root in own:
-        if (root / kind).is_dir():
-            yield root / kind
+    own = [os.path.join(project or os.getcwd(), ".robosmi")]
+    own += [place for place in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if place]
+    own.append(str(user_data()))
+    for root in own:  # texts, since a migration asks some seventy times
+        if os.path.isdir(folder := os.path.join(root, kind)):
+            yield Path(folder)
     yield built_in(kind)
 
 

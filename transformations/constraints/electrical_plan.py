@@ -12,6 +12,7 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration, platform
 from robosmi.model import EmfModel
 from robosmi.query import ancestor_of_kind, root_of
+from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing, fault, worst_first
 from robosmi.transformations.m2m.library_takes import Takes, library_takes
 from robosmi.transformations.queries.circuit import role_on
@@ -21,17 +22,23 @@ from robosmi.validate import EVL, Fail
 together = EVL()
 """The constraints on program, drawing and libraries together; run them over a plan."""
 
+_both = EVL()  # one run, so that the wiring is made once
+_both.include(electrical)
+_both.include(together)
+
 TONE = "tone"
 """The core's function that sounds a speaker, as takes.toml calls it."""
 
 
-def together_findings(plan: migration.MigrationPlan) -> list[Finding]:
-    """What the constraints on program, drawing and libraries together find in a plan, the worst first.
+def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
+    """What the constraints on the drawing, and those on program, drawing and libraries together, find in a plan, the worst first.
 
     Args:
         plan: the plan; without a drawing nothing is found.
     """
-    return worst_first(together.run(EmfModel(plan, name="plan")).findings())
+    if plan.circuit is None:
+        return []
+    return worst_first(_both.run(EmfModel(plan.circuit, name="hardware"), EmfModel(plan, name="plan")).findings())
 
 
 def of_plan(element: Any) -> migration.MigrationPlan | None:

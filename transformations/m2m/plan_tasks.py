@@ -11,8 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import Q, all_of_kind, ancestor_of_kind
-from robosmi.transformations.constraints.electrical import electrical_findings
-from robosmi.transformations.constraints.electrical_plan import together_findings
+from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.queries.plan import needs_own_types
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
@@ -34,7 +33,6 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
         read: findings of the readers and mappings.
         paths: path as the user gave it -> path in the plan's folder.
     """
-    drawn = [*electrical_findings(plan.circuit), *together_findings(plan)] if plan.circuit is not None else []
     components = {c.elementId: c for c in plan.circuit.components} if plan.circuit is not None else {}
     kept = {*paths.values()}
     findings = [
@@ -44,7 +42,7 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
             line=(f.location.line or 0) if f.location else 0, column=(f.location.column or 0) if f.location else 0,
             elements=[c for c in [components.get(str(f.evidence.get("model_index", "")))] if c is not None],
         )
-        for f in [*read, *drawn]
+        for f in [*read, *plan_faults(plan)]
     ]  # fmt: skip
     return findings + list(_width_findings(plan))
 

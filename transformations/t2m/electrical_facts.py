@@ -6,9 +6,10 @@ is asked in `constraints/`; here nothing is judged.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from fnmatch import fnmatchcase
+from fnmatch import fnmatchcase, translate
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -69,6 +70,9 @@ class DeviceFacts:
     tone: bool = False
 
 
+_REMEMBERED = 1024  # components; drawings have the same few again and again
+
+
 @dataclass(frozen=True)
 class _Entry:
     facts: DeviceFacts
@@ -84,17 +88,26 @@ class ElectricalFacts:
         devices = list(table.get("device", ()))
         self._entries = [_entry(device, path) for device in devices]
         self._words = Phrases((word, number) for number, device in enumerate(devices) for word in device.get("words", ()))
-        self.names: Mapping[str, tuple[str, ...]] = {key: tuple(names) for key, names in table.get("names", {}).items()}
+        self.names = {key: re.compile("|".join(map(translate, names))) for key, names in table.get("names", {}).items()}
+        self._known: dict[tuple[object, ...], DeviceFacts | None] = {}
         self.supply_ma = [(float(volts), int(ma)) for volts, ma in table.get("board", {}).get("supply_ma", ())]
 
     def find(self, component: hardware.Component) -> DeviceFacts | None:
         """What is known of a component, or None."""
+        chip = tuple(p.value for p in component.properties if p.name.lower() in _CHIP_NAMES)
+        key = (component.partId, component.partTitle, component.family, component.title, chip)
+        if key not in self._known:
+            if len(self._known) >= _REMEMBERED:
+                self._known.clear()
+            self._known[key] = self._find(component, chip)
+        return self._known[key]
+
+    def _find(self, component: hardware.Component, chip: Iterable[str]) -> DeviceFacts | None:
         for entry in self._entries:
             if component.partId in entry.ids:
                 return entry.facts
         about = f"{component.partTitle} / {component.family}"
         family = component.family.strip().lower()
-        chip = [p.value for p in component.properties if p.name.lower() in _CHIP_NAMES]
         found = self._by_words(component.partTitle, about) or self._by_family(family, about)
         for text in () if found else (component.family, *chip, component.title):
             found = found or self._by_words(text, f"{about} / {text}")
@@ -124,7 +137,7 @@ class Electrical:
     def named(self, name: str, meaning: str) -> bool:
         """Whether a connector's name says something (`sda`, `output`; the keys of `[names]`)."""
         word = " ".join(name.lower().split())
-        return any(fnmatchcase(word, pattern) for file in self._files for pattern in file.names.get(meaning, ()))
+        return any(pattern.match(word) for file in self._files if (pattern := file.names.get(meaning)) is not None)
 
     def supply_ma(self, volts: float) -> int | None:
         """What a board gives at its supply of that voltage, in mA, or None if nothing is known."""

@@ -18,7 +18,7 @@ from robosmi.transformations.chains.check import check
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.constraints.electrical import electrical, electrical_findings
-from robosmi.transformations.constraints.electrical_plan import together, together_findings
+from robosmi.transformations.constraints.electrical_plan import plan_faults, together
 from robosmi.transformations.queries.electrical import stated_volts, wiring
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.t2m.electrical_facts import FILE, ElectricalFacts
@@ -36,7 +36,8 @@ OF_PLANS = [c for context in together.contexts for c in context.constraints]
 
 
 def planned(folder: Path) -> list[Finding]:
-    return together_findings(plan_migration([folder / "robot.c"], hardware=next(folder.glob("wiring.*"))).plan)
+    plan = plan_migration([folder / "robot.c"], hardware=next(folder.glob("wiring.*"))).plan
+    return [f for f in plan_faults(plan) if f.rule in {c.id for c in OF_PLANS}]
 
 
 def test_every_constraint_has_its_two_examples_and_no_other() -> None:
@@ -123,7 +124,7 @@ def test_a_plan_without_a_drawing_is_asked_nothing_of_it() -> None:
     folder = PLANS / "RS267_fails"
     plan = plan_migration([folder / "robot.c"], project=Project()).plan
     assert [f.rule for f in plan.findings if f.rule.startswith("RS2")] == ["RS210"]
-    assert together_findings(plan) == []
+    assert plan_faults(plan) == []
 
 
 def test_the_constraints_belong_to_the_sets_that_check_runs() -> None:
