@@ -9,7 +9,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-.PHONY: demo test lint bench fuzz wheel readme metamodels system-packages clean
+.PHONY: demo test lint bench evaluate fuzz wheel readme metamodels system-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -32,19 +32,21 @@ lint:
 
 bench: $(VENV)/.ready
 	$(BIN)/python tests/bench/bench.py
+	$(BIN)/python tests/bench/c_source.py
 	$(BIN)/python tests/bench/recommend.py
-
-evaluate: $(VENV)/.ready
-	$(BIN)/python -m tests.recommend.paper_ranks
-	$(BIN)/python -m tests.recommend.evaluate --seconds
 	$(BIN)/python tests/bench/xmi.py
 	$(BIN)/python tests/bench/rules.py
 	$(BIN)/python tests/bench/query.py
 	$(BIN)/python tests/bench/generate.py
 
+evaluate: $(VENV)/.ready
+	$(BIN)/python -m tests.recommend.paper_ranks
+	$(BIN)/python -m tests.recommend.evaluate --seconds
+
 fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.hardware
 	$(BIN)/python -m tests.fuzz.xmi
+	$(BIN)/python -m tests.fuzz.c_source
 
 wheel:
 	@sh .ci/wheel

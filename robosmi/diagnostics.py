@@ -76,7 +76,8 @@ class Finding:
         """Stable over runs with the same input: made of rule, place, element and message."""
         place = str(self.location) if self.location else ""
         text = "\0".join([self.rule, place, self.element or "", self.message])
-        return f"{self.rule}-{hashlib.sha256(text.encode()).hexdigest()[:10]}"
+        data = text.encode(errors="surrogatepass")  # a path may hold bytes that are no UTF-8
+        return f"{self.rule}-{hashlib.sha256(data).hexdigest()[:10]}"
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form of a finding or task."""

@@ -1,4 +1,4 @@
-"""What all tests share: a history of their own, the folder with the shared facts if there is one, EMF's word on every model."""
+"""What all tests share: data of their own, the folder with the shared facts if there is one, EMF's word on every model."""
 
 from __future__ import annotations
 
@@ -19,9 +19,11 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(autouse=True)
-def _own_history(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No test reads or writes the history of the person who runs it."""
-    monkeypatch.setenv("ROBOSMI_HISTORY", str(tmp_path_factory.mktemp("history") / "history.sqlite"))
+def _own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No test reads or writes the data of the person who runs it: history, imported libraries, parts and platforms."""
+    folder = tmp_path_factory.mktemp("data")
+    monkeypatch.setenv("ROBOSMI_HOME", str(folder))
+    monkeypatch.setenv("ROBOSMI_HISTORY", str(folder / "history.sqlite"))
 
 
 @pytest.fixture

@@ -21,11 +21,14 @@ _CONTENT = {
     ("chain", "history_export"): "chains.history:export_history",
     ("chain", "history_import"): "chains.history:import_history",
     ("chain", "libraries_import"): "chains.libraries:import_libraries",
+    ("chain", "libraries_show"): "chains.libraries:show_library",
+    ("chain", "platform_import"): "chains.platform:import_platform",
     ("chain", "recommend"): "chains.recommend:recommend",
     ("chain", "migrate"): "chains.migrate:migrate",
     ("chain", "plan"): "chains.migrate:plan_migration",
     ("chain", "generate"): "chains.generate:generate",
     ("chain", "check"): "chains.check:check",
+    ("query", "libraries_by_header"): "m2m.library_ranking:libraries_by_header",
     ("constraints", "ccode"): "constraints.code:code",
     ("constraints", "hardware"): "constraints.hardware:circuit",
     ("constraints", "migration"): "constraints.plan:plan",
@@ -34,7 +37,9 @@ _CONTENT = {
 
 _DRIVERS = {
     "c": "robosmi.transformations.t2m.c_source.on_demand:open_program",
-    **dict.fromkeys((".c", ".cc", ".cpp", ".cxx", ".h"), "robosmi.transformations.t2m.c_source.on_demand:open_program"),
+    **dict.fromkeys(
+        (".c", ".cc", ".cpp", ".cxx", ".h", ".hpp", ".ino"), "robosmi.transformations.t2m.c_source.on_demand:open_program"
+    ),
     **dict.fromkeys((".fz", ".fzp"), "robosmi.model.plain_xml:open_xml"),
     **dict.fromkeys(("fritzing", ".fzz"), "robosmi.transformations.t2m.fritzing.drawing_model:open_drawing"),
 }

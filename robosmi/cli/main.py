@@ -43,6 +43,7 @@ COMMANDS = {
     "run": "run a chain of load, validate, transform and generate; only what has changed",
     "query": "ask a model of any technology",
     "parts": "add the parts of a drawing tool to the catalogue",
+    "platform": "make a source platform of your own from its headers",
     "metamodels": "hand out the metamodels, or generate Python packages from one",
     "doctor": "what is installed and what is missing",
 }

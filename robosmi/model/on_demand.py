@@ -136,7 +136,7 @@ def settle(element: Any, links: Callable[[Any, Any], Callable[[], Any]] | None =
         one = pending.pop()
         slots, cls = one.__dict__, one.__class__
         assert one._isset is not None  # it may be worked out from the holders, which now change their classes
-        for feature in all_features(one.eClass):
+        for feature in _features(one.eClass):
             name = feature._name
             slot = slots.get(name)
             if isinstance(slot, (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)):
@@ -155,6 +155,13 @@ def settle(element: Any, links: Callable[[Any, Any], Callable[[], Any]] | None =
     return element
 
 
+@cache
+def _features(eclass: Any) -> list[Any]:
+    """The features of a class; what is read on demand has a metamodel that does not change any more."""
+    return all_features(eclass)
+
+
+@cache
 def _is_link(feature: Any) -> bool:
     return (
         isinstance(feature, EReference) and not feature.containment and not (feature.eOpposite and feature.eOpposite.containment)

@@ -29,7 +29,7 @@ SOURCES = [
     ("prose.c", "no C source"),
     ("two_boards.fz", "no program reader takes a '.fz' file"),
     ("truncated.fzz", "no program reader takes a '.fzz' file"),
-    (".", "folder"),
+    ("no_sources", "folder"),
 ]
 DRAWINGS = [
     ("missing.fzz", "no such file"),

@@ -1,8 +1,9 @@
 """What the repository knows of a platform's API: which header declares a name, as what, and what it means.
 
 `ApiIndex` answers look-ups from the platform's folder (`platform.toml`, `api.json`, `pins.json`, `meanings.toml`) and
-builds the part of the platform model that a program needs. No platform is known by name here, no program is read here;
-the queries in `queries.code` put both together.
+builds the part of the platform model that a program needs. A platform takes over the C library of the one that its
+`standard` names, pins and meanings of the one that its `like` names. No platform is known by name here, no program is read
+here; the queries in `queries.code` put both together.
 """
 
 from __future__ import annotations
@@ -96,9 +97,15 @@ class ApiIndex:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.settings: dict[str, Any] = _toml(folder / "platform.toml")
-        self._headers: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
+        self._standard = _other(self.settings.get("standard"), folder)
+        self._like = _other(self.settings.get("like"), folder)
+        own: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
+        inherited = self._standard._headers if self._standard is not None else {}
+        self._headers: dict[str, dict[str, Any]] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
         self._entries: dict[str, list[Entry]] = {}
+        self._registers: set[str] = set(self.settings.get("registers", {}).get("names", ()))
         for header, content in self._headers.items():
+            self._registers.update(content.get("registers", ()))
             for name, entry in _entries(header, content):
                 self._entries.setdefault(name, []).append(entry)
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
@@ -125,6 +132,11 @@ class ApiIndex:
         if content is not None:
             return HEADER_KINDS[content["kind"]]
         return "standard" if header in self.virtual_headers() else None
+
+    def raw_kind(self, header: str) -> str | None:
+        """The kind of a header as `api.json` writes it (also std-internal); None for an unknown one."""
+        content = self._headers.get(header)
+        return str(content["kind"]) if content is not None else self.header_kind(header)
 
     def closure(self, includes: Iterable[str]) -> tuple[str, ...]:
         """The headers that these includes bring in, an including header before the ones it includes."""
@@ -176,7 +188,8 @@ class ApiIndex:
         """Pins of a function as the header declares it, or None where nothing is known."""
         if self._pins is None:
             self._pins = {}
-            for fact in _json(self.folder / "pins.json").get("functions", []):
+            path = self._file("pins.json")
+            for fact in _json(path).get("functions", []) if path.is_file() else ():
                 facts = _pin_facts(fact)
                 self._pins.update({(fact["function"], h): facts for h in fact["headers"]})
         return self._pins.get((function, header))
@@ -193,7 +206,7 @@ class ApiIndex:
 
     def symbol_kind(self, name: str, entry: Entry) -> str:
         """macro, constant, register or variable (contract: `platform_symbols[].kind`)."""
-        if name in self.settings.get("registers", {}).get("names", ()):
+        if name in self._registers:
             return "register"
         return {"macro": "macro", "function_macro": "macro", "constant": "constant"}.get(entry.kind, "variable")
 
@@ -204,7 +217,8 @@ class ApiIndex:
 
     def virtual_headers(self) -> dict[str, bytes]:
         """Our own text of the standard headers, by the name a program includes."""
-        return _virtual_headers(str(self.folder / "include"))
+        own = _virtual_headers(str(self.folder / "include"))
+        return self._standard.virtual_headers() | own if self._standard is not None else own
 
     def to_model(self, names: Iterable[str], includes: Iterable[str] = ()) -> pf.Platform:
         """The part of the platform model that has these names, each in the one header where it resolves."""
@@ -214,9 +228,41 @@ class ApiIndex:
 
     def _meaning_tables(self) -> dict[str, Any]:
         if self._meanings is None:
-            path = self.folder / "meanings.toml"
+            path = self._file("meanings.toml")
             self._meanings = _toml(path) if path.is_file() else {}
         return self._meanings
+
+    def _file(self, name: str) -> Path:
+        """A file of the platform's own folder, or of the platform that it is like; it need not exist."""
+        path = self.folder / name
+        return path if self._like is None or path.is_file() else self._like._file(name)
+
+
+def forget_platforms() -> None:
+    """Read every platform anew when it is asked for next: one was imported."""
+    _load.cache_clear()
+
+
+def _other(name: str | None, folder: Path) -> ApiIndex | None:
+    """The platform that another one builds on; None without a name.
+
+    Raises:
+        PlatformDataError: there is none of that name, or they build on each other in a ring.
+    """
+    if not name:
+        return None
+    place = resources.find("platform_repo", name)
+    pending, seen = [place], {place}
+    while pending:
+        current = pending.pop()
+        if current == folder:
+            fix = f"correct `like` or `standard` in {folder / 'platform.toml'}"
+            raise PlatformDataError(f"the platform '{folder.name}' builds on itself", fix=fix)
+        settings = _toml(current / "platform.toml")
+        further = {resources.find("platform_repo", str(settings[key])) for key in ("like", "standard") if settings.get(key)}
+        pending += further - seen
+        seen |= further
+    return _load(str(place))
 
 
 @cache

@@ -78,6 +78,7 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "getCursorExtent": ([Cursor], SourceRange),
     "getCursorLocation": ([Cursor], SourceLocation),
     "getCursorReferenced": ([Cursor], Cursor),
+    "getSpecializedCursorTemplate": ([Cursor], Cursor),
     "getCursorSpelling": ([Cursor], String),
     "getCursorType": ([Cursor], Type),
     "getCursorResultType": ([Cursor], Type),
@@ -113,6 +114,8 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "getDiagnosticSpelling": ([c_void_p], String),
     "getDiagnosticSeverity": ([c_void_p], c_int),
     "getDiagnosticLocation": ([c_void_p], SourceLocation),
+    "getDiagnosticNumFixIts": ([c_void_p], c_uint),
+    "getDiagnosticFixIt": ([c_void_p, c_uint, POINTER(SourceRange)], String),
     "getCString": ([String], c_char_p),
     "disposeString": ([String], None),
 }  # fmt: skip
@@ -161,14 +164,16 @@ def unsaved(files: dict[str, bytes]) -> list[UnsavedFile]:
     return [UnsavedFile(os.fsencode(name), content, len(content)) for name, content in files.items()]
 
 
-def parse(path: str, arguments: Sequence[str], files: Sequence[UnsavedFile]) -> int | None:
+def parse(
+    path: str, arguments: Sequence[str], files: Sequence[UnsavedFile], options: int = DETAILED_RECORD | KEEP_GOING
+) -> int | None:
     """A translation unit's handle, or None when the parser gave up. The caller gives it back with `disposeTranslationUnit`."""
     lib = library()
     flags = (c_char_p * len(arguments))(*[os.fsencode(a) for a in arguments])
     virtual = (UnsavedFile * len(files))(*files)
     unit = c_void_p()
     code = lib.parseTranslationUnit2(
-        lib.index, os.fsencode(path), flags, len(arguments), virtual, len(files), DETAILED_RECORD | KEEP_GOING, byref(unit)
+        lib.index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
     )
     return unit.value if code == 0 and unit.value else None
 
@@ -198,6 +203,22 @@ def file_offset(location: SourceLocation) -> tuple[int | None, int]:
     file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
     library().getFileLocation(location, byref(file), pointer(line), pointer(column), byref(offset))
     return file.value, offset.value
+
+
+def fix_its(diagnostic: int) -> list[tuple[SourceLocation, SourceLocation, str]]:
+    """The changes that would answer a complaint: from where to where, and the new text."""
+    found = []
+    for number in range(library().getDiagnosticNumFixIts(diagnostic)):
+        place = SourceRange()
+        text = library().text(library().getDiagnosticFixIt(diagnostic, number, byref(place)))
+        ends = []
+        for raw in (place.begin, place.end):
+            location = SourceLocation()
+            location.ptr_data = place.ptr_data
+            location.int_data = raw
+            ends.append(location)
+        found.append((ends[0], ends[1], text))
+    return found
 
 
 def file_name(file: int | None) -> str:

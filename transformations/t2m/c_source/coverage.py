@@ -6,6 +6,7 @@ not compiled. Whatever of these has no call and no macro use in the model is lis
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from robosmi.diagnostics import Severity
@@ -15,6 +16,7 @@ from robosmi.transformations.t2m.c_source.lexer import KEYWORDS
 from robosmi.transformations.t2m.c_source.parsing import about_missing
 
 _NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
+_NO_CALL_OF_CXX = frozenset(["catch", "operator", "decltype", "noexcept", "alignas", "new", "delete", "throw"])
 
 
 @dataclass(slots=True)
@@ -32,6 +34,7 @@ def calls(context: Context) -> Coverage:
     in_text = in_model = 0
     lost: list[ccode.UnresolvedCall] = []
     types = {name for _, name in context.type_uses} | context.attribute_macros
+    cxx = context.source.language == "C++"
     behind = 0  # of an attribute, whose words are no calls
     for i in range(len(tokens) - 1):
         if tokens[i + 1][3] != "(" or tokens[i][0] != "name" or i < behind:
@@ -39,7 +42,7 @@ def calls(context: Context) -> Coverage:
         _, start, end, name = tokens[i]
         if name in ("__attribute__", "__attribute"):
             behind = context.matching(i + 1)
-        if name in _NO_CALL or start in context.declarators or not context.active(start):
+        if name in _NO_CALL or (cxx and name in _NO_CALL_OF_CXX) or start in context.declarators or not context.active(start):
             continue
         if start in context.covered:
             in_text += 1
@@ -55,15 +58,26 @@ def calls(context: Context) -> Coverage:
 def problems(context: Context) -> list[ccode.SyntaxProblem]:
     """The parser's complaints that are not about missing declarations; those about the form of the text are findings RS101."""
     found: list[ccode.SyntaxProblem] = []
+    said: set[tuple[int, str]] = set()  # the same of two braces that are missing at the end
     for diagnostic in context.parsed.diagnostics:
-        if diagnostic.offset < 0 or about_missing(diagnostic):
-            continue
         start = diagnostic.offset
+        if start < 0 or about_missing(diagnostic) or (start, diagnostic.message) in said:
+            continue
+        said.add((start, diagnostic.message))
         place = context.source.place(start, start)
         found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=diagnostic.syntax or None, **place))
-        if diagnostic.syntax:
+        if _is_error_directive(context, start):
+            message = f"#error: {diagnostic.message.strip(chr(34))}"
+            context.find("RS101", Severity.error, message, start, None, "define what the text asks for with -D")
+        elif diagnostic.syntax:
             context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
     return found
+
+
+def _is_error_directive(context: Context, offset: int) -> bool:
+    data = context.source.parsed
+    start = data.rfind(b"\n", 0, offset) + 1
+    return re.match(rb"[ \t]*#[ \t]*error\b", data[start : offset + 40]) is not None
 
 
 def notes(context: Context, includes: list[ccode.Include], conditionals: list[ccode.PreprocessorConditional]) -> None:

@@ -7,7 +7,8 @@ Names, storage and constants come from the parser, types and declarators from th
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import types
@@ -28,7 +29,7 @@ def group(context: Context, nodes: Sequence[Node], start: int | None = None) -> 
     """
     starts = Counter(n.start for n in nodes if n.kind == 9)
     made: list[ccode.Declaration] = []
-    for node in nodes:
+    for node in _without_linkage(nodes):
         builder = BUILDERS.get(node.kind)
         if builder is not None and not (node.kind in (2, 3, 4, 5) and _only_named(context, node)):
             element = _variable(context, node, start) if node.kind == 9 else builder(context, node)
@@ -38,9 +39,20 @@ def group(context: Context, nodes: Sequence[Node], start: int | None = None) -> 
     return made
 
 
+def _without_linkage(nodes: Sequence[Node]) -> Iterator[Node]:
+    """The cursors, with those in `extern "C" { }` in the place of the block."""
+    pending = list(reversed(nodes))
+    while pending:
+        node = pending.pop()
+        if node.kind == 23:
+            pending.extend(reversed(node.children))
+        else:
+            yield node
+
+
 def _only_named(context: Context, node: Node) -> bool:
     """Whether a record or enumeration is first named in another declaration, as in `struct unknown x;`."""
-    if context.lib.isCursorDefinition(node.cursor):
+    if node.kind in (31, 32) or context.lib.isCursorDefinition(node.cursor):
         return False
     i = context.token_at(node.end)
     return not (i < len(context.tokens) and context.tokens[i][3] == ";")
@@ -59,6 +71,12 @@ def _function(context: Context, node: Node) -> ccode.Declaration:
     close = context.matching(open_) if open_ < len(context.tokens) and context.tokens[open_][3] == "(" else -1
     end = context.tokens[close][2] if close >= 0 else node.end
     signature = " ".join(context.source.text(spec.start, end).split())
+    if name.startswith("~"):
+        context.declarators.add(at + 1)
+    if node.kind == 24:  # what a constructor initialises looks like calls
+        context.declarators.update(c.start for c in node.children if c.kind in (43, 47))
+    if node.kind in (24, 25, 26):  # constructors, destructors and conversions have no type of their own
+        spec = replace(spec, text="", base="")
     result = types.type_use(
         context,
         node.cursor,
@@ -157,8 +175,13 @@ def _typedef(context: Context, node: Node) -> ccode.Declaration:
 
 def _record(context: Context, node: Node) -> ccode.Declaration:
     fields = [_field(context, c) for c in node.children if c.kind == FIELD]
-    methods = [m for c in node.children if c.kind in (21, 24, 25) and isinstance(m := _function(context, c), ccode.Function)]
-    kind = {2: "structType", 3: "unionType", 4: "classType"}[node.kind]
+    methods = [
+        m for c in node.children if c.kind in (21, 24, 25, 26, 30) and isinstance(m := _function(context, c), ccode.Function)
+    ]
+    kind = {2: "structType", 3: "unionType"}.get(node.kind, "classType")
+    if node.kind in (31, 32):
+        first = context.tokens[_keyword(context, node)][3]
+        kind = {"struct": "structType", "union": "unionType"}.get(first, kind)
     element = ccode.Record(
         name=_tag(context, node),
         recordKind=getattr(ccode.RecordKind, kind),
@@ -171,10 +194,27 @@ def _record(context: Context, node: Node) -> ccode.Declaration:
 
 
 def _tag(context: Context, node: Node) -> str | None:
-    i = context.token_at(node.start) + 1
+    i = _keyword(context, node) + 1
+    if i < len(context.tokens) and context.tokens[i - 1][3] == "enum" and context.tokens[i][3] in ("class", "struct"):
+        i += 1
     while i < len(context.tokens) and context.tokens[i][3] in ("__attribute__", "__attribute"):
         i = context.matching(i + 1) + 1
     return context.tokens[i][3] if i < len(context.tokens) and context.tokens[i][0] == "name" and not node.from_macro else None
+
+
+def _keyword(context: Context, node: Node) -> int:
+    """The number of the token `struct`, `class`, `union` or `enum`, behind a template's parameters."""
+    i = context.token_at(node.start)
+    if i < len(context.tokens) and context.tokens[i][3] == "template":
+        depth = 0
+        while i + 1 < len(context.tokens):
+            i += 1
+            text = context.tokens[i][3]
+            depth += (text == "<") - (text == ">") - 2 * (text == ">>")
+            if depth <= 0:
+                break
+        i += 1
+    return min(i, len(context.tokens) - 1)
 
 
 def _field(context: Context, node: Node) -> ccode.Field:
@@ -226,5 +266,11 @@ BUILDERS: dict[int, Callable[[Context, Node], ccode.Declaration]] = {
     20: _typedef,
     21: _function,
     22: _namespace,
+    24: _function,
+    25: _function,
+    26: _function,
+    30: _function,
+    31: _record,
+    32: _record,
 }
 """CXCursorKind -> builder."""

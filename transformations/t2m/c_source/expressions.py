@@ -8,6 +8,7 @@ reference to that macro's name, as the text says; what comes out of a function-l
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import literals, macros, types
@@ -26,7 +27,7 @@ UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, 
     117,
     118,
 )
-FUNCTION_KINDS = (8, 21)
+FUNCTION_KINDS = (8, 21, 24, 26, 30, 49)  # with templates and sets of overloaded functions
 TYPE_REF = 43
 
 UNARY_OPERATORS = ("", "++", "--", "++", "--", "&", "*", "+", "-", "~", "!", "__real", "__imag", "__extension__", "co_await")
@@ -34,6 +35,9 @@ BINARY_OPERATORS = (
     "", ".*", "->*", "*", "/", "%", "+", "-", "<<", ">>", "<=>", "<", ">", "<=", ">=", "==", "!=", "&", "^", "|", "&&", "||",
     "=", "*=", "/=", "%=", "+=", "-=", "<<=", ">>=", "&=", "^=", "|=", ",",
 )  # fmt: skip
+
+
+Builder = Callable[["Context", "Node"], "ccode.Expression | None"]
 
 
 def expression(context: Context, node: Node) -> ccode.Expression:
@@ -82,6 +86,11 @@ def _name(context: Context, node: Node) -> ccode.Expression:
 
 def _call(context: Context, node: Node) -> ccode.Expression:
     children = operands(node)
+    if context.source.language == "C++":
+        from robosmi.transformations.t2m.c_source.cplusplus import overloaded
+
+        if (operation := overloaded(context, node)) is not None:
+            return operation
     callee = children[0] if children else None
     while callee is not None and callee.kind in (UNEXPOSED, PAREN) and len(callee.children) == 1:
         callee = callee.children[0]
@@ -89,26 +98,41 @@ def _call(context: Context, node: Node) -> ccode.Expression:
     place, written, via_macro = macros.call_place(context, node)
     if callee is None or callee.kind == UNEXPOSED or (callee.kind == DECL_REF and _is_function(context, callee)):
         name = written or (
-            context.spelling(callee.cursor if callee is not None else node.cursor) or context.spelling(node.cursor)
+            context.spelling(callee.cursor if callee is not None else node.cursor)
+            or context.spelling(node.cursor)
+            or (context.text(callee) if callee is not None else "")
         )
         element = ccode.Call(calleeName=name, viaMacro=via_macro or None, arguments=arguments, **place)
-        context.calls.append((element, context.lib.getCursorReferenced(callee.cursor) if callee is not None else None))
+        context.calls.append((element, _called(context, callee) if callee is not None else None))
         if not via_macro:
-            context.covered.add(node.start)
+            context.covered.add(types.last_of_name(context, node.start, node.end))
     else:
         element = ccode.Call(
             calleeExpression=expression(context, callee), viaMacro=via_macro or None, arguments=arguments, **place
         )
+        if callee.kind == MEMBER and context.lib.getCursorReferenced(callee.cursor).kind == 21:  # a method
+            element.calleeName = context.spelling(callee.cursor)
+            context.calls.append((element, _called(context, callee)))
         before = context.tokens[context.token_before(callee.end)]
         context.covered.add(before[1])
     context.call_nodes.append((element, node, callee))
     return element
 
 
+def _called(context: Context, callee: Node) -> Any:
+    """The declaration that a call means, of a template the template."""
+    referenced = context.lib.getCursorReferenced(callee.cursor)
+    if context.source.language == "C++":
+        template = context.lib.getSpecializedCursorTemplate(referenced)
+        if template.data[0]:
+            return template
+    return referenced
+
+
 def _is_function(context: Context, callee: Node) -> bool:
     referenced = context.lib.getCursorReferenced(callee.cursor)
-    if referenced.kind in FUNCTION_KINDS:
-        return True
+    if referenced.kind in FUNCTION_KINDS or (70 <= referenced.kind < 100 and context.source.language == "C++"):
+        return True  # in a template a name may have no declaration yet
     return context.pointer(referenced) not in context.declared and context.parsed.prelude.declares(
         context.spelling(callee.cursor)
     )
@@ -223,7 +247,7 @@ def _element(context: Context, node: Node) -> ccode.Expression:
     return ccode.Assignment(operator="=", left=left, right=value, **context.source.place(node.start, node.end))
 
 
-BUILDERS: dict[int, Callable[[Context, Node], ccode.Expression | None]] = {
+BUILDERS: dict[int, Builder] = {
     DECL_REF: _name,
     MEMBER: _member,
     CALL: _call,

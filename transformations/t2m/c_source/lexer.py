@@ -7,6 +7,7 @@ end of its last line. Spelling only: no keyword, macro or type is known here but
 from __future__ import annotations
 
 import re
+import sys
 
 Token = tuple[str, int, int, str]
 """Kind (name, number, string, char, punct, comment, directive), start, end, text. One character is one byte."""
@@ -94,11 +95,17 @@ TYPE_WORDS = frozenset(
     ]
 )
 QUALIFIERS = frozenset(["const", "volatile", "restrict", "__const", "__volatile__", "__restrict", "__extension__"])
+STORAGE_WORDS_OF_CXX = frozenset(["virtual", "explicit", "constexpr", "friend", "mutable", "thread_local"])
 STORAGE_WORDS = frozenset(["extern", "static", "register", "auto", "typedef", "inline", "__inline", "__inline__", "_Noreturn"])
 
 
-def tokens(data: bytes) -> list[Token]:
-    """All tokens of the text, in text order. Never fails: what is no token of C is punctuation of one character."""
+def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
+    """All tokens of the text, in text order. Never fails: what is no token of C is punctuation of one character.
+
+    Args:
+        data: the text.
+        limit: stop when there are more tokens than this.
+    """
     text = data.decode("latin-1")
     found: list[Token] = []
     end = 0
@@ -109,6 +116,8 @@ def tokens(data: bytes) -> list[Token]:
             end = match.end()
             if kind == "space":
                 fresh = fresh or "\n" in match.group()
+                if len(found) > limit:
+                    break
                 continue
             if kind == "directive" and not fresh:
                 end = match.start() + 1
@@ -117,6 +126,8 @@ def tokens(data: bytes) -> list[Token]:
             found.append((kind or "punct", match.start(), end, match.group()))
             if kind != "comment":
                 fresh = kind == "directive"
+        if len(found) > limit:
+            break
     return found
 
 

@@ -19,6 +19,8 @@ def integer(context: Context, node: Node) -> ccode.Expression:
     """An integer constant: decimal, octal, hexadecimal, or binary (GNU)."""
     text = context.text(node)
     value = integer_value(text)
+    if value is None and not node.from_macro:  # it stands for what was cut (`bounds`)
+        return ccode.UnknownExpression(text=text, **context.source.place(node.start, node.end))
     if value is None:
         value = evaluated(context, node) or 0
         text = str(value)

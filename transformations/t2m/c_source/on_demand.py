@@ -15,10 +15,11 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi.errors import UsageError
+from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.model.features import all_features
 from robosmi.model.fragments import fragment_of, resolve
+from robosmi.model.lean import collector_at_rest
 from robosmi.model.metamodel import Metamodel, TypedModel
 from robosmi.model.on_demand import Promise, settle
 from robosmi.model.strict import Element
@@ -26,6 +27,7 @@ from robosmi.model.structure import root_of
 from robosmi.project import defaults
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.on_demand_unit import Unit, in_building_order
+from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.transformations.t2m.platform_api import ApiIndex
 
 LEAVES = {
@@ -33,6 +35,8 @@ LEAVES = {
     110: ccode.CharacterLiteral,
 }  # fmt: skip
 """CXCursorKind -> the class of what is built of it outside of macros; such a cursor holds nothing else."""
+LONGEST = 100
+"""A longer integer literal stands for text that was cut (`bounds`) and becomes another element."""
 IN_EXTERNALS = (ccode.Function, ccode.ExternalSymbol, ccode.Parameter, ccode.TypeUse)
 """What `Program.externals` and all below it is made of: functions from outside have no bodies."""
 
@@ -41,7 +45,7 @@ class ProgramModel(TypedModel):
     """The source files of one program, read on demand.
 
     Args:
-        paths: the files, as they are to be called in the model.
+        paths: the files, as they are to be called in the model; folders and `compile_commands.json` as for `read_program`.
         platform: the platform it was written for.
         include_dirs: folders with headers.
         defines: macros from outside, `NAME` or `NAME=VALUE`.
@@ -70,10 +74,19 @@ class ProgramModel(TypedModel):
         self._linked = False
         folders = [os.fspath(d) for d in include_dirs]
         api = ApiIndex.load(platform)
+        files = source_files(paths, folders, defines)
         self.program = ccode.Program(
-            name=os.path.splitext(os.path.basename(os.fspath(paths[0])))[0], includeFolders=folders, defines=list(defines)
+            name=os.path.splitext(os.path.basename(files[0].path))[0],
+            includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
+            defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
         )
-        self._units = [Unit(path, api, folders, defines, self._link, self.program) for path in paths]
+        self._units: list[Unit] = []
+        for file in files:
+            try:
+                self._units.append(Unit(file.path, api, file.include_dirs, file.defines, self._link, self.program))
+            except SourceError:  # of a folder what is no text is left out
+                if file.given or (file is files[-1] and not self._units):
+                    raise
         self.program.languages.extend(dict.fromkeys(str(u.element.language) for u in self._units))
         features = {f.name: f for f in all_features(ccode.Program.eClass)}
         Promise(self.program, features["units"], lambda: [unit.element for unit in self._units])
@@ -107,7 +120,8 @@ class ProgramModel(TypedModel):
     def _extent(self, cls: type, exact: bool) -> list[Any]:
         found = self._extents.get((cls, exact))
         if found is None:
-            found = [x for x in self._walk(cls) if (x.__class__ is cls if exact else isinstance(x, cls))]
+            with collector_at_rest():
+                found = [x for x in self._walk(cls) if (x.__class__ is cls if exact else isinstance(x, cls))]
             self._extents[cls, exact] = found
         return found
 
@@ -194,6 +208,10 @@ class ProgramModel(TypedModel):
         if self._linked:
             return
         self._linked = True
+        with collector_at_rest():
+            self._link_everything()
+
+    def _link_everything(self) -> None:
         elements = [x for unit in self._units for x in self._walk(object, unit.element)]
         for element in elements:
             for feature in _links(element.__class__):
@@ -264,6 +282,8 @@ def _holds_only_others(promise: Promise, wanted: type) -> bool:
         while node is not None and not node.from_macro and node.kind in (100, 111) and len(node.children) == 1:
             node = node.children[0]
         leaf = LEAVES.get(node.kind) if node is not None and not node.from_macro else None
+        if leaf is ccode.IntegerLiteral and node.end - node.start > LONGEST:
+            leaf = None
         if leaf is None or issubclass(leaf, wanted):
             return False
     return True

@@ -1,8 +1,8 @@
 """Parsing one text with libclang: arguments, virtual headers, the prelude loop, diagnostics, and the file's top level.
 
 The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). At most three parses: the second with
-declarations for undeclared names (`prelude`), the third for names that only then came to light; one more where a semicolon is
-missing, which takes the place of a blank in the parser's copy (the complaint about it stays).
+declarations for undeclared names (`prelude`), the third for names that only then came to light. Where the text is damaged, some
+more of a copy that is mended step by step (`mending`); the complaints stay, offsets are those of the file.
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from robosmi.transformations.t2m.c_source import clang, tree
+from robosmi.transformations.t2m.c_source.bounds import cuts, harmless_headers
+from robosmi.transformations.t2m.c_source.mending import MAX_ROUNDS, Edit, Scratch, closed_strings, guess, opening
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
 from robosmi.transformations.t2m.platform_api import ApiIndex
@@ -29,11 +31,12 @@ _MISSING_DECLARATIONS = (
 
 @dataclass
 class Diagnostic:
-    """A complaint of the parser: where in the file (-1 for elsewhere), its words, 2 warning, 3 error, 4 fatal."""
+    """A complaint of the parser: where in the file (-1 for elsewhere), its words, 2 warning, 3 error, 4 fatal, its fix-its."""
 
     offset: int
     message: str
     severity: int
+    edits: list[Edit] = field(default_factory=list)
 
     @property
     def syntax(self) -> bool:
@@ -48,6 +51,7 @@ class Diagnostic:
                 "bracket nesting",
                 "invalid suffix",
                 "invalid digit",
+                "function definition is not allowed",
             )
         ) or (" expected" in m and "argument" not in m and "type" not in m)
 
@@ -84,8 +88,10 @@ def _virtual_files(api: ApiIndex, source: SourceText, include_dirs: Sequence[str
     headers = api.virtual_headers()
     wanted = {name.decode("latin-1") for name in _INCLUDED.findall(source.parsed)}
     folder = os.path.dirname(os.path.abspath(source.path))
+    local: dict[str, bytes] = {}
     if include_dirs or any(os.path.isfile(os.path.join(folder, name)) for name in wanted):
         reached = set(headers)  # real headers may include any of them
+        local = harmless_headers(source.path, source.parsed, include_dirs)
     else:
         reached, pending = set(), [*wanted, "stdarg.h"]
         while pending:
@@ -93,7 +99,8 @@ def _virtual_files(api: ApiIndex, source: SourceText, include_dirs: Sequence[str
             if name in headers and name not in reached:
                 reached.add(name)
                 pending += [n.decode("latin-1") for n in _INCLUDED.findall(headers[name])]
-    return clang.unsaved({f"{HEADERS}/{name}": headers[name] for name in sorted(reached)})
+    files = {f"{HEADERS}/{name}": headers[name] for name in sorted(reached)}
+    return clang.unsaved(files | local)
 
 
 def arguments(api: ApiIndex, language: str, include_dirs: Sequence[str], defines: Sequence[str]) -> list[str]:
@@ -127,34 +134,34 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
     given = arguments(api, source.language, include_dirs, defines)
     path = os.path.abspath(source.path)
     fixed = _virtual_files(api, source, include_dirs)
-    prelude = Prelude(api)
+    prelude = Prelude(api, source.language == "C++")
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
         prelude.always.append("#include <stdarg.h>")
     first: list[Diagnostic] = []
-    mended: list[Diagnostic] = []
+    taken_out = cuts(source.path, source.parsed, source.tokens)
+    attempt = _Attempt(source, taken_out)
     number = 0
     while True:
         number += 1
         text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
-        unit = clang.parse(path, given, [*fixed, *clang.unsaved({path: source.parsed, PRELUDE: text.encode()})])
+        scratch = attempt.scratch
+        unit = clang.parse(path, given, [*fixed, *clang.unsaved({path: scratch.data, PRELUDE: text.encode()})])
         if unit is None:
             return None
-        reader = tree.TreeReader(unit, path, len(source.parsed))
+        reader = tree.TreeReader(unit, path, scratch)
         diagnostics = _diagnostics(unit, reader)
         if number == 1:
-            first = diagnostics
+            first = list(diagnostics)
+        else:  # a type that only comes to light when the text is mended is as unknown
+            first += [d for d in diagnostics if d.message.startswith("unknown type name")]
         messages = [d.message for d in diagnostics if d.severity >= 3]
-        if number < MAX_PARSES and messages and prelude.collect(messages, source.tokens, reader.own_names):
-            clang.library().disposeTranslationUnit(unit)
-            continue
-        gaps = [] if mended else _missing_semicolons(source, diagnostics)
-        if not gaps:
+        if attempt.names_left and messages and prelude.collect(messages, source.tokens, reader.own_names):
+            attempt.names_left -= 1
+        elif not attempt.next(diagnostics):
             break
-        mended = gaps
-        source.parsed = _mend(source.parsed, [d.offset for d in gaps])
-        number = min(number, MAX_PARSES - 1)
         clang.library().disposeTranslationUnit(unit)
     nodes = reader.read()
+    reader.cut[:0] = [(e.offset, e.offset + e.removed) for e in taken_out]
     return Parsed(
         source,
         unit,
@@ -162,7 +169,7 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         reader.expansions,
         reader.skipped(),
         clang.inclusions(unit),
-        [*mended, *diagnostics],
+        [*attempt.mended, *diagnostics],
         first,
         prelude,
         number,
@@ -171,17 +178,70 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
     )
 
 
-def _missing_semicolons(source: SourceText, diagnostics: list[Diagnostic]) -> list[Diagnostic]:
-    """Complaints about a semicolon that can be put in place of a blank, so that the next statement is not lost with it."""
-    found = [d for d in diagnostics if d.offset >= 0 and d.message.startswith("expected ';'")]
-    return [d for d in found if source.parsed[d.offset : d.offset + 1].isspace()]
+class _Attempt:
+    """The mending of one text: the copy that is parsed next, and what was mended so far."""
+
+    def __init__(self, source: SourceText, taken_out: list[Edit]) -> None:
+        self.source = source
+        self.scratch = Scratch(source.parsed, taken_out)
+        self.mended: list[Diagnostic] = []
+        self.names_left = MAX_PARSES - 1 + 3 * (source.language == "C++")  # there names hide behind each other
+        self._kept: tuple[Scratch, list[Diagnostic]] = (self.scratch, [])
+        self._best: tuple[int, int, int] | None = None
+        self._rounds = MAX_ROUNDS if len(source.parsed) < 300_000 else 2
+        self._tried: set[tuple[Edit, ...]] = set()
+        self._before: list[Diagnostic] = []
+
+    def next(self, diagnostics: list[Diagnostic]) -> bool:
+        """Whether another copy is to be parsed, after the complaints about this one."""
+        errors = [d for d in diagnostics if d.offset >= 0 and not about_missing(d)]
+        if not errors and self._best is None:
+            return False
+        score = _score(errors)
+        if self._best is None or score < self._best:
+            self._best, self._kept, self._before = score, (self.scratch, list(self.mended)), errors
+        again = self._rounds > 0 and self._propose(self._kept[0], self._before)
+        if again:
+            self._rounds -= 1
+            self.names_left = max(self.names_left, 1)
+            return True
+        if self.scratch is not self._kept[0]:  # the last edit made it worse
+            self.scratch, self.mended = self._kept
+            self._rounds = 0
+            return True
+        return False
+
+    def _propose(self, base: Scratch, errors: list[Diagnostic]) -> bool:
+        """Put the next edits to be tried into the copy."""
+        fixed = [d for d in errors if d.edits]
+        syntax = sorted((d for d in errors if d.syntax), key=lambda d: d.offset)
+        proposals = [(fixed, [e for d in fixed for e in d.edits])] if fixed else []
+        tokens = [t for t in self.source.tokens if t[0] not in ("comment", "directive")] if syntax else []
+        starts = [t[1] for t in tokens]
+        if not base.edits and (quotes := closed_strings(tokens)):
+            proposals.insert(0, (syntax[:1], quotes))
+        surplus = [d for d in syntax if d.message.startswith("extraneous closing brace")]
+        for d in [*surplus[:1], *(d for d in syntax[:1] if surplus)]:
+            proposals.insert(0, ([d], guess(d.message, d.offset, tokens, starts)))
+        for d in syntax[:1]:
+            proposals.insert(0, ([d], opening(d.offset, tokens, starts)))
+        for d in syntax[:3]:
+            proposals.append(([d], list(d.edits) or guess(d.message, d.offset, tokens, starts)))
+        for about, edits in proposals:
+            key = tuple(sorted({*base.edits, *edits}))
+            if edits and key not in self._tried:
+                self._tried.add(key)
+                scratch = Scratch(self.source.parsed, key)
+                if scratch.data != base.data:
+                    self.scratch, self.mended = scratch, [*self._kept[1], *about]
+                    return True
+        return False
 
 
-def _mend(data: bytes, offsets: list[int]) -> bytes:
-    result = bytearray(data)
-    for offset in offsets:
-        result[offset] = ord(";")
-    return bytes(result)
+def _score(errors: list[Diagnostic]) -> tuple[int, int, int]:
+    """How damaged a text still is: fewer complaints about its form, fewer at all, the first one later."""
+    syntax = [d.offset for d in errors if d.syntax]
+    return len(syntax), len(errors), -min(syntax, default=0)
 
 
 def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:
@@ -193,6 +253,10 @@ def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:
         if severity >= 3:
             offset = reader.offset(lib.getDiagnosticLocation(handle))
             found.append(Diagnostic(offset, lib.text(lib.getDiagnosticSpelling(handle)), severity))
+            for begin, end, text in clang.fix_its(handle) if offset >= 0 else ():
+                start, stop = reader.offset(begin), reader.offset(end)
+                if 0 <= start <= stop:
+                    found[-1].edits.append(Edit(start, stop - start, text.encode()))
         lib.disposeDiagnostic(handle)
     return found
 

@@ -54,9 +54,14 @@ _UNKNOWN = [
     re.compile(r"^use of undeclared identifier '(?P<name>\w+)'"),
     re.compile(r"^use of unknown builtin '(?P<name>\w+)'"),
 ]
+_IN_STD = re.compile(r"^no (?P<what>member|type|template) named '(?P<name>\w+)' in namespace 'std'")
 _NOT_RECORD = re.compile(r"^member reference (?:base )?type '(?:const |volatile )*(?P<name>\w+)[ *']")
 _NOT_SCALAR = re.compile(r"'(?P<name>\w+)' \(aka 'struct (?P=name)__'\)")
 _ASSIGNMENTS = frozenset(["=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"])
+
+
+MEMBERS, STREAM = "robosmi_members", "robosmi_stream"
+"""Types that we make up for objects that nothing declares."""
 
 
 @dataclass
@@ -64,6 +69,8 @@ class Prelude:
     """Names to declare and how.
 
     Attributes:
+        platform: what is known of the platform.
+        cxx: the text is C++, where empty parentheses mean no parameters and functions must be declared too.
         types: type name -> True when it must be a record.
         values: value name -> its declaration.
         macros: attribute macros to define empty.
@@ -71,9 +78,11 @@ class Prelude:
         functions: platform function -> the type of its value.
         members: member of records -> its declarator.
         always: lines that the text needs from the first parse on.
+        in_std: name of the namespace std -> its declaration.
     """
 
     platform: ApiIndex
+    cxx: bool = False
     types: dict[str, bool] = field(default_factory=dict)
     values: dict[str, str] = field(default_factory=dict)
     macros: set[str] = field(default_factory=set)
@@ -81,6 +90,7 @@ class Prelude:
     functions: dict[str, str] = field(default_factory=dict)
     members: dict[str, str] = field(default_factory=dict)
     always: list[str] = field(default_factory=list)
+    in_std: dict[str, str] = field(default_factory=dict)
     _fixed: set[str] = field(default_factory=set)
 
     def collect(self, messages: Iterable[str], tokens: list[Token], own_names: Callable[[], dict[str, str]]) -> bool:
@@ -106,9 +116,18 @@ class Prelude:
                 self._fixed.add(match["name"])
             for name in _NOT_SCALAR.findall(message):
                 scalar.add(name)
-        if not names and not new and not scalar:
+        library = [m for m in map(_IN_STD.match, messages) if m and m["name"] not in self.in_std] if self.cxx else []
+        if not names and not new and not scalar and not library:
             return False
         uses, own = _Uses(tokens), own_names()
+        for match in library:
+            name, new = match["name"], True
+            if match["what"] == "type" or uses.as_type(name):
+                self.in_std[name] = f"struct {name} {{ template<class... A> {name}(A...); }};"
+            elif name in uses.called:
+                self.in_std[name] = f"int {name}(...);"
+            else:
+                self.in_std[name] = f"extern {STREAM} {name};"
         for name in scalar - self._fixed:
             if self.types.get(name) and not uses.record_values(name):  # calculated with: no record after all
                 self.types[name] = False
@@ -126,8 +145,12 @@ class Prelude:
         return name in self.types or name in self.values or name in self.macros or name in self.standard
 
     def _declare(self, name: str, is_type: bool, uses: _Uses, own: dict[str, str]) -> bool:
-        if own.get(name) == "function":  # used as a value before it is declared
-            self.values[name] = f"int {name}();"
+        if name == "std" and self.cxx:
+            self.standard[name] = "namespace std {}"
+        elif own.get(name) == "function":  # used as a value before it is declared
+            self.values[name] = f"int {name}({self._any});"
+        elif self.cxx and name in uses.called and name not in uses.scopes and not uses.as_type(name):
+            self.values[name] = self._function_of_cxx(name)
         elif name in ("va_start", "va_arg", "va_end", "va_copy"):
             self.standard[name] = "#include <stdarg.h>"
         elif name in STANDARD_NAMES:
@@ -139,7 +162,9 @@ class Prelude:
         elif is_type and uses.attribute(name):
             self.macros.add(name)
         elif is_type or uses.as_type(name):
-            self.types[name] = uses.as_pointer(name) or uses.record_values(name)
+            self.types[name] = self.cxx or uses.as_pointer(name) or uses.record_values(name)
+        elif access := uses.member_access(name):
+            self.values[name] = f"extern struct {MEMBERS} {'*' if access == '->' else ''}{name};"
         elif uses.written(name):
             self.values[name] = f"extern int {name}{'[64]' if uses.indexed(name) else ''};"
         elif uses.indexed(name):
@@ -147,6 +172,17 @@ class Prelude:
         else:
             self.values[name] = f"enum {{ {name} = {self._number()} }};"
         return True
+
+    @property
+    def _any(self) -> str:
+        """The parameters of a function that takes anything."""
+        return "..." if self.cxx else ""
+
+    def _function_of_cxx(self, name: str) -> str:
+        found = self.platform.entries(name)
+        result = found[0].detail if found and found[0].kind == "function" else "int"
+        plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in re.findall(r"\w+", result))
+        return f"{result if plain and result else 'int'} {name}(...);"
 
     def _from_platform(self, name: str, uses: _Uses) -> str | None:
         """The declaration of a value that the repository knows; a type goes straight into `types`."""
@@ -162,9 +198,11 @@ class Prelude:
         if entry.kind == "variable":
             base = entry.detail.rstrip("[]")
             plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in base.replace("*", " ").split())
+            if not plain and (access := uses.member_access(name)):
+                return f"extern struct {MEMBERS} {'*' if access == '->' else ''}{name};"
             return f"extern {base if plain else 'int'} {name}{'[]' if entry.detail.endswith('[]') else ''};"
         if entry.callable:
-            return f"int {name}();"
+            return f"int {name}({self._any});"
         if uses.written(name) or uses.indexed(name):
             return None
         return f"enum {{ {name} = {self._number()} }};"
@@ -186,15 +224,27 @@ class Prelude:
 
     def text(self, builtins: dict[str, str], attribute_macros: Iterable[str]) -> str:
         """The prelude as C text."""
-        lines = [f"{kind} {name}();" for name, kind in sorted(builtins.items())]
+        lines = [f"{kind} {name}({self._any});" for name, kind in sorted(builtins.items())]
         lines += [f"#ifndef {m}\n#define {m}\n#endif" for m in sorted({*attribute_macros, *self.macros})]
         lines += sorted(self.standard.values())
         lines += self.always
         fields = "".join(f" int {form.format(m)};" for m, form in sorted(self.members.items()))
+        if self.cxx:  # of any class one may be made, with any arguments
+            fields = fields.replace("()", "(...)")
         for name, record in self.types.items():
-            lines.append(f"typedef struct {name}__ {{ int _;{fields} }} {name};" if record else f"typedef int {name};")
+            if record and self.cxx:
+                made = f"template<class... A> {name}(A...); operator int() const;"
+                lines.append(f"struct {name} {{ int _;{fields} {name}(); {made} }};")
+            else:
+                lines.append(f"typedef struct {name}__ {{ int _;{fields} }} {name};" if record else f"typedef int {name};")
+        if any(MEMBERS in form for form in self.values.values()):
+            lines.append(f"struct {MEMBERS} {{ int _;{fields} }};")
+        if self.in_std:
+            passes = f"template<class T> {STREAM} &operator<<(const T &); template<class T> {STREAM} &operator>>(T &);"
+            lines.append(f"struct {STREAM} {{ {passes} }};")
+            lines.append(f"namespace std {{ {' '.join(self.in_std.values())} }}")
         lines += self.values.values()
-        lines += [f"{kind} {name}();" for name, kind in sorted(self.functions.items())]
+        lines += [f"{kind} {name}({self._any});" for name, kind in sorted(self.functions.items())]
         return "\n".join(lines) + "\n"
 
     def declares(self, name: str) -> bool:
@@ -223,11 +273,14 @@ class _Uses:
         self._places: dict[str, list[int]] = {}
         self.called: set[str] = set()
         self.members: dict[str, str] = {}
+        self.scopes: set[str] = set()
         for i, (kind, text) in enumerate(plain):
             if kind == "name":
                 self._places.setdefault(text, []).append(i)
                 if self._texts[i + 1] == "(":
                     self.called.add(text)
+                elif self._texts[i + 1] == ":" == self._texts[i + 2]:
+                    self.scopes.add(text)
                 if i and self._texts[i - 1] in (".", "->"):
                     form = {"[": "*{}", "(": "(*{})()"}.get(self._texts[i + 1], "{}")
                     if self.members.get(text, "{}") == "{}":
@@ -276,6 +329,13 @@ class _Uses:
             return before == "&" and i > 1 and (t[i - 2] in _BEFORE_OPERAND)
 
         return self._any(name, test) or (self.indexed(name))
+
+    def member_access(self, name: str) -> str:
+        """`.` or `->` where the name is used with a member, else empty."""
+        for access in ("->", "."):
+            if self._any(name, lambda t, i, a=access: t[i + 1] == a):  # type: ignore[misc]
+                return access
+        return ""
 
     def indexed(self, name: str) -> bool:
         """Used with an index."""

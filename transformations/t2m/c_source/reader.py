@@ -10,16 +10,19 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 
-from robosmi.diagnostics import Finding, Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
+from robosmi.model.lean import collector_at_rest
+from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import parse
 from robosmi.transformations.t2m.c_source.source import read_source
+from robosmi.transformations.t2m.c_source.sources import Compiled, source_files
 from robosmi.transformations.t2m.platform_api import ApiIndex
 
+cplusplus.enable()
 PathLike = str | os.PathLike[str]
 
 
@@ -33,7 +36,8 @@ def read_program(
     """Read the source files of one program.
 
     Args:
-        paths: one file, or all that are compiled together; `SourceUnit.path` is what is given here.
+        paths: one file, or all that are compiled together; a folder stands for the sources in it, `compile_commands.json` for
+            those that it names. `SourceUnit.path` is what is given here.
         platform: name of the source platform in the repository.
         include_dirs: folders with headers, searched after the file's own.
         defines: macros from outside, `NAME` or `NAME=VALUE`.
@@ -53,21 +57,63 @@ def read_program(
     api = ApiIndex.load(platform)
     folders = [os.fspath(d) for d in include_dirs]
     contexts: list[Context] = []
+    files = source_files(given, folders, defines)
     try:
-        units = [_unit(path, api, folders, defines, contexts) for path in given]
-        externals = Linker(contexts, [list(unit.declarations) for unit in units]).run()
+        with collector_at_rest():
+            units, left_out = _units(files, api, contexts)
+            externals = Linker(contexts, [list(unit.declarations) for unit in units]).run()
     finally:
         for context in contexts:
             context.parsed.close()
     program = ccode.Program(
         name=os.path.splitext(os.path.basename(units[0].path))[0],
         languages=list(dict.fromkeys(str(u.language) for u in units)),
-        includeFolders=folders,
-        defines=list(defines),
+        includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
+        defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
         units=units,
         externals=externals,
     )
-    return program, [finding for context in contexts for finding in context.findings]
+    return program, [*left_out, *(finding for context in contexts for finding in context.findings)]
+
+
+def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[Context]) -> tuple[list[ccode.SourceUnit], list[Finding]]:
+    """The units, and a finding for each file of a folder that is no source text.
+
+    Raises:
+        SourceError: a file that was named itself cannot be read, or none can.
+    """
+    units: list[ccode.SourceUnit] = []
+    left_out: list[Finding] = []
+    for file in files:
+        try:
+            units.append(_unit(file.path, api, file.include_dirs, file.defines, contexts))
+        except SourceError as error:
+            if file.given or (file is files[-1] and not units):
+                raise
+            for context in contexts[len(units) :]:
+                context.parsed.close()
+            del contexts[len(units) :]
+            place = error.location or Location(file.path)
+            left_out.append(Finding("RS112", Severity.warning, f"left out: {error.message}", place, fix=error.fix))
+    return units, left_out
+
+
+def read_unit(
+    path: PathLike, api: ApiIndex, include_dirs: Sequence[PathLike] = (), defines: Sequence[str] = ()
+) -> tuple[ccode.SourceUnit, list[Finding]]:
+    """Read one file by itself, a header for example: what it declares, without links to what it uses from elsewhere.
+
+    Raises:
+        SourceError: the file cannot be read or is no C.
+        MissingToolError: libclang is not installed.
+    """
+    contexts: list[Context] = []
+    try:
+        unit = _unit(path, api, [os.fspath(d) for d in include_dirs], defines, contexts)
+    finally:
+        for context in contexts:
+            context.parsed.close()
+    return unit, [finding for context in contexts for finding in context.findings]
 
 
 def _unit(

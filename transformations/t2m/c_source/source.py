@@ -16,9 +16,12 @@ from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m.c_source.bounds import LARGEST
 from robosmi.transformations.t2m.c_source.lexer import Token, tokens
 
+MOST_TOKENS = 2_000_000
 CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
+_SPLIT = "give the program's own source files; leave generated data out"
 
 
 @dataclass(slots=True)
@@ -84,7 +87,7 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
     """Read and tokenise a file.
 
     Raises:
-        SourceError: it does not exist, cannot be read, is a folder, is empty or is no text.
+        SourceError: it does not exist, cannot be read, is a folder, is empty, is no text or is too large.
     """
     name = os.fspath(path)
     raw = _bytes(name)
@@ -96,7 +99,9 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
     if codec != "utf-8":
         source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
     source._lines = [0, *(i + 1 for i, byte in enumerate(data) if byte == 10)]
-    source.tokens = tokens(source.parsed)
+    source.tokens = tokens(source.parsed, MOST_TOKENS)
+    if len(source.tokens) > MOST_TOKENS:
+        raise SourceError(f"the file has more than {MOST_TOKENS:,} tokens", location=place, fix=_SPLIT)
     if all(token[0] == "comment" for token in source.tokens):
         what = "holds nothing but comments" if source.tokens else "is empty"
         raise SourceError(f"the file {what}", location=place, fix="give a C source file with declarations")
@@ -107,7 +112,7 @@ def _bytes(name: str) -> bytes:
     place = Location(name)
     try:
         with open(name, "rb") as stream:
-            return stream.read()
+            data = stream.read(LARGEST + 1)
     except FileNotFoundError as error:
         raise SourceError("there is no such file", location=place, fix="check the path") from error
     except IsADirectoryError as error:
@@ -119,6 +124,9 @@ def _bytes(name: str) -> bytes:
     except (OSError, ValueError) as error:
         cause = getattr(error, "strerror", None) or str(error)
         raise SourceError(f"the file cannot be read: {cause}", location=place, fix="check the path and the disk") from error
+    if len(data) > LARGEST:
+        raise SourceError(f"the file is larger than {LARGEST:,} bytes", location=place, fix=_SPLIT)
+    return data
 
 
 def _decode(raw: bytes) -> tuple[bytes, str, str]:
@@ -129,6 +137,8 @@ def _decode(raw: bytes) -> tuple[bytes, str, str]:
                 return raw.decode(codec).encode("utf-8"), "UTF-16", "utf-8"
             except UnicodeDecodeError:
                 break
+    if codec16 := _unmarked_utf16(raw):
+        return raw.decode(codec16).encode("utf-8"), "UTF-16", "utf-8"
     try:
         raw.decode("utf-8")
     except UnicodeDecodeError:
@@ -136,3 +146,15 @@ def _decode(raw: bytes) -> tuple[bytes, str, str]:
         windows = any(0x80 <= byte <= 0x9F for byte in raw)
         return (raw, "windows-1252", "cp1252") if windows else (raw, "ISO-8859-1", "latin-1")
     return raw, "UTF-8", "utf-8"
+
+
+def _unmarked_utf16(raw: bytes) -> str | None:
+    """The codec of a text in UTF-16 without a mark, as some editors write it: every second byte of Western text is zero."""
+    for first, codec in ((1, "utf-16-le"), (0, "utf-16-be")):
+        if len(raw) > 8 and len(raw) % 2 == 0 and raw[first::2].count(0) > 0.4 * len(raw) and not raw[1 - first :: 2].count(0):
+            try:
+                raw.decode(codec)
+            except UnicodeDecodeError:
+                return None
+            return codec
+    return None

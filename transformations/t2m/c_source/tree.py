@@ -12,12 +12,18 @@ from typing import Any
 
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.clang import Cursor
+from robosmi.transformations.t2m.c_source.mending import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
 TRANSLATION_UNIT, MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 350, 501, 502, 503
 FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = 8, 9, 20, 2, 3, 4, 5, 7
+_TAGGED = frozenset((STRUCT, UNION, CLASS, ENUM))
 _OWN = {FUNCTION: "function", VARIABLE: "variable", TYPEDEF: "type"}
+
+
+LEAF: list[Any] = []
+"""The children of all nodes that have none; never changed."""
 
 
 class Node:
@@ -29,17 +35,30 @@ class Node:
         from_macro: it begins in the expansion of a macro.
         cursor: the cursor itself.
         children: in the parser's order.
+
+    A large program has millions of them, so the cursor is kept as its bytes (a third of the memory), and leaves share one list.
     """
 
-    __slots__ = ("children", "cursor", "end", "from_macro", "kind", "start")
+    __slots__ = ("_raw", "children", "end", "from_macro", "kind", "start")
 
     def __init__(self, kind: int, start: int, end: int, from_macro: bool, cursor: Cursor) -> None:
         self.kind = kind
         self.start = start
         self.end = end
         self.from_macro = from_macro
-        self.cursor = cursor
-        self.children: list[Node] = []
+        self._raw = bytes(cursor)
+        self.children: list[Node] = LEAF
+
+    @property
+    def cursor(self) -> Cursor:
+        """The cursor."""
+        return Cursor.from_buffer_copy(self._raw)
+
+    def add(self, child: Node) -> None:
+        """Put a child behind the others."""
+        if self.children is LEAF:
+            self.children = []
+        self.children.append(child)
 
     def __repr__(self) -> str:
         return f"<Node {self.kind} {self.start}..{self.end}{' macro' if self.from_macro else ''} {len(self.children)} children>"
@@ -60,13 +79,14 @@ class TreeReader:
     Args:
         unit: the handle.
         path: of the main file, as it was parsed.
-        length: of the main file in bytes.
+        scratch: the text that was parsed; all offsets that come out of here are those of the file itself.
     """
 
-    def __init__(self, unit: int, path: str, length: int) -> None:
+    def __init__(self, unit: int, path: str, scratch: Scratch) -> None:
         lib = clang.library()
         self.unit = unit
-        self.length = length
+        self.length = len(scratch.data)
+        self._back = scratch.source_offset if scratch.edits else None
         self.file: int | None = lib.getFile(unit, os.fsencode(path))
         self.base: int = lib.getLocationForOffset(unit, self.file, 0).int_data
         self.expansions: list[Expansion] = []
@@ -77,9 +97,11 @@ class TreeReader:
         """The offset of a place in the main file, -1 for any other place."""
         raw = location.int_data
         if raw < MACRO_ID:
-            return raw - self.base if 0 <= raw - self.base <= self.length else -1
-        file, offset = clang.file_offset(location)
-        return offset if file == self.file else -1
+            found = raw - self.base if 0 <= raw - self.base <= self.length else -1
+        else:
+            file, offset = clang.file_offset(location)
+            found = offset if file == self.file else -1
+        return found if self._back is None or found < 0 else self._back(found)
 
     def extent(self, cursor: Cursor) -> tuple[int, int, bool]:
         """Start and end offsets, and whether the start lies in a macro's expansion; -1 outside the main file."""
@@ -99,6 +121,9 @@ class TreeReader:
             stop = self._slow(extent, end - 1)
             if stop >= 0:
                 stop += 1
+        if self._back is not None:
+            start = self._back(start) if start >= 0 else start
+            stop = self._back(stop) if stop >= 0 else stop
         return start, stop if stop >= start else start, begin >= MACRO_ID
 
     def _slow(self, extent: clang.SourceRange, raw: int) -> int:
@@ -126,6 +151,7 @@ class TreeReader:
         """The nodes of the file's top level with all below them; fills `expansions` and `cut`."""
         top: list[Node] = []
         stack: list[tuple[Any, Any, Any, Node]] = []
+        types: set[Any] = set()
 
         def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
             kind = cursor.kind
@@ -153,11 +179,15 @@ class TreeReader:
                 if start < 0:  # recovered by the parser, or from an included table
                     start, end = above.start, above.start
                 node = Node(kind, start, end, macro, cursor)
-                above.children.append(node)
+                above.add(node)
                 if len(stack) > MAX_TREE_DEPTH:
                     self.cut.append((start, end))
                     return 1
             held = cursor.data
+            if kind in _TAGGED:  # the parser shows a type again below each declarator: twice as much for each level
+                if held[0] in types:
+                    return 1
+                types.add(held[0])
             stack.append((held[0], held[1], held[2], node))
             return 2
 
@@ -181,6 +211,6 @@ class TreeReader:
                 one = content.ranges[i]
                 start, end = one.begin - self.base, one.end - self.base
                 if 0 <= start <= end <= self.length:
-                    found.append((start, end))
+                    found.append((start, end) if self._back is None else (self._back(start), self._back(end)))
             lib.disposeSourceRangeList(ranges)
         return sorted(found)

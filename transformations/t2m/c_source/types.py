@@ -11,7 +11,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source.context import Context
-from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS
+from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 
 _SIGNED = frozenset({13, 14, 16, 17, 18, 19, 20, 21, 22, 23})  # CXTypeKind: Char_S to LongDouble
 _ARITHMETIC = frozenset(range(3, 24))
@@ -50,11 +50,15 @@ def specifiers(context: Context, offset: int, stop: int) -> Specifiers:
     i = context.token_at(offset)
     words: list[str] = []
     base, seen, start = "", False, -1
+    cxx = context.source.language == "C++"
     while i < len(tokens) and tokens[i][1] < stop:
         kind, begin, _, text = tokens[i]
         if kind != "name":
             break
-        if text in STORAGE_WORDS or text in context.attribute_macros:
+        if text == "template" and not words:
+            i = _behind_template(context, i)
+            continue
+        if text in STORAGE_WORDS or text in context.attribute_macros or (text in STORAGE_WORDS_OF_CXX and cxx):
             i += 1
             continue
         if text in ("__attribute__", "__attribute", "_Alignas"):
@@ -76,17 +80,70 @@ def specifiers(context: Context, offset: int, stop: int) -> Specifiers:
                 i = context.matching(i + 1)
         elif not seen:
             following = tokens[i + 1][3] if i + 1 < len(tokens) else ""
-            if following in TYPE_WORDS or following in STORAGE_WORDS:  # an attribute macro that nobody knows
-                i += 1
+            if following in TYPE_WORDS or following in STORAGE_WORDS or _attribute(context, i, stop):
+                i += 1  # a macro that nobody knows stands for an attribute or a storage class
                 continue
-            words.append(text)
             base, seen = text, True
+            if cxx:
+                text, i = _qualified(context, i, stop)
+            words.append(text)
         else:
             break
         start = begin if start < 0 else start
         i += 1
     constant = "const" in words or "__const" in words
     return Specifiers(" ".join(words) or "int", i, start if start >= 0 else offset, base, constant)
+
+
+def _qualified(context: Context, number: int, stop: int) -> tuple[str, int]:
+    """A name of C++ with what is joined to it (`std::vector<int>`), and the number of its last token."""
+    tokens, last = context.tokens, number
+    while last + 1 < len(tokens) and tokens[last + 1][1] < stop:
+        following = [t[3] for t in tokens[last + 1 : last + 4]]
+        if following[:2] == [":", ":"] and len(following) == 3 and tokens[last + 3][1] < stop and tokens[last + 3][0] == "name":
+            last += 3
+        elif following[0] == "<":
+            behind = _behind_template(context, last)
+            if behind <= last + 1 or tokens[behind - 1][1] >= stop:
+                break
+            last = behind - 1
+        else:
+            break
+    return " ".join(context.source.text(tokens[number][1], tokens[last][2]).split()), last
+
+
+def last_of_name(context: Context, start: int, end: int) -> int:
+    """Where the last part of the name at an offset begins: that of `abort` in `std::abort()`; the offset itself in C."""
+    if context.source.language != "C++":
+        return start
+    number = context.token_at(start)
+    while number + 1 < len(context.tokens) and context.tokens[number][3] in (":", "new"):
+        number += 1
+    _, last = _qualified(context, number, end)
+    while last > number and context.tokens[last][0] != "name":
+        last -= 1
+    return context.tokens[last][1] if last < len(context.tokens) else start
+
+
+def _behind_template(context: Context, number: int) -> int:
+    """The number of the token behind `template <...>`."""
+    depth, i = 0, number + 1
+    while i < len(context.tokens):
+        text = context.tokens[i][3]
+        depth += (text == "<") - (text == ">") - 2 * (text == ">>")
+        i += 1
+        if depth <= 0:
+            break
+    return i
+
+
+def _attribute(context: Context, number: int, stop: int) -> bool:
+    """Whether a token is a macro before the type, as in `INLINE count_t f(void)`."""
+    _, begin, _, _ = context.tokens[number]
+    if not context.expansions_at(begin) or number + 1 >= len(context.tokens):
+        return False
+    kind, following, _, text = context.tokens[number + 1]
+    return kind == "name" and following < stop and text not in QUALIFIERS and not context.expansions_at(following)
 
 
 def declarator(context: Context, spec: Specifiers, name_offset: int) -> tuple[str, str, int, int]:
@@ -99,7 +156,7 @@ def declarator(context: Context, spec: Specifiers, name_offset: int) -> tuple[st
     tokens = context.tokens
     name = context.token_at(name_offset)
     first = name
-    while first - 1 >= spec.end and tokens[first - 1][3] in ("*", "(", "const", "volatile", "restrict", "^"):
+    while first - 1 >= spec.end and tokens[first - 1][3] in (*("*", "(", "const", "volatile", "restrict", "^", "&", "&&"),):
         first -= 1
     before = [t[3] for t in tokens[first:name]]
     i = name + 1 if name < len(tokens) and tokens[name][1] == name_offset and tokens[name][0] == "name" else name

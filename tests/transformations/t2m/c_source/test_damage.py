@@ -49,9 +49,17 @@ def test_a_missing_semicolon_is_a_finding_and_the_rest_is_kept(tmp_path: Path) -
     assert program.units[0].callsInText == 3
 
 
+def test_what_the_parser_says_twice_of_one_place_is_one_finding(tmp_path: Path) -> None:
+    path = tmp_path / "open.c"
+    path.write_text("int x = 1;\nint main() { if (x) { x = 2; \n")  # two braces are missing at the end
+    program, findings = read_program(path)
+    assert [f.rule for f in findings] == ["RS101"]
+    assert len(program.units[0].problems) == 1
+
+
 def test_a_call_that_is_lost_is_listed(tmp_path: Path) -> None:
     path = tmp_path / "lost.c"
-    path.write_text("int main()\n{\n  high(3 4);\n  low(5);\n}\n")
+    path.write_text("int main()\n{\n  high(3 @ 4);\n  low(5);\n}\n")
     program, findings = read_program(path)
     unit = program.units[0]
     assert [(str(u.name), u.line) for u in unit.unresolved] == [("high", 3)]

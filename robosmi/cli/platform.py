@@ -1,0 +1,40 @@
+"""`robosmi platform import DIR --name NAME`: headers into a source platform of the user's own."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
+    taking = actions.add_parser("import", help="read the headers of a folder")
+    taking.add_argument("folder", metavar="DIR", type=Path, help="folder with the platform's headers")
+    taking.add_argument("--name", metavar="NAME", required=True, help="what --source-platform is to call it")
+    taking.add_argument("--like", metavar="NAME", help="known platform with the same compiler settings and meanings")
+    taking.add_argument(
+        "-I",
+        dest="include_dirs",
+        action="append",
+        default=[],
+        metavar="DIR",
+        type=Path,
+        help="folder that the headers include from",
+    )
+    taking.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="macro defined from outside")
+    taking.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("platform")
+    done = content("chain", "platform_import")(
+        arguments.folder, arguments.name, arguments.like, arguments.include_dirs, arguments.defines
+    )
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    report.artifacts = [{"path": path, "kind": "platform"} for path in done.result["written"]]
+    return report

@@ -1,0 +1,219 @@
+"""The speed of the C reader against libclang's bare parse of the same files in the same run, and what large programs cost.
+
+Usage: python tests/bench/c_source.py [--files N] [--lines N] [--no-pool]. Programs and headers are those below ROBOSMI_CORPUS,
+else the ones of the tests. A file's figure is the best of several runs, files are added up; partition is what the dispositions
+need (constructs of the platform and of the standard library), everything is the whole report with all findings and pin uses.
+Exit 1 when a figure is over its bound.
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+TIMES = 3
+PLATFORM = "propeller"
+BOUNDS = {("partition", False): 4.0, ("partition", True): 1.6, ("everything", False): 7.0, ("everything", True): 2.2}
+"""Times the bare parse, without and with the headers."""
+MEGABYTES, POOL = 1500, 3.0
+
+
+def corpus() -> list[Path]:
+    """The programs."""
+    folder = os.environ.get("ROBOSMI_CORPUS")
+    found = sorted(Path(folder).rglob("*.c")) if folder else []
+    own = [*(ROOT / "docs" / "examples").rglob("*.c"), *(ROOT / "tests" / "transformations").rglob("*.c")]
+    paths = found or [p for p in sorted(own) if p.parent.name not in ("bad", "damaged")]
+    return [p for p in paths if 0 < p.stat().st_size < 200_000]
+
+
+def headers() -> list[str]:
+    """The include folders with the platform's headers; none without a corpus."""
+    folder = os.environ.get("ROBOSMI_CORPUS")
+    if not folder:
+        return []
+    folders = {str(p.parent) for p in (Path(folder) / "parallaxinc").rglob("*.h") if "include/sys" not in p.as_posix()}
+    return sorted(folders, key=lambda f: (not f.endswith("lib/include"), f))
+
+
+def bare(path: Path, folders: Sequence[str]) -> None:
+    """Libclang's parse of a file, and nothing else."""
+    from robosmi.transformations.t2m.c_source import clang
+    from robosmi.transformations.t2m.platform_api import ApiIndex
+
+    settings = ApiIndex.load(PLATFORM).settings["parser"]
+    arguments = ["-x", "c", f"-std={settings['standard']}", "-nostdinc", "-target", settings["target"], "-Wno-everything"]
+    arguments += [f"-D{name}" for name in settings["defines"]] + [f"-I{folder}" for folder in folders]
+    unit = clang.parse(str(path), arguments, [], 0)
+    if unit:
+        clang.library().disposeTranslationUnit(unit)
+
+
+def partition(path: Path, folders: Sequence[str]) -> None:
+    """A file to its partition: what is the platform's, what is standard, what nobody knows."""
+    from robosmi.transformations.queries import code
+    from robosmi.transformations.t2m.c_source import read_program
+    from robosmi.transformations.t2m.platform_api import ApiIndex
+
+    program, _ = read_program(path, platform=PLATFORM, include_dirs=folders)
+    for view in code.views(program, ApiIndex.load(PLATFORM)):
+        view.functions_of("platform", "standard", "posix")
+        view.unknown()
+        view.symbols()
+        view.types()
+
+
+def everything(path: Path, folders: Sequence[str]) -> None:
+    """A file to the whole report, with all findings and pin uses."""
+    from robosmi.transformations.queries.analysis import analysis
+    from robosmi.transformations.t2m.c_source import read_program
+    from robosmi.transformations.t2m.platform_api import ApiIndex
+
+    program, findings = read_program(path, platform=PLATFORM, include_dirs=folders)
+    analysis(program, findings, ApiIndex.load(PLATFORM))
+
+
+STAGES: dict[str, Callable[[Path, Sequence[str]], None]] = {"bare parse": bare, "partition": partition, "everything": everything}
+
+
+def seconds(stage: str, paths: Sequence[Path], folders: Sequence[str]) -> float:
+    """The time of a stage, over all files; files that the reader refuses count with what that takes."""
+    from robosmi.errors import RobosmiError
+
+    total = 0.0
+    for path in paths:
+        best = float("inf")
+        for _ in range(TIMES):
+            start = time.perf_counter()
+            with suppress(RobosmiError):
+                STAGES[stage](path, folders)
+            best = min(best, time.perf_counter() - start)
+        total += best
+    return total
+
+
+def synthetic(lines: int) -> str:
+    """A program of so many lines: functions of twenty lines with declarations, loops, branches and calls of the platform."""
+    body = ["  int a = x + {0};", "  int b[4] = {{1, 2, {0}, 4}};", "  for (int i = 0; i < 4; i++) {{", "    a += b[i] * 3;"]
+    body += [
+        "    if (a > 100) high(a % 32);",
+        "    else low(b[i]);",
+        "  }}",
+        "  while (input(x) == 0) {{",
+        "    pause({0} % 50);",
+    ]
+    body += [
+        "    a--;",
+        "  }}",
+        '  print("%d %d\\n", a, total);',
+        "  total = total + a;",
+        "  OUTA |= 1 << (a & 15);",
+        "  return a;",
+    ]
+    block = ["int function_{0}(int x)", "{{", *body, "}}", "", "// the next function"]
+    made = ['#include "simpletools.h"', "", "int total;", ""]
+    for number in range(max(1, lines // len(block))):
+        made += [line.format(number) for line in block]
+    return "\n".join([*made, "int main() { while (1) function_0(1); }", ""])
+
+
+def on_demand(path: str) -> tuple[float, float]:
+    """Seconds and megabytes of the questions of a migration to a program read on demand, in this process."""
+    from robosmi.transformations.t2m.c_source.on_demand import open_program
+
+    start = time.perf_counter()
+    model = open_program(path, platform=PLATFORM)
+    calls = model.all_of_kind("Call")
+    names = {str(call.calleeName) for call in calls}
+    assert "high" in names
+    assert len(model.all_of_kind("Function")) > 10
+    return time.perf_counter() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def growth(lines: int) -> list[tuple[int, float, float]]:
+    """Lines, seconds and megabytes on demand of a tenth, a half and the whole; each in a process of its own."""
+    found = []
+    with tempfile.TemporaryDirectory() as folder:
+        for part in (lines // 10, lines // 2, lines):
+            path = Path(folder) / f"synthetic_{part}.c"
+            path.write_text(synthetic(part))
+            script = f"from tests.bench.c_source import on_demand; print(*on_demand({str(path)!r}))"
+            out = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT).stdout
+            took, memory = map(float, out.split())
+            found.append((part, took, memory))
+    return found
+
+
+def _one(job: tuple[str, Path]) -> None:
+    from robosmi.errors import RobosmiError
+
+    with suppress(RobosmiError):
+        STAGES[job[0]](job[1], ())
+
+
+def pooled(stage: str, paths: Sequence[Path]) -> float:
+    """Seconds of a stage over all files in a pool of processes, with a progress bar on a terminal."""
+    context: Any = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
+        list(pool.map(_one, [(stage, paths[0])] * 8))  # so that every process has loaded what it needs
+        start = time.perf_counter()
+        for done, _ in enumerate(pool.map(_one, [(stage, path) for path in paths], chunksize=8), 1):
+            if sys.stderr.isatty() and (done % 20 == 0 or done == len(paths)):
+                bar = "#" * (40 * done // len(paths))
+                print(f"\r{stage:12} [{bar:40}] {done}/{len(paths)}", end="\n" if done == len(paths) else "", file=sys.stderr)
+        return time.perf_counter() - start
+
+
+def main() -> int:
+    """Measure, print, compare."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--files", type=int, default=160, help="how many programs are timed one by one")
+    parser.add_argument("--lines", type=int, default=100_000, help="of the synthetic program; 0 for none")
+    parser.add_argument("--no-pool", action="store_true")
+    parser.add_argument("--pool-corpus", type=Path, help="folder with the programs for the pool (default: those timed)")
+    arguments = parser.parse_args()
+    paths = corpus()
+    sample = paths[:: max(1, len(paths) // arguments.files)]
+    good = True
+    for folders in ([], headers()):
+        if folders or not os.environ.get("ROBOSMI_CORPUS"):
+            print(f"{len(sample)} programs, {'with' if folders else 'without'} headers, mean per file")
+        elif not folders:
+            print(f"{len(sample)} programs, without headers, mean per file")
+        times = {stage: seconds(stage, sample, folders) for stage in STAGES}
+        for stage, took in times.items():
+            ratio, bound = took / times["bare parse"], BOUNDS.get((stage, bool(folders)))
+            good &= bound is None or ratio <= bound
+            limit = f"  (bound {bound:.1f})" if bound else ""
+            print(f"  {stage:12} {took / len(sample) * 1000:8.2f} ms  {ratio:5.2f} x bare parse{limit}")
+        if not headers():
+            break
+    if arguments.lines:
+        rows = growth(arguments.lines)
+        for lines, took, memory in rows:
+            print(f"  on demand, {lines:7} lines: {took:6.1f} s, {took / lines * 1e6:5.0f} us a line, {memory:6.0f} MB")
+        good &= rows[-1][2] <= MEGABYTES and rows[-1][1] / rows[-1][0] <= 2 * rows[0][1] / rows[0][0]
+    if not arguments.no_pool:
+        whole = sorted(arguments.pool_corpus.rglob("*.c")) if arguments.pool_corpus else paths
+        times = {stage: pooled(stage, whole) for stage in ("bare parse", "everything")}
+        ratio = times["everything"] / times["bare parse"]
+        good &= ratio <= POOL
+        print(f"  pool, {len(whole)} programs: {times['everything']:.1f} s, {ratio:.2f} x bare parses (bound {POOL})")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,3 @@
+Dear all,
+please find the report (see below); it has 3 parts.
+Best regards

@@ -1,0 +1,1 @@
+void tick(void) { pause(DELAY); }

@@ -1,0 +1,8 @@
+#include "simpletools.h"
+
+int main()
+{
+  int x = ;
+  x = ;
+  high(x);
+}

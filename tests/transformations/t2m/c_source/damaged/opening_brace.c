@@ -1,0 +1,11 @@
+#include "simpletools.h"
+
+int main()
+  high(1);
+  low(2);
+}
+
+int more()
+{
+  return input(3);
+}

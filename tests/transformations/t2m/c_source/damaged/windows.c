@@ -1,0 +1,7 @@
+#include "simpletools.h"
+
+int main()
+{
+  high(1)
+  low(2);
+}

@@ -1,0 +1,173 @@
+"""Texts made to break a C reader: each is read or refused, in bounded time and memory, and none takes the process along."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from robosmi.errors import RobosmiError, SourceError
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents, all_of_kind
+from robosmi.transformations.t2m.c_source import read_program
+from robosmi.transformations.t2m.c_source.bounds import cuts
+from robosmi.transformations.t2m.c_source.lexer import tokens
+from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
+
+ROOT = Path(__file__).resolve().parents[4]
+
+
+@pytest.fixture(scope="module")
+def rows(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
+    """What became of each case; the reading process has bounded memory."""
+    folder = tmp_path_factory.mktemp("hostile")
+    command = [sys.executable, "-m", "tests.transformations.t2m.c_source.hostile", str(folder)]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env=environment, timeout=20 * SECONDS)
+    found = {row["name"]: row for row in map(json.loads, done.stdout.splitlines())}
+    assert done.returncode == 0, (list(found)[-1:], done.stderr[-2000:])
+    return found
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_is_read_or_refused(name: str, rows: dict[str, dict[str, Any]]) -> None:
+    row = rows[name]
+    assert row["seconds"] < SECONDS
+    if name in REFUSED:
+        assert row["state"] == "refused"
+        assert REFUSED[name] in row["message"]
+        assert row["fix"]
+        return
+    assert row["state"] == "read"
+    assert row["text"] == row["model"] + row["lost"]
+    if name not in NO_TAIL:
+        assert "tail" in row["functions"], "what stands behind the trap is read"
+
+
+def test_what_is_cut_is_a_finding_and_its_calls_are_listed(tmp_path: Path) -> None:
+    path = tmp_path / "deep.c"
+    path.write_text(f"int f(int a)\n{{\n  return {'low(' * 300}a{')' * 300};\n}}\nint main() {{ high(1); }}\n")
+    program, findings = read_program(path)
+    unit = program.units[0]
+    assert {f.rule for f in findings} == {"RS102", "RS104"}
+    assert all(f.location is not None and f.location.line == 3 for f in findings if f.rule == "RS104")
+    assert int(unit.callsInText) == 301
+    assert len(unit.unresolved) == 301 - int(unit.callsInModel) > 100
+    unknown = [e for e in all_contents(program) if isinstance(e, ccode.UnknownExpression)]
+    assert any("low(low(" in str(e.text) for e in unknown)
+
+
+def test_programs_of_persons_are_never_cut() -> None:
+    paths = sorted([*(ROOT / "docs" / "examples").rglob("*.c"), *(ROOT / "tests").rglob("*.c")])
+    assert len(paths) > 20
+    for path in paths:
+        data = path.read_bytes()
+        assert cuts(str(path), data, tokens(data)) == [], path
+
+
+def test_long_lists_are_no_nesting(tmp_path: Path) -> None:
+    path = tmp_path / "table.c"
+    rows = ",\n".join("{" + ", ".join(str(i) for i in range(50)) + "}" for _ in range(200))
+    path.write_text(
+        f"const int table[200][50] = {{\n{rows}\n}};\nenum {{ {', '.join(f'N{i}' for i in range(3000))} }};\nint x;\n"
+    )
+    program, findings = read_program(path)
+    assert findings == []
+    assert sum(1 for _ in all_of_kind(program, ccode.IntegerLiteral)) == 10_000
+
+
+def test_a_header_beside_the_file_is_no_trap_either(tmp_path: Path) -> None:
+    (tmp_path / "deep.h").write_text(f"int deep(int a) {{ return {'!' * 100_000}a; }}\nint shallow(void);\n")
+    (tmp_path / "ring.h").write_text('#include "ring.h"\n#include "deep.h"\n')
+    path = tmp_path / "main.c"
+    path.write_text('#include "ring.h"\n#include "main.c"\nint main() { shallow(); high(1); }\n')
+    program, _ = read_program(path)
+    assert {str(c.calleeName) for c in all_of_kind(program, ccode.Call)} == {"shallow", "high"}
+
+
+@pytest.mark.parametrize(
+    ("data", "rules"),
+    [
+        (b"int main() { high(1); }\r\n", set()),
+        (b"\xef\xbb\xbfint main() { high(1); }\n", set()),
+        ("int main() { high(1); }\n".encode("utf-16"), {"RS105"}),
+        ("int main() { high(1); }\n".encode("utf-16-le"), {"RS105"}),
+        ("int main() { high(1); }\n".encode("utf-16-be"), {"RS105"}),
+        (b"/* \xe9 */ int main() { high(1); }\n", {"RS105"}),
+        (b"int main() { high(1); } // \x80\x93\n", {"RS105"}),
+        (b"#error no\nint main() { high(1); }\n", {"RS101"}),
+        (b"int main() { high(1); }\x1a", {"RS101"}),
+        (b"int main()\r{ high(1); }\r", set()),
+        (b"#if\n#endif x\n#else\nint main() { high(1); }\n", {"RS101", "RS106"}),
+        (b'#include "main.c"\n#include ""\n#include <\n#include\nint main() { high(1); }\n', None),
+    ],
+)
+def test_forms_of_text(tmp_path: Path, data: bytes, rules: set[str] | None) -> None:
+    path = tmp_path / "main.c"
+    path.write_bytes(data)
+    program, findings = read_program(path)
+    assert [str(c.calleeName) for c in all_of_kind(program, ccode.Call)] == ["high"]
+    assert rules is None or {f.rule for f in findings} <= rules | {"RS103"}
+    assert rules is None or rules <= {f.rule for f in findings}
+
+
+@pytest.mark.parametrize(
+    "data", [b"int main() { high(1);\0 low(2); }\n", b"int main() { high(1); }\0", b"\0" * 100, b"\xff\xfe\0"]
+)
+def test_zero_bytes_are_a_clear_error(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "main.c"
+    path.write_bytes(data)
+    with pytest.raises(SourceError) as caught:
+        read_program(path)
+    assert caught.value.fix
+
+
+def test_include_folders_that_cannot_be_used(tmp_path: Path) -> None:
+    closed = tmp_path / "closed"
+    closed.mkdir()
+    (closed / "mine.h").write_text("int mine(void);\n")
+    (tmp_path / "ring").symlink_to(tmp_path / "ring")
+    (tmp_path / "loop").mkdir()
+    (tmp_path / "loop" / "loop").symlink_to(tmp_path / "loop")
+    (tmp_path / "file").write_text("")
+    path = tmp_path / "main.c"
+    path.write_text('#include "mine.h"\n#include "loop/loop/loop/gone.h"\nint main() { mine(); }\n')
+    closed.chmod(0)
+    try:
+        folders = [closed, tmp_path / "ring", tmp_path / "loop", tmp_path / "file", tmp_path / "none"]
+        program, findings = read_program(path, include_dirs=folders)
+    finally:
+        closed.chmod(0o700)
+    assert [str(c.calleeName) for c in all_of_kind(program, ccode.Call)] == ["mine"]
+    assert "RS103" in {f.rule for f in findings}
+
+
+WORDS = (
+    *"(){}[];,<>=+-*&!~?:.#\"'\\\n",
+    *("int", "void", "if", "else", "while", "for", "return", "struct", "typedef", "case", "do", "x", "y", "high", "1", "0x"),
+    *("'a'", '"s"', "//", "/*", "*/", "#define F(x) x x\n", "#if 1\n", "#else\n", "#endif\n", '#include "main.c"\n', "\xe9"),
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=60))
+def test_any_text_is_read_or_refused(tmp_path_factory: pytest.TempPathFactory, parts: list[str]) -> None:
+    path = tmp_path_factory.getbasetemp() / "main.c"
+    data = " ".join(parts).encode("latin-1")
+    path.write_bytes(data)
+    try:
+        program, _ = read_program(path)
+    except RobosmiError:
+        return
+    unit = program.units[0]
+    assert int(unit.callsInText) == int(unit.callsInModel) + len(unit.unresolved)
+    for element in all_contents(unit):
+        if isinstance(element, ccode.Located):
+            assert 0 <= int(element.startOffset) <= int(element.endOffset) <= len(data)

@@ -1,0 +1,1 @@
+another header of the same name, and no C

@@ -1,0 +1,176 @@
+"""The chain `platform import`: the headers of a folder become a source platform of the user's own.
+
+It is stored in the user's data folder, where every command finds it by its name; a second import of the same name adds to the
+first. Its settings (`platform.toml`) are those of another platform, with the macros given, and are the user's to change: an
+import does not overwrite them. Reading the headers is `t2m.platform_headers`.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi import resources
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import PlatformDataError, UsageError, did_you_mean
+from robosmi.model.files import write_atomic
+from robosmi.project import defaults
+from robosmi.transformations.t2m.platform_api import ApiIndex, forget_platforms
+from robosmi.transformations.t2m.platform_headers import read_headers
+
+_NAME = re.compile(r"[A-Za-z][\w-]{0,63}")
+_KINDS = ("functions", "macros", "vars", "consts", "types", "registers")
+
+
+@dataclass(frozen=True)
+class PlatformImport:
+    """What an import did: the platform's folder, the contract's result, and what was left out."""
+
+    folder: Path
+    result: dict[str, Any]
+    findings: list[Finding]
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        totals = self.result["totals"]
+        lines = [f"{len(self.result['added'])} headers to {self.folder}: " + ", ".join(f"{totals[k]} {k}" for k in totals)]
+        if self.result["missing"]:
+            lines.append(f"  included and not found: {', '.join(self.result['missing'][:10])}")
+        return [*lines, f"use it: --source-platform {self.result['platform']}"]
+
+
+def import_platform(
+    folder: Path, name: str, like: str | None = None, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()
+) -> PlatformImport:
+    """Add the headers of a folder to a source platform of the user's own.
+
+    Args:
+        folder: holds the headers, below it too.
+        name: of the platform; new, or one that was imported before.
+        like: a known platform that gives the settings of the parser, widths of types, the C library, and the meaning of the
+            functions that both have; one of which nothing is known if None.
+        include_dirs: further folders that the headers include from.
+        defines: macros from outside, for its programs too.
+
+    Raises:
+        UsageError: the name cannot be used, or there is no platform to be like.
+        SourceError: there is no such folder, or no header in it can be read.
+        PlatformDataError: what was imported before is damaged.
+    """
+    base = _base(name, like)
+    found = read_headers(folder, base, include_dirs, defines)
+    target = resources.user_data() / "platform_repo" / name
+    before = _headers(target / "api.json")
+    headers = before | found.headers
+    rows = ",\n".join(f"{_line(header)}:{_line(entry)}" for header, entry in sorted(headers.items()))
+    write_atomic(target / "api.json", ('{"headers":{\n' + rows + "\n}}\n").encode())
+    written = [target / "api.json"]
+    if not (target / "platform.toml").is_file():
+        write_atomic(target / "platform.toml", _settings(name, base, defines).encode())
+        written.append(target / "platform.toml")
+    forget_platforms()
+    result = {
+        "platform": name,
+        "like": base.name,
+        "added": [
+            {"header": header, "path": found.paths[header], "kind": entry["kind"], "replaced": header in before}
+            | {kind: len(entry.get(kind, ())) for kind in _KINDS}
+            for header, entry in sorted(found.headers.items())
+        ],
+        "skipped": [{"path": path, "why": why} for path, why in sorted(found.skipped.items())],
+        "missing": found.missing,
+        "written": [str(path) for path in written],
+        "totals": {kind: sum(len(entry.get(kind, ())) for entry in found.headers.values()) for kind in _KINDS},
+        "known": len(headers),
+    }
+    return PlatformImport(target, result, _findings(found.skipped, found.missing))
+
+
+def _base(name: str, like: str | None) -> ApiIndex:
+    own = resources.user_data() / "platform_repo" / name
+    if not _NAME.fullmatch(name):
+        raise UsageError(f"'{name}' is no name for a platform", fix="use letters, digits, _ and -, a letter first")
+    if (resources.built_in("platform_repo") / name).exists():
+        raise UsageError(
+            f"'{name}' is a platform of robosmi itself", fix=f"give another name, and --like {name} for its settings"
+        )
+    if own.exists() and not (own / "api.json").is_file():
+        raise UsageError(f"'{name}' is taken: {own} holds other data", fix="give another name")
+    if like is None and (own / "platform.toml").is_file():
+        return ApiIndex.load(name)  # as at the first import
+    known = sorted({api.parent.name for place in resources.folders("platform_repo") for api in place.glob("*/api.json")})
+    like = like or str(defaults()["platform_import"]["like"])
+    if like not in known or like == name:
+        raise UsageError(
+            f"there is no platform '{like}' to be like{did_you_mean(like, known)}", fix=f"use one of: {', '.join(known)}"
+        )
+    return ApiIndex.load(like)
+
+
+def _headers(path: Path) -> dict[str, Any]:
+    """The headers of earlier imports.
+
+    Raises:
+        PlatformDataError: the file is damaged.
+    """
+    if not path.is_file():
+        return {}
+    try:
+        headers = json.loads(path.read_bytes())["headers"]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise PlatformDataError(f"{path} is damaged: {error}", fix="delete the file and import again") from error
+    if not isinstance(headers, dict):
+        raise PlatformDataError(f"{path} is damaged: it has no table of headers", fix="delete the file and import again")
+    return headers
+
+
+def _settings(name: str, base: ApiIndex, defines: Sequence[str]) -> str:
+    """The text of `platform.toml`: the settings of another platform under the new name."""
+    settings: dict[str, Any] = {
+        **base.settings,
+        "name": name,
+        "title": name,
+        "standard": base.settings.get("standard", base.name),
+    }
+    settings["like"] = base.name
+    parser = dict(settings["parser"])
+    parser["defines"] = list(dict.fromkeys([*parser.get("defines", ()), *defines]))
+    settings["parser"] = parser
+    lines = [
+        f"# Made by `robosmi platform import` after the settings of '{base.name}'. Yours to change; another import keeps it.",
+        "",
+    ]
+    lines += [f"{key} = {_value(value)}" for key, value in settings.items() if not isinstance(value, dict)]
+    for key, value in settings.items():
+        if isinstance(value, dict):
+            lines += ["", f"[{key}]", *(f"{_key(k)} = {_value(v)}" for k, v in value.items())]
+    return "\n".join(lines) + "\n"
+
+
+def _key(key: str) -> str:
+    return key if re.fullmatch(r"[\w-]+", key) else json.dumps(key)
+
+
+def _value(value: Any) -> str:
+    """A TOML value; what settings are made of: texts, numbers, booleans, lists and tables of these."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(v) for v in value) + "]"
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
+
+
+def _findings(skipped: dict[str, str], missing: Sequence[str]) -> list[Finding]:
+    found = [Finding("RS110", Severity.info, f"left out: {why}", Location(path)) for path, why in sorted(skipped.items())]
+    return found + [
+        Finding("RS111", Severity.info, f"a header includes {name}, which was not found", None, fix="give its folder with -I")
+        for name in missing
+    ]

@@ -1,0 +1,302 @@
+"""What the parser cannot take is kept from it: nesting that would overflow its stack, macros that expand without bound.
+
+libclang dies of deep nesting, and the process with it; the limit on brackets that it has itself does not count operators,
+casts, branches and `else if`. So what nests too deep is found in the tokens, cut out of the copy that is parsed, and reported;
+the rest of the file is read. Real programs are far below the limits. How a copy is edited is in `mending`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.c_source.lexer import Token, definition_parts, directive_parts
+from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
+from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
+
+MAX_BRACKETS = 180
+"""Brackets within brackets; libclang gives up the file at 256."""
+MAX_RUN = 2000
+"""Tokens that may nest by operators, casts or branches without brackets (it dies of some 10,000 unary operators)."""
+MAX_BRANCHES = 1000
+"""`else` after `else` of one chain."""
+MAX_EXPANDED = 4_000_000
+"""Tokens of a file after its macros are expanded."""
+MAX_HEADERS = 1000
+LARGEST = 8_000_000
+"""Bytes of a source file or header; none of a microcontroller's program is that large."""
+_OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
+_INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
+_BRACKETS = re.compile(rb"[()\[\]{}]")
+_PREFIX = re.compile(rb"[;{}]")
+
+
+def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
+    """Edits that take out what nests too deep; none for all but made-up programs.
+
+    Args:
+        path: of the file, for the error.
+        data: its bytes.
+        tokens: its tokens, comments and directives too.
+
+    Raises:
+        SourceError: its macros expand to more than any parser should be given.
+    """
+    weights = _macro_weights(tokens) if data.count(b"#") and b"define" in data else {}
+    harmless = (
+        not weights
+        and data.count(b"else") < MAX_BRANCHES
+        and sum(map(data.count, (b"(", b"[", b"{"))) < MAX_BRACKETS
+        and (len(tokens) < MAX_RUN or max(map(len, _PREFIX.split(data))) < MAX_RUN)
+    )
+    if harmless:
+        return []
+    plain = [t for t in tokens if t[0] != "comment" and t[0] != "directive"]
+    scan = _Scan(plain, weights)
+    scan.run()
+    if scan.total > MAX_EXPANDED:
+        raise SourceError(
+            f"its macros expand to more than {MAX_EXPANDED:,} tokens",
+            location=Location(path), fix="take out the macros that double themselves",
+        )  # fmt: skip
+    return scan.edits
+
+
+def harmless_headers(path: str, data: bytes, folders: Sequence[str]) -> dict[str, bytes]:
+    """The headers that a text reaches beside it and in folders and that nest too deep, without what does; mostly none.
+
+    A header that cannot be read, or whose macros are without bound, becomes an empty one.
+    """
+    found: dict[str, bytes] = {}
+    own = os.path.dirname(os.path.abspath(path))
+    pending = [(own, name) for name in _INCLUDED.findall(data)]
+    seen: set[str] = set()
+    while pending and len(seen) < MAX_HEADERS:
+        beside, name = pending.pop()
+        for folder in (beside, *folders):
+            place = os.path.join(os.path.abspath(folder), name.decode("latin-1"))
+            if place in seen:
+                break
+            try:
+                state = os.stat(place)
+            except (OSError, ValueError):
+                continue
+            seen.add(place)
+            if os.path.isfile(place):
+                text, included = _harmless(place, state.st_mtime_ns, state.st_size)
+                if text is not None:
+                    found[place] = text
+                pending += [(os.path.dirname(place), inner) for inner in included]
+                break
+    return found
+
+
+@lru_cache(maxsize=2000)
+def _harmless(path: str, changed: int, size: int) -> tuple[bytes | None, tuple[bytes, ...]]:
+    """A header's text where it must be another than the file's, and the names of what it includes."""
+    if size > LARGEST:
+        return b"", ()
+    try:
+        with open(path, "rb") as stream:
+            data = stream.read()
+        included = tuple(_INCLUDED.findall(data))
+        if _shallow(data):
+            return None, included
+        edits = cuts(path, data, tokenise(data))
+    except (OSError, SourceError):
+        return b"", ()
+    return (Scratch(data, edits).data if edits else None), included
+
+
+def _shallow(data: bytes) -> bool:
+    """Whether the bytes alone show that nothing nests too deep."""
+    depth = 0
+    for bracket in _BRACKETS.findall(data) if sum(map(data.count, (b"(", b"[", b"{"))) >= MAX_BRACKETS else ():
+        depth += 1 if bracket in b"([{" else -1
+        if depth >= MAX_BRACKETS:
+            return False
+    return data.count(b"else") < MAX_BRANCHES and max(map(len, _PREFIX.split(data))) < 5 * MAX_RUN
+
+
+class _Scan:
+    """One pass over the tokens. A level is an open bracket; each counts the tokens of its run since the last separator."""
+
+    def __init__(self, tokens: Sequence[Token], weights: dict[str, tuple[int, int]]) -> None:
+        self.tokens = tokens
+        self.weights = weights
+        self.edits: list[Edit] = []
+        self.total = 0
+
+    def run(self) -> None:
+        """Fill `edits` and `total`."""
+        tokens = self.tokens
+        counts, starts, lists, factors, chains = [0], [0], [False], [1], [0]
+        depth_sum, i = 0, 0
+        while i < len(tokens):
+            kind, _, _, text = tokens[i]
+            weight = factors[-1]
+            if kind == "name" and text in self.weights:
+                weight *= self.weights[text][0]
+            self.total = min(self.total + weight, MAX_EXPANDED * 10)
+            if kind == "punct" and text in _OPEN:
+                if len(counts) >= MAX_BRACKETS:
+                    i = self._cut_brackets(i)
+                    continue
+                named = i > 0 and tokens[i - 1][0] == "name" and tokens[i - 1][3] in self.weights and text == "("
+                before = tokens[i - 1][3] if i else ""
+                inherits = text == "{" and (before in ("=", ",", "(", "return") or (before == "{" and lists[-1]))
+                of_type = text == "{" and i > 0 and tokens[i - 1][0] == "name" and before not in ("else", "do")
+                counts.append(0)
+                starts.append(i + 1)
+                lists.append(text != "{" or inherits or of_type)
+                factors.append(min(factors[-1] * self.weights[before][1], MAX_EXPANDED * 2) if named else factors[-1])
+                chains.append(0)
+            elif kind == "punct" and text in _CLOSE and len(counts) > 1:
+                depth_sum -= counts.pop()
+                for stack in (starts, lists, factors, chains):
+                    stack.pop()
+                counts[-1] += 1
+                depth_sum += 1
+            if text == ";" or (text == "," and lists[-1]) or (text == "}" and not lists[-1]):
+                following = tokens[i + 1][3] if i + 1 < len(tokens) else ""
+                if following == "else":
+                    chains[-1] += 1
+                    if chains[-1] > MAX_BRANCHES:
+                        i = self._cut_chain(i + 1)
+                        continue
+                else:
+                    chains[-1] = 0
+                depth_sum -= counts[-1]
+                counts[-1], starts[-1] = 0, i + 1
+            elif text not in _OPEN and text not in _CLOSE:
+                counts[-1] += weight
+                depth_sum += weight
+                if depth_sum > MAX_RUN:
+                    level = max(range(len(counts)), key=counts.__getitem__)
+                    i = self._cut_run(starts[level], i)
+                    while len(counts) > level + 1:
+                        depth_sum -= counts.pop()
+                        for stack in (starts, lists, factors, chains):
+                            stack.pop()
+                    depth_sum -= counts[-1]
+                    counts[-1], starts[-1] = 0, i
+                    continue
+            i += 1
+
+    def _cut_brackets(self, number: int) -> int:
+        """Take out what is between a bracket and the one that closes it; the number of the closing token."""
+        close = self._closing(number)
+        start = self.tokens[number][2]
+        end = self.tokens[close][1] if close < len(self.tokens) else self.tokens[-1][2]
+        if end > start:
+            self.edits.append(Edit(start, end - start, b" " if self.tokens[number][3] == "{" else b"0"))
+        return close if close > number else number + 1
+
+    def _cut_run(self, first: int, number: int) -> int:
+        """Take out a run, its value alone where it has one; the number of the token behind it."""
+        tokens, depth, i = self.tokens, 0, first
+        value: int | None = None
+        while i < len(tokens):
+            text = tokens[i][3]
+            if text in _OPEN and (i < number or depth or text != "{"):
+                depth += 1
+            elif text in _CLOSE:
+                depth -= 1
+            elif depth == 0 and value is None and text in ("=", "return"):
+                value = i + 1
+            if depth < 0 or (depth == 0 and (text == ";" or (i > number and text in (",", "{")))):
+                break
+            i += 1
+        start = tokens[value if value is not None and value < i else first][1]
+        self.edits.append(Edit(start, max(0, tokens[i - 1][2] - start), b" 0" if value is not None else b" "))
+        return i
+
+    def _cut_chain(self, number: int) -> int:
+        """Take out the rest of a chain of branches; the number of the token behind it."""
+        tokens, depth, i = self.tokens, 0, number
+        while i < len(tokens):
+            text = tokens[i][3]
+            depth += (text in _OPEN) - (text in _CLOSE)
+            if depth < 0:
+                break
+            ends = depth == 0 and text in (";", "}")
+            i += 1
+            if ends and not (i < len(tokens) and tokens[i][3] == "else"):
+                break
+        start = tokens[number][1]
+        self.edits.append(Edit(start, tokens[i - 1][2] - start, b" "))
+        return i
+
+    def _closing(self, number: int) -> int:
+        depth = 0
+        for i in range(number, len(self.tokens)):
+            text = self.tokens[i][3]
+            depth += (text in _OPEN) - (text in _CLOSE)
+            if depth == 0:
+                return i
+        return len(self.tokens)
+
+
+def _macro_weights(tokens: Sequence[Token]) -> dict[str, tuple[int, int]]:
+    """For each macro that could grow: the tokens that a use becomes, and how often it repeats an argument; else empty."""
+    bodies: dict[str, tuple[list[str], list[str] | None]] = {}
+    for kind, _, _, text in tokens:
+        if kind == "directive" and "define" in text:
+            word, rest = directive_parts(text)
+            name, parameters, body = definition_parts(rest) if word == "define" else ("", None, "")
+            if name:
+                words = [t for k, _, _, t in tokenise(body.encode("utf-8", "replace")) if k not in ("comment", "directive")]
+                if name not in bodies or len(words) > len(bodies[name][0]):
+                    bodies[name] = (words, parameters)
+    bound = 1.0
+    for words, parameters in bodies.values():
+        bound = min(bound * max(1, len(words)), 1e12)
+        if any(words.count(parameter) > 1 for parameter in parameters or ()):
+            bound = 1e12
+    if bound < MAX_RUN / 2:
+        return {}
+    found: dict[str, tuple[int, int]] = {}
+    for name in _inner_first(bodies):
+        words, parameters = bodies[name]
+        found[name] = _weigh(words, parameters or (), found)
+    return {name: weight for name, weight in found.items() if weight[0] > 1 or weight[1] > 1}
+
+
+def _inner_first(bodies: dict[str, tuple[list[str], list[str] | None]]) -> Iterator[str]:
+    """The macros, each after those that its body uses; a ring is entered anywhere, since C expands no macro within itself."""
+    done: set[str] = set()
+    for start in bodies:
+        pending = [(start, False)]
+        entered: set[str] = set()
+        while pending:
+            name, ready = pending.pop()
+            if name in done:
+                continue
+            if ready:
+                done.add(name)
+                yield name
+            elif name not in entered:
+                entered.add(name)
+                pending.append((name, True))
+                pending += [(w, False) for w in bodies[name][0] if w in bodies and w not in done and w not in entered]
+
+
+def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, tuple[int, int]]) -> tuple[int, int]:
+    """Tokens of an expanded body, and how often it repeats its most repeated parameter."""
+    most = MAX_EXPANDED * 2
+    size, uses = 0, dict.fromkeys(parameters, 0)
+    factors = [1]
+    for i, word in enumerate(words):
+        if word in uses:
+            uses[word] = min(uses[word] + factors[-1], most)
+        if word == "(":
+            before = words[i - 1] if i else ""
+            factors.append(min(factors[-1] * max(1, known[before][1] if before in known else 1), most))
+        elif word == ")" and len(factors) > 1:
+            factors.pop()
+        size = min(size + factors[-1] * (known[word][0] if word in known else 1), most)
+    return max(1, size), max([1, *uses.values()])

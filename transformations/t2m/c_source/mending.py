@@ -1,0 +1,172 @@
+"""Mending a damaged text for the parser alone: edits of a scratch copy, and the way back from its offsets to the file's.
+
+In C a statement with a syntax error is lost, often with the one behind it. So the parser's own fix-its (a missing semicolon)
+are applied to a copy of the text, and where it has none, a bracket, brace or comma is put where it says that one is missing.
+An edit is kept only when fewer complaints are left. The complaints stay findings; the file and the model's text are never
+changed. Which edits are tried is here, the loop is in `parsing`.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from robosmi.transformations.t2m.c_source.lexer import Token
+
+MAX_ROUNDS = 10
+"""Rounds of mending a text; each is one parse more."""
+_ENDING = re.compile(r"[\s)\]};]*(?://.*)?$")
+_HEADS = frozenset(["if", "while", "for", "switch"])
+_CLOSERS = {")": "(", "]": "[", "}": "{"}
+_EXPECTED = {"expected ')'": ")", "expected ']'": "]", "expected '('": "(", "expected ';'": ";", "expected '}'": "}"}
+
+
+class Edit(NamedTuple):
+    """A change of the copy: at an offset of the file so many bytes are replaced by a text."""
+
+    offset: int
+    removed: int
+    text: bytes
+
+
+class Scratch:
+    """A text with edits.
+
+    Args:
+        source: the bytes of the file.
+        edits: in any order; one that touches another is left out.
+    """
+
+    def __init__(self, source: bytes, edits: Sequence[Edit] = ()) -> None:
+        self.edits: list[Edit] = []
+        behind = -1
+        for edit in sorted(set(edits)):
+            if edit.offset >= behind and edit.offset + edit.removed <= len(source):
+                self.edits.append(edit)
+                behind = edit.offset + max(edit.removed, 1)
+        parts: list[bytes] = []
+        self._starts: list[int] = []
+        done = length = 0
+        for edit in self.edits:
+            parts += [source[done : edit.offset], edit.text]
+            length += edit.offset - done
+            self._starts.append(length)
+            length += len(edit.text)
+            done = edit.offset + edit.removed
+        parts.append(source[done:])
+        self.data = b"".join(parts) if self.edits else source
+
+    def source_offset(self, offset: int) -> int:
+        """Where an offset of the copy is in the file; what was put in stands where it was put."""
+        number = bisect_right(self._starts, offset) - 1
+        if number < 0:
+            return offset
+        edit = self.edits[number]
+        inside = offset - self._starts[number] - len(edit.text)
+        return edit.offset + edit.removed + inside if inside >= 0 else edit.offset
+
+
+def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:
+    """Edits that may answer a complaint for which the parser has no fix-it; empty where nothing is known.
+
+    Args:
+        message: the complaint.
+        offset: its place in the file.
+        tokens: of the file, comments and directives left out.
+        earlier: starts of these tokens.
+    """
+    number = bisect_right(earlier, offset) - 1
+    if number >= 0 and tokens[number][2] <= offset:
+        number += 1  # the place is behind that token
+    at = tokens[number] if 0 <= number < len(tokens) else ("", offset, offset, "")
+    if message.startswith("function definition is not allowed here"):
+        return [Edit(_statement_start(tokens, number), 0, b"}")]
+    if message.startswith("expected function body after function declarator"):
+        return [Edit(offset, 0, b"{")]
+    if message.startswith("extraneous closing brace"):
+        closing = _closed_too_early(tokens, number)
+        return [Edit(closing, 1, b" ")] if closing is not None else []
+    if message.startswith("expected expression"):
+        return [Edit(at[1], 0, b"if(0);" if at[3] == "else" else b"0 ")]
+    if message.startswith("expected ';' after top level declarator") and number > 0 and tokens[number - 1][3] == ")":
+        return [Edit(offset, 0, b"{")]
+    missing = next((text for words, text in _EXPECTED.items() if message.startswith(words)), "")
+    if missing == ")" and at[0] in ("name", "number", "string", "char") and not _of_a_head(tokens, number):
+        return [Edit(offset, 0, b",")]
+    return [Edit(offset, 0, missing.encode())] if missing else []
+
+
+def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:
+    """An opening bracket behind the name before a place, where the statement closes one bracket more than it opens."""
+    number = bisect_right(earlier, offset) - 1
+    if number >= 0 and tokens[number][2] > offset:
+        number -= 1  # the place is at the token behind the name
+    depth = 0
+    for i in range(number + 1, len(tokens)):
+        text = tokens[i][3]
+        depth += (text == "(") - (text == ")")
+        if depth < 0 or text in (";", "{", "}"):
+            break
+    back = number
+    while depth < 0 and back >= 0 and tokens[back][3] not in (";", "{", "}", "("):
+        if tokens[back][0] == "name" and (back == number or tokens[back][3] in _HEADS):
+            return [Edit(tokens[back][2], 0, b"(")]
+        back -= 1
+    return []
+
+
+def closed_strings(tokens: Sequence[Token]) -> list[Edit]:
+    """A quote for each string that its line does not end, before the brackets and the semicolon that end the statement."""
+    edits = []
+    for kind, start, _, text in tokens:
+        if kind in ("string", "char") and (len(text) < 2 or text[-1] != text.lstrip("LuU8")[0]):
+            body = text.rstrip()
+            ending = _ENDING.search(body)
+            edits.append(Edit(start + (ending.start() if ending else len(body)), 0, text.lstrip("LuU8")[:1].encode()))
+    return edits
+
+
+def _statement_start(tokens: Sequence[Token], number: int) -> int:
+    """Where the statement that holds a token begins."""
+    depth = 0
+    i = min(number, len(tokens)) - 1
+    while i >= 0:
+        text = tokens[i][3]
+        depth += (text in (")", "]")) - (text in ("(", "["))
+        if depth <= 0 and text in (";", "{", "}"):
+            return tokens[i][2]
+        i -= 1
+    return 0
+
+
+def _closed_too_early(tokens: Sequence[Token], number: int) -> int | None:
+    """The brace before a surplus one that ended a function although its text goes on; None where nothing stands between."""
+    depth = 0
+    last = None
+    for kind, start, _, text in tokens[:number]:
+        if kind == "punct" and text == "{":
+            depth += 1
+        elif kind == "punct" and text == "}":
+            depth = max(0, depth - 1)
+            if depth == 0:
+                last = start
+    between = next((t for t in tokens[:number] if last is not None and t[1] > last), None)
+    return last if between is not None else None
+
+
+def _of_a_head(tokens: Sequence[Token], number: int) -> bool:
+    """Whether the bracket that is open at a token is that of `if`, `while`, `for` or `switch`."""
+    open_: list[str] = []
+    for i in range(number - 1, -1, -1):
+        text = tokens[i][3]
+        if text in _CLOSERS:
+            open_.append(_CLOSERS[text])
+        elif open_ and text == open_[-1]:
+            open_.pop()
+        elif text == "(":
+            return i > 0 and tokens[i - 1][3] in _HEADS
+        elif text in (";", "{", "}"):
+            return False
+    return False

@@ -1,0 +1,286 @@
+"""Text to model: the headers of a folder become the API of a source platform, as `platform_api` reads it (`api.json`).
+
+Kept are facts: which header declares which function, macro, variable, constant and type, with its form. Headers are read as
+programs are (`c_source`), so that what is behind a condition that does not hold is left out. What the declarations mean for
+a migration no header says; that is written by hand (`meanings.toml`). Where the result is stored is the chain's business.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import read_unit
+from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_parts, tokens
+from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.propeller_facts import tidy
+
+ENDINGS = (".h", ".hh", ".hpp")
+LARGEST = 4_000_000
+MOST = 5000
+_SOURCES = (*ENDINGS, ".c", ".cc", ".cpp", ".cxx", ".ino")
+_INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.MULTILINE)
+_RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
+_ADDRESS = re.compile(r"\*\s*\(\s*(?:\(\s*)?[\w\s]*\bvolatile\b[\w\s]*\*")
+
+
+@dataclass
+class ApiFound:
+    """What the headers of a folder declare.
+
+    Attributes:
+        headers: name as it is included -> its entry, in the form of `api.json`.
+        paths: the same name -> the file that was read.
+        skipped: path -> why it was left out.
+        missing: headers that are included and are neither in the folder nor standard ones.
+    """
+
+    headers: dict[str, dict[str, Any]] = field(default_factory=dict)
+    paths: dict[str, str] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
+    missing: list[str] = field(default_factory=list)
+
+
+def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()) -> ApiFound:
+    """The API that the headers below a folder declare.
+
+    Args:
+        folder: the platform's headers; sources beside them only tell how the headers are included.
+        api: a platform whose settings say how they are parsed and which headers are standard.
+        include_dirs: further folders that the headers include from.
+        defines: macros from outside, `NAME` or `NAME=VALUE`.
+
+    Raises:
+        SourceError: there is no such folder, or no header in it can be read.
+        MissingToolError: libclang is not installed.
+    """
+    if not folder.is_dir():
+        raise SourceError("there is no such folder", location=Location(str(folder)), fix="give the folder of the headers")
+    found = ApiFound()
+    files = _files(folder, found)
+    names = _names(folder, files, found)
+    roots = dict.fromkeys(_root(path, name) for name, paths in names.items() for path in paths[:1])
+    folders = [*roots, *(str(d) for d in include_dirs)]
+    missing: set[str] = set()
+    by_path = {os.path.realpath(path): name for name, paths in names.items() for path in paths}
+    for name, paths in sorted(names.items()):
+        for path in paths:
+            if name in found.paths:
+                found.skipped[str(path)] = f"another header of that name was read: {found.paths[name]}"
+                continue
+            try:
+                unit, _ = read_unit(path, api, folders, defines)
+            except SourceError as error:
+                found.skipped[str(path)] = error.message
+                continue
+            entry = _entry(unit, by_path)
+            if lost := _damaged(unit, entry):
+                found.skipped[str(path)] = f"the rest was read, but not {', '.join(lost)}: syntax errors"
+            missing.update(
+                n for n in entry["includes"] if n not in names and api.header_kind(n) is None and not _resolved(unit, n)
+            )
+            kind = api.raw_kind(name) or "platform"
+            found.headers[name] = {"kind": kind, "source": "import"} | {key: value for key, value in entry.items() if value}
+            found.paths[name] = str(path)
+    if not found.headers:
+        causes = "; ".join(sorted(set(found.skipped.values()))[:3])
+        raise SourceError(
+            f"no header in this folder could be read{f': {causes}' if causes else ''}",
+            location=Location(str(folder)), fix=f"give a folder with headers ({', '.join(ENDINGS)})",
+        )  # fmt: skip
+    _mark_registers(found)
+    found.missing = sorted(missing)
+    return found
+
+
+def _files(folder: Path, found: ApiFound) -> list[Path]:
+    """The headers and sources below a folder; each folder once, whatever links lead to it."""
+    files: list[Path] = []
+    seen: set[str] = set()
+
+    def unreadable(error: OSError) -> None:
+        found.skipped[str(error.filename)] = f"the folder cannot be read: {error.strerror}"
+
+    for place, folders, names in os.walk(folder, onerror=unreadable, followlinks=True):
+        real = os.path.realpath(place)
+        if real in seen:
+            folders.clear()
+            continue
+        seen.add(real)
+        folders[:] = sorted(f for f in folders if not f.startswith("."))
+        files += [Path(place, name) for name in sorted(names) if name.lower().endswith(_SOURCES)]
+    return files
+
+
+def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, list[Path]]:
+    """How each header is included -> the files of that name: those in folders `include` first, then the least deep.
+
+    A header's name is relative to a folder `include` above it, or as long as some file of the folder writes it, or bare.
+    """
+    headers: list[Path] = []
+    written: set[str] = set()
+    for path in files:
+        try:
+            if path.stat().st_size > LARGEST:
+                raise ValueError("it is too large for a header")
+            data = path.read_bytes()
+        except (OSError, ValueError) as error:
+            if path.suffix.lower() in ENDINGS:
+                found.skipped[str(path)] = getattr(error, "strerror", None) or str(error)
+            continue
+        written.update(os.path.normpath(n.decode("latin-1")).replace("\\", "/") for n in _INCLUDE.findall(data))
+        if path.suffix.lower() in ENDINGS:
+            headers.append(path)
+    if len(headers) > MOST:
+        raise SourceError(
+            f"there are {len(headers)} headers in this folder, more than a platform has ({MOST})",
+            location=Location(str(folder)), fix="give the folder of the platform's own headers",
+        )  # fmt: skip
+    names: dict[str, list[Path]] = {}
+    ranked: list[tuple[bool, int, str, str, Path]] = []
+    for path in headers:
+        parts = path.relative_to(folder).parts
+        whole = [*folder.resolve().parts[-1:], *parts]
+        above = max((i for i, part in enumerate(whole[:-1]) if part in ("include", "inc")), default=None)
+        tails = ("/".join(parts[i:]) for i in range(len(parts)))
+        name = "/".join(whole[above + 1 :]) if above is not None else next((t for t in tails if t in written), parts[-1])
+        ranked.append((above is None, len(parts), str(path), name, path))
+    for _, _, _, name, path in sorted(ranked):
+        names.setdefault(name, []).append(path)
+    return names
+
+
+def _root(path: Path, name: str) -> str:
+    """The folder that the header's name is relative to."""
+    return str(path.parents[len(PurePosixPath(name).parts) - 1])
+
+
+def _resolved(unit: ccode.SourceUnit, name: str) -> bool:
+    return any(i.resolvedPath for i in unit.includes if str(i.header) == name)
+
+
+def _entry(unit: ccode.SourceUnit, by_path: dict[str, str]) -> dict[str, Any]:
+    """What one header declares."""
+    entry: dict[str, Any] = {
+        "includes": [], "functions": {}, "macros": {}, "vars": {}, "consts": [], "types": {}, "registers": []
+    }  # fmt: skip
+    for include in unit.includes:
+        name = by_path.get(os.path.realpath(str(include.resolvedPath)), "") if include.resolvedPath else ""
+        entry["includes"].append(name or str(include.header))
+    for name, like in _defaults(str(unit.path)):
+        entry["macros"][name] = int(like)
+    for macro in unit.macros:
+        entry["macros"][str(macro.name)] = int(bool(macro.functionLike))
+        if not macro.functionLike and _ADDRESS.search(str(macro.body or "")):
+            entry["registers"].append(str(macro.name))
+        elif not macro.functionLike and re.fullmatch(r"[A-Za-z_]\w*", str(macro.body or "")):
+            entry.setdefault("aliases", {})[str(macro.name)] = str(macro.body)
+    pending: list[tuple[Any, str]] = [(d, "") for d in reversed(unit.declarations)]
+    while pending:
+        declaration, scope = pending.pop()
+        name = str(declaration.name or "")
+        if isinstance(declaration, ccode.Namespace):
+            pending += [(d, f"{scope}{name}::") for d in reversed(declaration.declarations)]
+        elif isinstance(declaration, ccode.Function):
+            entry["functions"][scope + name] = _function(declaration)
+        elif isinstance(declaration, ccode.Variable):
+            entry["vars"][scope + name] = _variable(declaration)
+            if declaration.valueType is not None and "volatile" in str(declaration.valueType.spelling).split():
+                entry.setdefault("volatile", []).append(scope + name)
+        elif isinstance(declaration, ccode.Enumeration):
+            entry["consts"] += [scope + str(literal.name) for literal in declaration.literals]
+            if name:
+                entry["types"].setdefault(scope + name, "enum")
+        elif isinstance(declaration, ccode.Record):
+            if name:
+                entry["types"].setdefault(scope + name, _RECORDS[declaration.recordKind.name])
+                pending += [(m, f"{scope}{name}::") for m in reversed(declaration.methods)]
+        elif isinstance(declaration, ccode.Typedef) and name:
+            entry["types"].setdefault(scope + name, "typedef")
+    for kind in ("functions", "macros", "vars", "types"):
+        entry[kind] = dict(sorted(entry[kind].items()))
+    entry["consts"] = sorted(set(entry["consts"]))
+    return entry
+
+
+def _damaged(unit: ccode.SourceUnit, entry: dict[str, Any]) -> list[str]:
+    """Take out what has a syntax error in it; the names."""
+    places = [int(p.startOffset) for p in unit.problems if p.fatal]
+    lost = []
+    for declaration in unit.declarations if places else ():
+        name = str(declaration.name or "")
+        if any(int(declaration.startOffset) <= place <= int(declaration.endOffset) for place in places):
+            for kind in ("functions", "vars", "types"):
+                if entry[kind].pop(name, None) is not None:
+                    lost.append(name)
+    return sorted(lost)
+
+
+def _defaults(path: str) -> Iterator[tuple[str, bool]]:
+    """Macros that the header defines where nobody did (`#ifndef X`, `#define X`), whether or not another header was faster."""
+    open_: list[str] = []
+    for kind, _, _, text in tokens(Path(path).read_bytes()):
+        if kind != "directive":
+            continue
+        word, rest = directive_parts(text)
+        if word in ("if", "ifdef", "ifndef"):
+            open_.append(rest if word == "ifndef" else "")
+        elif word in ("else", "elif") and open_:
+            open_[-1] = ""
+        elif word == "endif" and open_:
+            open_.pop()
+        elif word == "define" and open_:
+            name, parameters, _ = definition_parts(rest)
+            if name and name == open_[-1] and all(len(open_) - i == 1 or outer for i, outer in enumerate(open_)):
+                yield name, parameters is not None
+
+
+def _function(function: ccode.Function) -> list[str]:
+    """Type of the value and parameters."""
+    text = str(function.signature or "")
+    match = re.search(rf"\b{re.escape(str(function.name))}\s*(\(.*\))", text, re.DOTALL)
+    result = str(function.returnType.spelling) if function.returnType is not None else "int"
+    return [_form(result), _form(match[1]) if match else "()"]
+
+
+def _form(text: str) -> str:
+    """A type or parameter list in the spelling of `api.json`."""
+    return tidy(re.sub(r"(?<=\w)\*", " *", re.sub(r"\s+\)", ")", re.sub(r"\(\s+", "(", text))))
+
+
+def _variable(variable: ccode.Variable) -> str:
+    use = variable.valueType
+    return _form(f"{use.spelling}{'[]' if use.arrayDims else ''}") if use is not None else "int"
+
+
+def _mark_registers(found: ApiFound) -> None:
+    """Which names are registers: memory at a fixed address, variables with a name of the assembler's, and other names of these.
+
+    A volatile variable alone is none: programs share such variables between cores and with interrupts.
+    """
+    registers: set[str] = set()
+    aliases: dict[str, str] = {}
+    for name, entry in found.headers.items():
+        registers.update(entry.get("registers", ()))
+        aliases.update(entry.pop("aliases", {}))
+        candidates = entry.pop("volatile", ())
+        if candidates:
+            text = Path(found.paths[name]).read_text(encoding="utf-8", errors="replace")
+            registers.update(n for n in candidates if re.search(rf"\b{re.escape(n)}\s+(?:__asm__|asm|__asm)\s*\(", text))
+    for _ in range(len(aliases)):
+        more = {name for name, target in aliases.items() if target in registers} - registers
+        if not more:
+            break
+        registers |= more
+    for entry in found.headers.values():
+        own = sorted(registers & {*entry.get("macros", ()), *entry.get("vars", ())})
+        entry.pop("registers", None)
+        if own:
+            entry["registers"] = own
