@@ -14,11 +14,13 @@ from typing import Any
 from pyecore import ecore
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFeature
 
-from robosmi.model import strict
-from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder, note_link
+from robosmi.model import lean, strict
+from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder, note_link
 
+Plan = tuple[Any, str, Any, Any, Any]
+"""Class of the values that go in bare, key of the slot, feature, how to put other values in, what that needs to know."""
 _PYTHON = {ecore.EString: str, ecore.EInt: int, ecore.ELong: int, ecore.EBoolean: bool, ecore.EDouble: float}
-_PLANS: dict[type, dict[str, tuple[Any, Any, Any]]] = {}
+_PLANS: dict[type, dict[str, Plan]] = {}
 
 
 def initialise(element: Any, features: dict[str, Any]) -> None:
@@ -28,7 +30,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         UnknownFeatureError: a name is no feature of the class.
         FeatureValueError: a value is of the wrong kind.
     """
-    cls = type(element)
+    cls = element.__class__
     plan = _PLANS.get(cls) or _plan(cls)
     slots = element.__dict__
     for name, value in features.items():
@@ -37,25 +39,47 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         entry = plan.get(name)
         if entry is None:
             raise strict.unknown_feature(element, name)
-        feature, put, kind = entry
-        if put is None or not put(element, slots, feature._name, feature, kind, value):
+        bare, key, feature, put, kind = entry
+        if value.__class__ is bare:
+            slots[key] = value
+        elif put is None or not put(element, slots, key, feature, kind, value):
             setattr(element, name, value)
-        else:
-            _set(slots, feature)
+            continue
+        if "_isset" in slots:  # else it is read off the slots when somebody asks
+            slots["_isset"][feature] = None
 
 
-def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
-    plan: dict[str, tuple[Any, Any, Any]] = {}
+def connect(element: Any, name: str, value: Any) -> None:
+    """Set a cross reference of an element as its constructor would; one that was set before is changed as by assignment.
+
+    Raises:
+        UnknownFeatureError: the name is no feature of the class.
+        FeatureValueError: the value is of the wrong kind.
+    """
+    slots = element.__dict__
+    if name in slots:
+        setattr(element, name, value)
+    else:
+        initialise(element, {name: value})
+
+
+def _plan(cls: type) -> dict[str, Plan]:
+    plan: dict[str, Plan] = {}
     for base in reversed(cls.__mro__):
         for name, feature in base.__dict__.items():
             if not isinstance(feature, EStructuralFeature):
                 continue
             put: Any
+            bare = None
             if isinstance(feature, EAttribute):
                 enumeration = isinstance(feature.eType, EEnum)
-                kind = (feature.eType,) if enumeration else _PYTHON.get(feature.eType)
+                kind = feature.eType if enumeration else _PYTHON.get(feature.eType)
                 many = None if feature.unique or enumeration else _put_attributes
-                put = None if kind is None else many if feature.many else _put_literal if enumeration else _put_attribute
+                put = None if kind is None else many if feature.many else _put_literal if enumeration else None
+                if kind is not None and not feature.many and lean.bare(feature):
+                    bare = None if enumeration else kind
+                elif not feature.many:
+                    put = None
             else:
                 kind = feature.eType
                 opposite = feature.eOpposite
@@ -67,20 +91,15 @@ def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
                     put = _put_one_of_many
                 else:
                     put = None
-            plan[name] = (feature, put, kind)
+            plan[name] = (bare, feature._name, feature, put, kind)
     _PLANS[cls] = plan
     return plan
 
 
-def _put_attribute(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if value.__class__ is not kind:
-        return False
-    slots[name] = holder(AttributeValue, element, feature, value)
-    return True
-
-
 def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
     found = list(values) if values.__class__ is not str else None
+    if found == []:
+        return True
     if found is None or any(value.__class__ is not kind for value in found):
         return False
     slots[name] = many = collection(element, feature)
@@ -89,18 +108,18 @@ def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any
 
 
 def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if value.__class__ is not EEnumLiteral or value.eContainer() is not kind[0]:
+    if value.__class__ is not EEnumLiteral or value._container is not kind:
         return False
-    slots[name] = holder(AttributeValue, element, feature, value)
+    slots[name] = value
     return True
 
 
-def _adopt(element: Any, feature: Any, kind: Any, value: Any) -> bool:
+def _adopt(element: Any, feature: Any, kind: Any, value: Any, birth: Any) -> bool:
     """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
     if value.__class__ is EProxy or not isinstance(value, kind):
         return False
     if not feature.containment:
-        note_link(value, (element, feature))
+        note_link(value, birth)
         return True
     if value._container is not None or value._eresource is not None:
         return False
@@ -108,26 +127,29 @@ def _adopt(element: Any, feature: Any, kind: Any, value: Any) -> bool:
     slots["_container"] = element
     slots["_containment_feature"] = feature
     if "_inverse_rels" in slots:
-        slots["_inverse_rels"].add((element, feature))
+        slots["_inverse_rels"].add(birth)
     else:
-        slots["_birth"] = (element, feature)
+        slots["_birth"] = birth
     return True
 
 
 def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if not _adopt(element, feature, kind, value):
+    if not _adopt(element, feature, kind, value, (element, feature)):
         return False
     slots[name] = holder(ContainedValue if feature.containment else ReferenceValue, element, feature, value)
     return True
 
 
 def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
+    if values.__class__ is list and not values:
+        return True
     many = slots[name] = collection(element, feature)
     items, positions = many.items, many.map
+    birth = (element, feature)
     for value in values:
         if value in positions:
             continue
-        if _adopt(element, feature, kind, value):
+        if _adopt(element, feature, kind, value, birth):
             positions[value] = len(items)
             items.append(value)
         else:

@@ -1,8 +1,9 @@
 """Elements without ballast: how values lie inside a pyecore EObject, and how to put them there without its setters.
 
-pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are holders with
-what all share in their class, and descriptors that make the four containers when somebody asks. Elements stay pyecore
-EObjects: its own setters, collections and `delete` work on them. Only the XMI reader, `construct` and `strict` use this module.
+pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are attributes whose
+plain values lie bare in the element until somebody changes them, holders with what all share in their class, and descriptors
+that make the four containers when somebody asks. Elements stay pyecore EObjects: its own setters, collections and `delete`
+work on them. Only the XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from pyecore.ecore import EEnum
+from pyecore.ecore import EAttribute, EEnum, EEnumLiteral
 from pyecore.innerutils import InternalSet
 from pyecore.valuecontainer import ECollection, EOrderedSet, EValue
 
@@ -39,6 +40,45 @@ ContainedValue = _holder_class("ContainedValue", True, True)
 HOLDERS = (AttributeValue, ReferenceValue, ContainedValue)
 
 _new = object.__new__
+_NOTHING: Any = object()
+
+REFUSAL = "_refusal"
+"""Where an element that nobody can change has what makes the error, of the element and a feature's name."""
+BARE = frozenset([int, str, bool, float, EEnumLiteral])
+"""Classes of the values that lie bare in an element, by their exact class."""
+
+
+class _BareAttribute(EAttribute):  # type: ignore[misc]
+    """An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
+
+    def __get__(self, instance: Any, owner: Any = None) -> Any:
+        if instance is None:
+            return self
+        value = instance.__dict__.get(self._name, _NOTHING)
+        if value.__class__ in BARE:
+            return value
+        if value is _NOTHING and REFUSAL in instance.__dict__:
+            return self.get_default_value()  # an element that nobody can change needs no holder for what it has not
+        return super().__get__(instance, owner)
+
+    def __set__(self, instance: Any, value: Any) -> None:
+        slots = instance.__dict__
+        if REFUSAL in slots:
+            raise slots[REFUSAL](instance, self._name)
+        present = slots.get(self._name, _NOTHING)
+        if present.__class__ in BARE:
+            slots[self._name] = holder(AttributeValue, instance, self, present)
+        super().__set__(instance, value)
+
+
+_BareAttribute.__name__ = _BareAttribute.__qualname__ = EAttribute.__name__  # it is the same thing to all who ask
+
+
+def bare(feature: Any) -> bool:
+    """Whether values of the feature may lie bare in elements from now on, which is for attributes of one value alone."""
+    if feature.__class__ is EAttribute and not (feature.many or feature.derived or feature.volatile):
+        feature.__class__ = _BareAttribute
+    return feature.__class__ is _BareAttribute
 
 
 def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
@@ -74,6 +114,11 @@ def holders_of(element: Any) -> list[Any]:
     return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
 
 
+def value_in(slot: Any) -> Any:
+    """The value in a slot of an attribute of one value, bare or in a holder."""
+    return slot if slot.__class__ in BARE else slot._value
+
+
 class _Made:
     """A container that is made when it is first asked for, and then is an ordinary attribute."""
 
@@ -89,10 +134,18 @@ class _Made:
 
 
 def _set_features(element: Any) -> Any:
-    """The features that were given a value: those with a holder or collection of ours, and collections that hold something."""
+    """The features that were given a value: bare ones, those with a holder or collection of ours, collections with something."""
     found = InternalSet()
-    for value in holders_of(element):
-        if isinstance(value, HOLDERS) or (isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value))):
+    cls = element.__class__
+    for name, value in element.__dict__.items():
+        if value.__class__ in BARE:
+            feature = getattr(cls, name, None)
+            if feature.__class__ is _BareAttribute:
+                found[feature] = None
+        elif isinstance(value, EValue):
+            if value.__class__ is not EValue and (value._value is not None or isinstance(value, HOLDERS)):
+                found[value.feature] = None
+        elif isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value)):
             found[value.feature] = None
     return found
 

@@ -51,8 +51,18 @@ else:
         """pyecore's metaclass, with features whose name in Python is not their name in the metamodel.
 
         Such a feature has both names: the Python one for people, its own for pyecore, which asks for it by that name. A
-        name that something else has (`delete`, `__init__`, the Python name of another feature) is not set over it.
+        name that something else has (`delete`, `__init__`, the Python name of another feature) is not set over it. Whether
+        a class is abstract is asked until it has an element.
         """
+
+        _concrete = False
+
+        def __call__(cls, *given: Any, **features: Any) -> Any:
+            if "_concrete" in cls.__dict__:
+                return type.__call__(cls, *given, **features)
+            made = super().__call__(*given, **features)
+            cls._concrete = True
+            return made
 
         def __init__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> None:
             super().__init__(name, bases, namespace)

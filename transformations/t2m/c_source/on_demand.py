@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import weakref
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -159,18 +159,14 @@ class ProgramModel(TypedModel):
 
     # Links
 
-    def _link(self, unit: Unit, element: Any, feature: Any) -> Callable[[], Any]:
-        """How to find the value of a cross reference."""
-
-        def make() -> Any:
-            found = self._near(unit, element, feature.name) if not feature.many else None
-            if found is None:
-                self._link_all()
-                slot = element.__dict__[feature.name]  # what was built after all was linked has no link
-                return (() if feature.many else None) if isinstance(slot, Promise) else slot._get()
-            return found
-
-        return make
+    def _link(self, unit: Unit, element: Any, feature: Any) -> Any:
+        """The value of a cross reference."""
+        found = self._near(unit, element, feature.name) if not feature.many else None
+        if found is None:
+            self._link_all()
+            slot = element.__dict__[feature.name]  # what was built after all was linked has no link
+            return (() if feature.many else None) if isinstance(slot, Promise) else slot._get()
+        return found
 
     def _near(self, unit: Unit, element: Any, name: str) -> Any:
         """The program's own declaration that a use refers to, if it can be told without the rest of the program."""
