@@ -58,6 +58,7 @@ else:
         _concrete = False
 
         def __call__(cls, *given: Any, **features: Any) -> Any:
+            """A new element."""
             if "_concrete" in cls.__dict__:
                 return type.__call__(cls, *given, **features)
             made = super().__call__(*given, **features)
