@@ -114,9 +114,24 @@ def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, k
     return True
 
 
+_ACCEPTED: set[tuple[Any, type]] = set()
+
+
+def accepts(kind: Any, value: Any) -> bool:
+    """Whether a value is an element of a kind, and no proxy."""
+    pair = (kind, value.__class__)
+    if pair in _ACCEPTED:
+        return True
+    if value.__class__ is EProxy or not isinstance(value, kind):
+        return False
+    if isinstance(kind, type):
+        _ACCEPTED.add(pair)
+    return True
+
+
 def _adopt(element: Any, feature: Any, kind: Any, value: Any, birth: Any) -> bool:
     """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
-    if value.__class__ is EProxy or not isinstance(value, kind):
+    if not accepts(kind, value):
         return False
     if not feature.containment:
         note_link(value, birth)
@@ -165,9 +180,7 @@ def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kin
     for value in values:
         if value in positions:
             continue
-        fresh = (
-            value.__class__ is not EProxy and isinstance(value, kind) and value._container is None and value._eresource is None
-        )
+        fresh = accepts(kind, value) and value._container is None and value._eresource is None
         if not fresh or back._name in value.__dict__:
             many.append(value)
             continue
@@ -183,7 +196,7 @@ def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kin
 
 def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
     """A single reference whose opposite collects many: the element joins the collection of what it refers to."""
-    if value.__class__ is EProxy or not isinstance(value, kind):
+    if not accepts(kind, value):
         return False
     back = feature.eOpposite
     own = value.__dict__

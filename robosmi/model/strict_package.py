@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from pyecore import ecore
 
+from robosmi.model.construct import initialise
 from robosmi.model.ecore_description import XML_TYPE_URI
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
 
 else:
     EAttribute, EReference = ecore.EAttribute, ecore.EReference
+    _INIT = Element.__init__
 
     class MetaEClass(ecore.MetaEClass):
         """pyecore's metaclass, with features whose name in Python is not their name in the metamodel.
@@ -60,6 +62,10 @@ else:
         def __call__(cls, *given: Any, **features: Any) -> Any:
             """A new element."""
             if "_concrete" in cls.__dict__:
+                if cls.__init__ is _INIT and cls.__new__ is Element.__new__ and not given:
+                    made = object.__new__(cls)
+                    initialise(made, features)
+                    return made
                 return type.__call__(cls, *given, **features)
             made = super().__call__(*given, **features)
             cls._concrete = True
