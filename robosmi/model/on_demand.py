@@ -112,8 +112,8 @@ def fill(element: Any, feature: Any, value: Any) -> None:
     values = list(value) if feature.many else [] if value is None else [value]
     if feature.is_reference and feature.containment:
         for child in values:
-            child._container = element
-            child._containment_feature = feature
+            inner = child.__dict__
+            inner["_container"], inner["_containment_feature"] = element, feature
     slots = element.__dict__
     if feature.many:
         slots[feature._name] = _collection(element, feature, values)

@@ -130,7 +130,7 @@ class Unit:
     def _covered(self) -> coverage.Coverage:
         pending: list[Any] = [*self.element.declarations, *self.element.macroUses]
         while pending:  # all of it must be built for this
-            pending.extend(pending.pop().eContents)
+            pending += contents(pending.pop())
         return coverage.calls(self.context)
 
     def settled(self, element: Any) -> Any:
