@@ -39,14 +39,13 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         entry = plan.get(name)
         if entry is None:
             raise strict.unknown_feature(element, name)
-        bare, key, feature, put, kind = entry
+        bare, key, feature, put, known = entry
         if value.__class__ is bare:
             slots[key] = value
-        elif put is None or not put(element, slots, key, feature, kind, value):
+        elif put is None or not put(element, slots, key, feature, known, value):
             setattr(element, name, value)
-            continue
-        if "_isset" in slots:  # else it is read off the slots when somebody asks
-            slots["_isset"][feature] = None
+    if "_isset" in slots:  # else it is read off the slots when somebody asks
+        slots["_isset"].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
 
 
 def connect(element: Any, name: str, value: Any) -> None:
@@ -57,10 +56,44 @@ def connect(element: Any, name: str, value: Any) -> None:
         FeatureValueError: the value is of the wrong kind.
     """
     slots = element.__dict__
-    if name in slots:
+    cls = element.__class__
+    entry = (_PLANS.get(cls) or _plan(cls)).get(name)
+    if name in slots or entry is None or entry[3] is None or not entry[3](element, slots, entry[1], entry[2], entry[4], value):
         setattr(element, name, value)
-    else:
-        initialise(element, {name: value})
+    elif "_isset" in slots:
+        slots["_isset"][entry[2]] = None
+
+
+class _Known:
+    """What putting values into a reference needs to know of it: asking pyecore each time costs more than all the rest.
+
+    Attributes:
+        kind: of the values.
+        classes: that are of this kind.
+        holder: of a single value.
+        contains: whether it is a containment.
+        back: its opposite, or None.
+        back_key: the slot of the opposite.
+    """
+
+    __slots__ = ("back", "back_key", "classes", "contains", "holder", "kind")
+
+    def __init__(self, feature: Any) -> None:
+        self.kind = feature.eType
+        self.classes: set[type] = set()
+        self.contains = bool(feature.containment)
+        self.holder = ContainedValue if self.contains else ReferenceValue
+        self.back = feature.eOpposite
+        self.back_key = self.back._name if self.back is not None else ""
+
+    def takes(self, value: Any) -> bool:
+        """Whether a value of a class that was not met before is of the kind, and no proxy."""
+        cls = value.__class__
+        if cls is EProxy or not isinstance(value, self.kind):
+            return False
+        if isinstance(value, strict.Element):
+            self.classes.add(cls)
+        return True
 
 
 def _plan(cls: type) -> dict[str, Plan]:
@@ -81,7 +114,7 @@ def _plan(cls: type) -> dict[str, Plan]:
                 elif not feature.many:
                     put = None
             else:
-                kind = feature.eType
+                kind = _Known(feature)
                 opposite = feature.eOpposite
                 if opposite is None:
                     put = _put_many if feature.many else _put_reference
@@ -114,26 +147,11 @@ def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, k
     return True
 
 
-_ACCEPTED: set[tuple[Any, type]] = set()
-
-
-def accepts(kind: Any, value: Any) -> bool:
-    """Whether a value is an element of a kind, and no proxy."""
-    pair = (kind, value.__class__)
-    if pair in _ACCEPTED:
-        return True
-    if value.__class__ is EProxy or not isinstance(value, kind):
-        return False
-    if isinstance(kind, type):
-        _ACCEPTED.add(pair)
-    return True
-
-
-def _adopt(element: Any, feature: Any, kind: Any, value: Any, birth: Any) -> bool:
+def _adopt(element: Any, feature: Any, known: _Known, value: Any, birth: Any) -> bool:
     """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
-    if not accepts(kind, value):
+    if value.__class__ not in known.classes and not known.takes(value):
         return False
-    if not feature.containment:
+    if not known.contains:
         note_link(value, birth)
         return True
     if value._container is not None or value._eresource is not None:
@@ -148,14 +166,14 @@ def _adopt(element: Any, feature: Any, kind: Any, value: Any, birth: Any) -> boo
     return True
 
 
-def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if not _adopt(element, feature, kind, value, (element, feature)):
+def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, value: Any) -> bool:
+    if not _adopt(element, feature, known, value, (element, feature)):
         return False
-    slots[name] = holder(ContainedValue if feature.containment else ReferenceValue, element, feature, value)
+    slots[name] = holder(known.holder, element, feature, value)
     return True
 
 
-def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
+def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, values: Iterable[Any]) -> bool:
     if values.__class__ is list and not values:
         return True
     many = slots[name] = collection(element, feature)
@@ -164,7 +182,7 @@ def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind
     for value in values:
         if value in positions:
             continue
-        if _adopt(element, feature, kind, value, birth):
+        if _adopt(element, feature, known, value, birth):
             positions[value] = len(items)
             items.append(value)
         else:
@@ -172,41 +190,40 @@ def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind
     return True
 
 
-def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
+def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, values: Iterable[Any]) -> bool:
     """Containment of many with a single-valued opposite: the parts know their container under its name."""
     many = slots[name] = collection(element, feature)
     items, positions = many.items, many.map
-    back = feature.eOpposite
+    back, key = known.back, known.back_key
     for value in values:
         if value in positions:
             continue
-        fresh = accepts(kind, value) and value._container is None and value._eresource is None
-        if not fresh or back._name in value.__dict__:
+        fresh = value.__class__ in known.classes or known.takes(value)
+        if not fresh or value._container is not None or value._eresource is not None or key in value.__dict__:
             many.append(value)
             continue
         own = value.__dict__
         own["_container"] = element
         own["_containment_feature"] = feature
-        own[back._name] = holder(ReferenceValue, value, back, element)
+        own[key] = holder(ReferenceValue, value, back, element)
         _set(own, back)
         positions[value] = len(items)
         items.append(value)
     return True
 
 
-def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
+def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, value: Any) -> bool:
     """A single reference whose opposite collects many: the element joins the collection of what it refers to."""
-    if not accepts(kind, value):
+    if value.__class__ not in known.classes and not known.takes(value):
         return False
-    back = feature.eOpposite
     own = value.__dict__
-    many = own.get(back._name)
+    many = own.get(known.back_key)
     if many is None:
-        many = own[back._name] = collection(value, back)
+        many = own[known.back_key] = collection(value, known.back)
     slots[name] = holder(ReferenceValue, element, feature, value)
     many.map[element] = len(many.items)
     many.items.append(element)
-    _set(own, back)
+    _set(own, known.back)
     return True
 
 

@@ -18,7 +18,7 @@ from pyecore.innerutils import InternalSet
 from pyecore.valuecontainer import ECollection, EOrderedSet, EValue
 
 from robosmi.model import datatypes
-from robosmi.model.strict import resource_of
+from robosmi.model.strict import Element, resource_of
 
 
 def _holder_class(name: str, is_ref: bool, is_cont: bool) -> Any:
@@ -92,20 +92,29 @@ def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
 
 def collection(owner: Any, feature: Any) -> Any:
     """An empty collection of the class that pyecore would take for that feature, which is not derived."""
-    if not (feature.unique and feature.ordered):
+    form = feature.__dict__.get("_robosmi_form", _NOTHING)
+    if form is _NOTHING:
+        if not (feature.unique and feature.ordered):
+            form = None
+        else:
+            is_ref = feature.is_reference
+            is_cont = is_ref and feature.containment
+            form = is_ref, is_cont, is_cont and feature.eOpposite is None
+        if issubclass(owner.__class__, Element):  # the features of other classes may change yet
+            feature.__dict__["_robosmi_form"] = form
+    if form is None:
         made = ECollection.create(owner, feature)
         made.birth = None
         return made
     made = _new(EOrderedSet)
     made.owner = owner
     made.feature = feature
-    made.is_ref = feature.is_reference
-    made.is_cont = made.is_ref and feature.containment
+    made.is_ref, made.is_cont, is_born = form
     made.generic_type = None
     made._orderedset_update = False
     made.items = []
     made.map = {}
-    made.birth = (owner, feature) if made.is_cont and feature.eOpposite is None else None
+    made.birth = (owner, feature) if is_born else None
     return made
 
 
