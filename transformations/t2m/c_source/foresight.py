@@ -75,8 +75,8 @@ def foresee(tokens: Sequence[Token], known: Callable[[str], bool]) -> Foreseen |
             words = [(k, t) for k, _, _, t in tokenise(body.encode("latin-1", "replace")) if k != "comment"]
             macros[name] = frozenset(parameters or ()), words
     scan.read(plain)
-    for parameters, body in _expanded(scan.seen, macros):
-        scan.read([("punct", ";"), *body, ("punct", ";"), ("punct", ";")], parameters)
+    for apart, inner in _expanded(scan.seen, macros):
+        scan.read([("punct", ";"), *inner, ("punct", ";")], apart)
     if scan.early or not _UNTOLD.isdisjoint(scan.seen):
         return None
     declared = scan.declared
@@ -184,8 +184,8 @@ class _Scan:
             return True
         if before in ("{", ",") and opened == "enum":
             return True
-        if before == "," and declares:
-            return not _word(following) and not (opened == "(" and following == "*")
+        if before == "," and declares and not (_word(following) or (opened == "(" and following == "*")):
+            return True
         if before == "*" and self._pointed(texts, i, declares):
             return True
         if opened == "size":
