@@ -45,6 +45,7 @@ def plan_migration(
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
+    history: str | None = None,
 ) -> MigrationModels:
     """Make the plan of a migration, with the models it refers to.
 
@@ -58,6 +59,7 @@ def plan_migration(
         defines: macros defined from outside.
         libraries: component -> library, before the project file.
         bind: port of the source -> target pin, before the project file.
+        history: place of earlier choices, a file or a URL; the user's own if None.
 
     Raises:
         SourceError: an input cannot be read or used.
@@ -116,7 +118,7 @@ def plan_migration(
     if choices.libraries and drawn is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     ranker = content("ranker", defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
-    earlier = ForgivingHistory()
+    earlier = ForgivingHistory(history)
     findings = [*findings, *history_findings(earlier)]
     plan, repository = make_plan(
         _sketch_name(main), __version__, seen, drawn, board or load_board(facts.board), facts, choices, ranker,
@@ -140,6 +142,7 @@ def migrate(
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
+    history: str | None = None,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
 ) -> Generated:
     """Migrate a program: plan, generate, write.
@@ -150,7 +153,8 @@ def migrate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         adapters: `placeholders`; bodies (`filled`) are not there yet.
-        project, hardware, target, source_platform, include_dirs, defines, libraries, bind: see `plan_migration`.
+        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, history: see
+            `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
 
     Raises:
@@ -166,7 +170,7 @@ def migrate(
     def planned(said: Mapping[str, str]) -> MigrationModels:
         return plan_migration(
             files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
-            defines=defines, libraries=said, bind=bind,
+            defines=defines, libraries=said, bind=bind, history=history,
         )  # fmt: skip
 
     models = planned(libraries or {})
@@ -174,7 +178,7 @@ def migrate(
     if ask is not None and left and (answers := ask(left)):
         models = planned({**(libraries or {}), **answers})
     made = produce(models, Path(output), dry_run=dry_run, strict=strict)
-    remember(made)
+    remember(made, history)
     return made
 
 

@@ -164,10 +164,10 @@ def _component(decision: Any) -> str:
     return f"library for {decision.component.title}" if decision.component is not None else "library"
 
 
-def remember(made: Generated) -> None:
+def remember(made: Generated, place: str | None = None) -> None:
     """Count the libraries that persons chose (paper 3.3); a history that cannot be written is a finding, not a failure."""
     try:
-        history = History()
+        history = History(place)
         for choice in made.new_choices if made.written else []:
             component = choice.component
             if component is not None:
