@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from robosmi.cli.asking import ask_libraries, may_ask
-from robosmi.cli.common import add_source_options, pairs, project_of
+from robosmi.cli.common import add_source_options, pairs
 from robosmi.diagnostics import Finding
 from robosmi.plugins import content
-from robosmi.project import Accepted
+from robosmi.project import Accepted, project_of
 from robosmi.report import Report
 
 

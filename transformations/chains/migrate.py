@@ -15,7 +15,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.plugins import content
-from robosmi.project import Project, defaults, load_project
+from robosmi.project import Project, defaults, project_of
 from robosmi.query import ancestor_of_kind
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.transformations.chains.earlier import history_findings
@@ -30,6 +30,7 @@ from robosmi.transformations.queries.circuit import the_board
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.plan import library_json
 from robosmi.transformations.t2m.boards import load_board
+from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.target_platform import target_facts
 
@@ -50,7 +51,7 @@ def plan_migration(
     """Make the plan of a migration, with the models it refers to.
 
     Args:
-        files: source files of one program.
+        files: source files of one program; a folder stands for those in it, `compile_commands.json` for those that it names.
         project: the project file; the one beside the first source if None.
         hardware: drawing of the new hardware; the project file's if None.
         target: target board.
@@ -65,8 +66,12 @@ def plan_migration(
         SourceError: an input cannot be read or used.
         UsageError: a choice names what does not exist.
     """
-    paths = [Path(f) for f in files]
-    project = project if project is not None else load_project(paths[0].parent)
+    given = [Path(f) for f in files]
+    project = project if project is not None else project_of(given[0])
+    sources = source_files(given, [str(d) for d in include_dirs], defines)
+    paths = [Path(source.path) for source in sources]
+    include_dirs = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
+    defines = list(dict.fromkeys(d for source in sources for d in source.defines))
     platform_name = source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
     facts = target_facts(target or project.target or defaults()["migrate"]["target"])
     drawing_path = Path(hardware) if hardware is not None else project.hardware
