@@ -28,6 +28,7 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
     """
     g = Gen()
     assert plan.program is not None
+    late = with_own_types(plan)
 
     @g.rule(
         domain=plan.program.units,
@@ -36,11 +37,10 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
     )
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         source = SourceText(unit, sources[unit.path], plan.edits)
-        return own_header(source) if is_header(unit) else {"plan": plan, **program_text(plan, source)}
+        return own_header(source) if is_header(unit) else {"plan": plan, **program_text(plan, source, late)}
 
     @g.rule(template="arduino/adapters.h.j2", target=f"{plan.name}/adapters.h")
     def Adapters() -> dict[str, Any]:
-        late = with_own_types(plan)
         listed = adapters(plan, made_apart(plan))
         return {
             "plan": plan,

@@ -6,14 +6,15 @@ is copied from the stored source (see `queries.source_text`), in the order of th
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2t.adapters import adapters, with_own_types
+from robosmi.transformations.m2t.adapters import adapters
 from robosmi.transformations.m2t.main_text import Part, heading, hoisted_parts, main_parts
+from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, comments_in, is_header
 
 
@@ -25,11 +26,6 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     return f"{plan.name}.ino" if main_of(unit) is not None else f"{_stem(own, plan)}.cpp"
 
 
-def main_of(unit: ccode.SourceUnit) -> ccode.Function | None:
-    """The unit's definition of main."""
-    return next((d for d in unit.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition), None)
-
-
 def own_header(source: SourceText) -> dict[str, Any]:
     """What the file of a header of the program's own shows: its text."""
     unit = source.unit
@@ -37,8 +33,15 @@ def own_header(source: SourceText) -> dict[str, Any]:
     return {"code": [Part(_lines(p.text), "code", "retained header", p.elements or [unit]) for p in pieces if p.text]}
 
 
-def program_text(plan: migration.MigrationPlan, source: SourceText) -> dict[str, Any]:
+def program_text(
+    plan: migration.MigrationPlan, source: SourceText, with_own_types: Sequence[migration.AdapterUse]
+) -> dict[str, Any]:
     """What the file of any other unit shows.
+
+    Args:
+        plan: the plan.
+        source: the unit's text.
+        with_own_types: the adapters that can only stand behind the program's own types.
 
     Returns:
         `origin`, `includes`, `libraries` for its head; `types` (its code up to the first function, where something must stand
@@ -48,7 +51,7 @@ def program_text(plan: migration.MigrationPlan, source: SourceText) -> dict[str,
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
     main = main_of(unit)
     ahead = [f for f in functions if f is not main and _used_before(f, unit)]
-    late = [a for a in with_own_types(plan) if _called_in(a, unit)]
+    late = [a for a in with_own_types if _called_in(a, unit)]
     first = min((f.startOffset for f in functions), default=len(source.data))
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
     start = first if ahead or late else 0
