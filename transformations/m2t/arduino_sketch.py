@@ -25,10 +25,15 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
     Args:
         plan: a complete plan.
         sources: path of a unit -> its bytes.
+
+    Raises:
+        InternalError: two edits overlap.
+        RuleError: a template is wrong.
     """
     g = Gen()
     assert plan.program is not None
     late = with_own_types(plan)
+    texts = {unit: SourceText(unit, sources[unit.path], plan.edits) for unit in plan.program.units}
 
     @g.rule(
         domain=plan.program.units,
@@ -36,8 +41,8 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
         target=lambda u: f"{plan.name}/{file_name(u, plan)}",
     )
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
-        source = SourceText(unit, sources[unit.path], plan.edits)
-        return own_header(source) if is_header(unit) else {"plan": plan, **program_text(plan, source, late)}
+        text = texts[unit]
+        return own_header(text) if is_header(unit) else {"plan": plan, **program_text(plan, text, late)}
 
     @g.rule(template="arduino/adapters.h.j2", target=f"{plan.name}/adapters.h")
     def Adapters() -> dict[str, Any]:
