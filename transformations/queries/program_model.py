@@ -25,6 +25,7 @@ class ProgramModel(Model):
         super().__init__("code")
         self.program = views[0].program
         self._views = views
+        self._kinds: dict[type, list[Any]] = {}
         self._outside = [element for external in self.program.externals for element in all_contents(external)]
 
     def types(self) -> Iterator[tuple[str, Any]]:
@@ -41,9 +42,10 @@ class ProgramModel(Model):
     def all_of_kind(self, kind: Any) -> Sequence[Any]:
         """The elements of a type and its subtypes."""
         wanted: type[Any] = self._class_of(kind)
-        inside = [x for view in self._views for x in view.of_kind(wanted)]
-        outside: list[Any] = [x for x in self._outside if isinstance(x, wanted)]
-        return [*([self.program] if isinstance(self.program, wanted) else []), *inside, *outside]
+        if wanted not in self._kinds:
+            inside = [x for view in self._views for x in view.of_kind(wanted)]
+            self._kinds[wanted] = [x for x in (self.program, *inside, *self._outside) if isinstance(x, wanted)]
+        return self._kinds[wanted]
 
     def all_of_type(self, kind: Any) -> Sequence[Any]:
         """The elements of exactly a type."""
