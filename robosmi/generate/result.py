@@ -16,7 +16,7 @@ from robosmi.generate.regions import CommentStyle, partition
 from robosmi.generate.three_way import line_map
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False, repr=False)
 class Write:
     """A text on its way into a file.
 

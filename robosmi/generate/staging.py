@@ -22,7 +22,7 @@ from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.model.commit import commit, recover
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False, repr=False)
 class Pending:
     """A file of a run.
 

@@ -227,6 +227,7 @@ def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False) -> _En
         autoescape=False,
         auto_reload=auto_reload,
         cache_size=-1,
+        optimized=False,  # folding constants takes longer than it saves
         finalize=printed,
         extensions=[Blocks, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
     )
