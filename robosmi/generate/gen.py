@@ -39,7 +39,7 @@ class Gen:
     """A generation: rules and templates that make the files of a folder.
 
     Args:
-        folder: the output folder; no file is made outside of it.
+        folder: the output folder, the current one if none is given; no file is made outside of it.
         templates: where templates come from: a folder, several, a mapping of names to texts; the built-in ones if None.
         models: handles or root elements; every template sees them by their names.
         keep: false for the engine's behaviour, in which edits outside of protected regions are lost; true to merge them, with the
@@ -56,7 +56,7 @@ class Gen:
 
     def __init__(
         self,
-        folder: str | Path,
+        folder: str | Path = ".",
         templates: Where = None,
         models: Sequence[Any] = (),
         *,
@@ -214,6 +214,23 @@ class Gen:
             with collector_paused():
                 self._run_rules()
                 return self._staging.finish(dry_run=dry_run)
+        finally:
+            self._staging = self._fresh()
+
+    def make(self) -> Generation:
+        """Run the rules as if the folder were empty, and give what they make; the folder is neither read nor written.
+
+        For who writes the files himself, with others in one commit. What `post` blocks are given is not there afterwards either.
+
+        Raises:
+            RuleError: a rule or template is wrong, or raises.
+            SourceError: a target lies outside of the folder.
+        """
+        self._staging.ignore_folder()
+        try:
+            with collector_paused():
+                self._run_rules()
+                return self._staging.finish(dry_run=True)
         finally:
             self._staging = self._fresh()
 
