@@ -13,9 +13,7 @@ Rules are `rules`', texts `templates`', files `staging`'s. docs/reference/egl.md
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -28,6 +26,7 @@ from robosmi.generate.rules import Flag, Formatter, GenerationRule, value_of, va
 from robosmi.generate.staging import Staging, as_text
 from robosmi.generate.templates import Templates, Where
 from robosmi.model.driver import Model
+from robosmi.model.lean import collector_at_rest
 from robosmi.query.erl import Blocks, as_model, failed, place_of
 
 F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])
@@ -211,7 +210,7 @@ class Gen:
             StoppedError: with `keep`, an edit would be lost.
         """
         try:
-            with collector_paused():
+            with collector_at_rest():
                 self._run_rules()
                 return self._staging.finish(dry_run=dry_run)
         finally:
@@ -228,7 +227,7 @@ class Gen:
         """
         self._staging.ignore_folder()
         try:
-            with collector_paused():
+            with collector_at_rest():
                 self._run_rules()
                 return self._staging.finish(dry_run=True)
         finally:
@@ -293,15 +292,3 @@ class Gen:
         if target is not None:
             self._put(target, text, flags, rule.name, element)
         return text
-
-
-@contextmanager
-def collector_paused() -> Iterator[None]:
-    """Keep Python's cycle collector still: what a run makes stays until its end, so looking for garbage finds none, at length."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
