@@ -184,6 +184,13 @@ class Ranges:
         target = array.target if isinstance(array, ccode.NameReference) else None
         if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
             return None
+        key = id(target.initializer)  # one range for all elements
+        if key not in self._known:
+            self._known[key] = None
+            self._known[key] = self._elements(target, target.initializer)
+        return self._known[key]
+
+    def _elements(self, target: ccode.Variable, values: ccode.InitializerList) -> Range | None:
         for reference in target.references:
             use: Any = reference.eContainer()
             if not (isinstance(use, ccode.Index) and use.array is reference) and not isinstance(use, ccode.SizeOf):
@@ -192,7 +199,7 @@ class Ranges:
             written = isinstance(outer, ccode.Assignment) and outer.left is use
             if written or (isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&")):
                 return None
-        elements = [self.of(e) for e in target.initializer.elements]
+        elements = [self.of(e) for e in values.elements]
         return _union([*elements, Range(0, 0)]) if elements and None not in elements else None
 
 
