@@ -88,16 +88,29 @@ def RunsOnItsOwn(call: ccode.Call) -> Any:
 def DoesNotWait(unit: ccode.SourceUnit) -> Any:
     """What is repeated for ever does not wait."""
     cores = the_move().cores
-    main = main_function(unit) if cores.blocking else None
+    main = main_function(unit)
     repeated = [s.body for s in main.body.statements if isinstance(s, ccode.Loop) and s.endless] if main and main.body else []
-    calls = {id(e): e for e in reached(repeated) if isinstance(e, ccode.Call) and e.calleeName in cores.blocking}
-    waits = sorted((c for c in calls.values() if not c.viaMacro), key=lambda c: int(c.startOffset))
+    done = {id(e): e for e in reached(repeated)}.values()
+    calls = [e for e in done if isinstance(e, ccode.Call) and e.calleeName in cores.blocking and not e.viaMacro]
+    waits = sorted((*calls, *filter(_is_busy, done)), key=lambda e: int(e.startOffset))
     if not waits:
         return True
-    counted = Counter(str(c.calleeName) for c in waits)
+    counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)
     names = ", ".join(f"{name} ({count})" if count > 1 else name for name, count in counted.most_common())
     others = ", while code on other cores has to go on" if cores.starts or cores.by_libraries else ""
     return together(f"what is repeated for ever waits in {names}{others}", waits)
+
+
+def _is_busy(element: Any) -> bool:
+    """Whether it is a loop that does nothing until something outside of the program changes."""
+    if not isinstance(element, ccode.Loop) or element.condition is None or element.endless:
+        return False
+    body = element.body
+    if not isinstance(body, ccode.EmptyStatement) and not (isinstance(body, ccode.Block) and not body.statements):
+        return False
+    condition = (element.condition, *all_contents(element.condition))
+    outside = (e for e in condition if isinstance(e, ccode.Call) and e.callee is not None and not e.callee.definition)
+    return any(outside) or any(isinstance(e, ccode.NameReference) and is_register(e) for e in condition)
 
 
 @loops.constraint(

@@ -77,7 +77,7 @@ class Move:
         """The program's values on the source."""
         functions = _functions(self.views)
         functions.update({a.name: function_type(a.signature) for a in self.plan.adapterUses})
-        return Ranges(Numbers(self.here, functions, {}, self._macros), Values(self.program, self.views[0].unit))
+        return Ranges(Numbers(self.here, functions, {}, self._macros), Values(self.program, self.views[0].unit), self.program)
 
     @cached_property
     def _macros(self) -> dict[str, str]:

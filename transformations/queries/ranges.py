@@ -6,6 +6,7 @@ outside (a sensor, a person, an unknown function) have no range. What machines m
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -40,10 +41,13 @@ class Ranges:
     Args:
         numbers: the program as its own machine reads it: what narrow types can hold.
         values: what the program's macros stand for.
+        program: the program.
     """
 
-    def __init__(self, numbers: Numbers, values: Values) -> None:
+    def __init__(self, numbers: Numbers, values: Values, program: ccode.Program) -> None:
         self.numbers = numbers
+        declared = Counter(d.name for u in program.units for d in u.declarations)
+        self._shared = {n for n, count in declared.items() if count > 1} | {e.name for e in program.externals}
         self.values = values
         self._known: dict[int, Range | None] = {}
         self._depth = 0
@@ -147,9 +151,9 @@ class Ranges:
         elif variable.initializer is not None:
             found.append(self.of(variable.initializer))
         elif isinstance(variable.eContainer(), ccode.SourceUnit):
-            if variable.storage is ccode.Storage.externStorage:
-                return None
             found.append(Range(0, 0))
+        if self._seen_elsewhere(variable):
+            return None
         for reference in variable.references:
             parent: Any = reference.eContainer()
             if isinstance(parent, ccode.Assignment) and parent.left is reference:
@@ -159,6 +163,12 @@ class Ranges:
             if found and found[-1] is None:
                 return None
         return _union(found)
+
+    def _seen_elsewhere(self, variable: Any) -> bool:
+        """Whether another file may write a variable, by a declaration of its own."""
+        if not isinstance(variable.eContainer(), ccode.SourceUnit) or variable.storage is ccode.Storage.staticStorage:
+            return False
+        return variable.storage is ccode.Storage.externStorage or variable.name in self._shared
 
     def _counted(self, step: Any, variable: Any) -> Range | None:
         """Where a for loop lets its counter come to: the bound of its condition."""
@@ -191,6 +201,8 @@ class Ranges:
         return self._known[key]
 
     def _elements(self, target: ccode.Variable, values: ccode.InitializerList) -> Range | None:
+        if self._seen_elsewhere(target):
+            return None
         for reference in target.references:
             use: Any = reference.eContainer()
             if not (isinstance(use, ccode.Index) and use.array is reference) and not isinstance(use, ccode.SizeOf):

@@ -81,7 +81,7 @@ def answers(program: ccode.Program, path: Path, api: ApiIndex) -> Iterator[tuple
     yield "uses of a library", [(u.name, at(u.element)) for u in uses]
     macros = {m.name: m.body or "" for u in program.units for m in u.macros}
     numbers = Numbers(Machine(16, 32, 16, True), {}, {}, macros)
-    ranges = Ranges(numbers, Values(program, program.units[0]))
+    ranges = Ranges(numbers, Values(program, program.units[0]), program)
     for view in views:
         expressions = view.of_kind(ccode.Expression)
         yield "types", [numbers.of(e) for e in expressions]

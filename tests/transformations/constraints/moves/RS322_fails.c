@@ -9,5 +9,7 @@ int main(void)
     show();
     if (ping_cm(8) < 10)  // RS322
       pause(20);  // RS322
+    while (!input(4));  // RS322
+    while (input(4)) { }  // RS322
   }
 }
