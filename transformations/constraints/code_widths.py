@@ -202,7 +202,7 @@ def _passes(m: Move, b: ccode.Binary) -> tuple[bool, str] | None:
         r is not None and _is_too_far(r, number) for r in (m.ranges.of(b.left), m.ranges.of(b.right))
     ):
         return None  # the operand is what does not fit
-    if value.low >= 0 and b.operator == "<<" and value.high < 1 << number.bits and _is_mask(b):
+    if value.low >= 0 and b.operator == "<<" and value.high < 1 << number.bits and _is_mask(m, b):
         return None
     what = {"*": "product", "+": "sum", "-": "difference", "<<": "shift"}[b.operator]
     if value.single:
@@ -220,10 +220,10 @@ def _fits_already(m: Move, b: ccode.Binary) -> bool:
     return known is not None and known.within(-0x8000, 0x7FFF)
 
 
-def _is_mask(b: ccode.Binary) -> bool:
+def _is_mask(m: Move, b: ccode.Binary) -> bool:
     """Whether 16 bits that an operation sets are only tested or combined: 1 << 15 as a bit."""
     parent: Any = b.eContainer()
-    return isinstance(parent, ccode.Binary) and parent.operator in ("&", "|", "^")
+    return isinstance(parent, ccode.Binary) and parent.operator in ("&", "|", "^") and _narrow(m, parent) is not None
 
 
 def _may_pass(m: Move, b: ccode.Binary) -> bool:

@@ -1,6 +1,7 @@
 #include "simpletools.h"
 #define MINUTE (60 * SECOND)
 #define SECOND 1000
+long far;
 int pins[] = {3, 17};
 
 int main(void)
@@ -13,5 +14,7 @@ int main(void)
   for (int i = 0; i < 2; i++) set_outputs(31, 0, 1 << pins[i]);  // RS313: 1 << pins[i]
   word = 1 << 20;  // RS313: 1 << 20
   wide = wide + ((200 * 200) << 1);  // RS313: (200 * 200) << 1
+  far = ping_cm(8);
+  if (far & (1 << 15)) word = 1;  // RS313: 1 << 15
   word = (word << 1) | (word >> 31);  // RS313: word >> 31
 }
