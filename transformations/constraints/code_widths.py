@@ -24,6 +24,10 @@ _LARGE = 256  # a factor, or what a shift multiplies with, that takes a value of
 units = moved.context(ccode.SourceUnit, guard=lambda _: is_narrower())
 literals = moved.context(ccode.IntegerLiteral, guard=lambda x: x.value > 0x7FFF and is_narrower())
 macros = moved.context(ccode.NameReference, guard=lambda r: r.target is None and is_narrower() and _is_far(r))
+enumerators = moved.context(
+    ccode.NameReference,
+    guard=lambda r: isinstance(r.target, ccode.EnumerationLiteral) and r.target.value > 0x7FFF and is_narrower(),
+)
 operations = moved.context(ccode.Binary, guard=lambda b: (b.operator in ARITHMETIC or b.operator == ">>") and is_narrower())
 
 
@@ -80,6 +84,14 @@ def ExpandsWithinInt(reference: ccode.NameReference) -> Any:
 )
 def StandsForWhatFits(reference: ccode.NameReference) -> Any:
     """A macro's number is stored in, or compared with, what can hold it on the target."""
+    return _fits(reference)
+
+
+@enumerators.constraint(
+    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+)
+def CountsWhatFits(reference: ccode.NameReference) -> Any:
+    """An enumerator's number is stored in, or compared with, what can hold it on the target."""
     return _fits(reference)
 
 
