@@ -23,6 +23,7 @@ from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.reading import check_source_platform, read_drawing, read_program
+from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
@@ -129,6 +130,7 @@ def plan_migration(
         _sketch_name(main), __version__, seen, drawn, board or load_board(facts.board), facts, choices, ranker,
         earlier, stored, findings, places,
     )  # fmt: skip
+    plan.findings.extend(move_findings(plan, seen))
     return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})
 
 
