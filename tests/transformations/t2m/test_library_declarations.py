@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from robosmi import resources
@@ -79,6 +79,7 @@ REPEATED = [
 
 
 @given(st.lists(st.sampled_from(PIECES), max_size=60))
+@example(["operator ", ")"])
 @settings(max_examples=400, deadline=None)
 def test_no_text_stops_the_reading(pieces: list[str]) -> None:
     read = declarations("".join(pieces).encode())
