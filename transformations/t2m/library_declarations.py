@@ -294,7 +294,7 @@ def _is_function(parts: list[Part], named: int, opening: int, closing: int) -> b
     kind, text = parts[named]
     if kind != "name" or text in _NO_NAMES or (named and parts[named - 1][1] in ("::", "~", ".")):
         return False
-    if parts[closing - 1][1] != ")" or ("punct", ";") in parts[opening:closing] or opening + 1 == len(parts):
+    if parts[closing - 1][1] != ")" or ("punct", ";") in parts[opening:closing] or opening + 1 >= len(parts):
         return False  # the bracket is never closed, or never opened
     kind, inside = parts[opening + 1]
     return text == "operator" or (inside not in ("*", "&") and kind not in ("number", "string", "char"))
