@@ -14,11 +14,13 @@ from typing import Any
 from pyecore import ecore
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFeature
 
-from robosmi.model import strict
-from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder, note_link
+from robosmi.model import lean, strict
+from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder, note_link
 
+Plan = tuple[Any, str, Any, Any, Any]
+"""Class of the values that go in bare, key of the slot, feature, how to put other values in, what that needs to know."""
 _PYTHON = {ecore.EString: str, ecore.EInt: int, ecore.ELong: int, ecore.EBoolean: bool, ecore.EDouble: float}
-_PLANS: dict[type, dict[str, tuple[Any, Any, Any]]] = {}
+_PLANS: dict[type, dict[str, Plan]] = {}
 
 
 def initialise(element: Any, features: dict[str, Any]) -> None:
@@ -28,7 +30,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         UnknownFeatureError: a name is no feature of the class.
         FeatureValueError: a value is of the wrong kind.
     """
-    cls = type(element)
+    cls = element.__class__
     plan = _PLANS.get(cls) or _plan(cls)
     slots = element.__dict__
     for name, value in features.items():
@@ -37,27 +39,82 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         entry = plan.get(name)
         if entry is None:
             raise strict.unknown_feature(element, name)
-        feature, put, kind = entry
-        if put is None or not put(element, slots, feature._name, feature, kind, value):
+        bare, key, feature, put, known = entry
+        if value.__class__ is bare:
+            slots[key] = value
+        elif put is None or not put(element, slots, key, feature, known, value):
             setattr(element, name, value)
-        else:
-            _set(slots, feature)
+    if "_isset" in slots:  # else it is read off the slots when somebody asks
+        slots["_isset"].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
 
 
-def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
-    plan: dict[str, tuple[Any, Any, Any]] = {}
+def connect(element: Any, name: str, value: Any) -> None:
+    """Set a cross reference of an element as its constructor would; one that was set before is changed as by assignment.
+
+    Raises:
+        UnknownFeatureError: the name is no feature of the class.
+        FeatureValueError: the value is of the wrong kind.
+    """
+    slots = element.__dict__
+    cls = element.__class__
+    entry = (_PLANS.get(cls) or _plan(cls)).get(name)
+    if name in slots or entry is None or entry[3] is None or not entry[3](element, slots, entry[1], entry[2], entry[4], value):
+        setattr(element, name, value)
+    elif "_isset" in slots:
+        slots["_isset"][entry[2]] = None
+
+
+class _Known:
+    """What putting values into a reference needs to know of it: asking pyecore each time costs more than all the rest.
+
+    Attributes:
+        kind: of the values.
+        classes: that are of this kind.
+        holder: of a single value.
+        contains: whether it is a containment.
+        back: its opposite, or None.
+        back_key: the slot of the opposite.
+    """
+
+    __slots__ = ("back", "back_key", "classes", "contains", "holder", "kind")
+
+    def __init__(self, feature: Any) -> None:
+        self.kind = feature.eType
+        self.classes: set[type] = set()
+        self.contains = bool(feature.containment)
+        self.holder = ContainedValue if self.contains else ReferenceValue
+        self.back = feature.eOpposite
+        self.back_key = self.back._name if self.back is not None else ""
+
+    def takes(self, value: Any) -> bool:
+        """Whether a value of a class that was not met before is of the kind, and no proxy."""
+        cls = value.__class__
+        if cls is EProxy or not isinstance(value, self.kind):
+            return False
+        if isinstance(value, strict.Element):
+            self.classes.add(cls)
+        return True
+
+
+def _plan(cls: type) -> dict[str, Plan]:
+    plan: dict[str, Plan] = {}
     for base in reversed(cls.__mro__):
         for name, feature in base.__dict__.items():
             if not isinstance(feature, EStructuralFeature):
                 continue
             put: Any
+            bare = None
             if isinstance(feature, EAttribute):
                 enumeration = isinstance(feature.eType, EEnum)
-                kind = (feature.eType,) if enumeration else _PYTHON.get(feature.eType)
+                kind = feature.eType if enumeration else _PYTHON.get(feature.eType)
                 many = None if feature.unique or enumeration else _put_attributes
-                put = None if kind is None else many if feature.many else _put_literal if enumeration else _put_attribute
+                put = None if kind is None else many if feature.many else _put_literal if enumeration else None
+                if kind is not None and not feature.many and lean.bare(feature):
+                    bare = None if enumeration else kind
+                elif not feature.many:
+                    put = None
             else:
-                kind = feature.eType
+                kind = _Known(feature)
                 opposite = feature.eOpposite
                 if opposite is None:
                     put = _put_many if feature.many else _put_reference
@@ -67,20 +124,15 @@ def _plan(cls: type) -> dict[str, tuple[Any, Any, Any]]:
                     put = _put_one_of_many
                 else:
                     put = None
-            plan[name] = (feature, put, kind)
+            plan[name] = (bare, feature._name, feature, put, kind)
     _PLANS[cls] = plan
     return plan
 
 
-def _put_attribute(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if value.__class__ is not kind:
-        return False
-    slots[name] = holder(AttributeValue, element, feature, value)
-    return True
-
-
 def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
     found = list(values) if values.__class__ is not str else None
+    if found == []:
+        return True
     if found is None or any(value.__class__ is not kind for value in found):
         return False
     slots[name] = many = collection(element, feature)
@@ -89,18 +141,18 @@ def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any
 
 
 def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if value.__class__ is not EEnumLiteral or value.eContainer() is not kind[0]:
+    if value.__class__ is not EEnumLiteral or value._container is not kind:
         return False
-    slots[name] = holder(AttributeValue, element, feature, value)
+    slots[name] = value
     return True
 
 
-def _adopt(element: Any, feature: Any, kind: Any, value: Any) -> bool:
+def _adopt(element: Any, feature: Any, known: _Known, value: Any, birth: Any) -> bool:
     """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
-    if value.__class__ is EProxy or not isinstance(value, kind):
+    if value.__class__ not in known.classes and not known.takes(value):
         return False
-    if not feature.containment:
-        note_link(value, (element, feature))
+    if not known.contains:
+        note_link(value, birth)
         return True
     if value._container is not None or value._eresource is not None:
         return False
@@ -108,26 +160,29 @@ def _adopt(element: Any, feature: Any, kind: Any, value: Any) -> bool:
     slots["_container"] = element
     slots["_containment_feature"] = feature
     if "_inverse_rels" in slots:
-        slots["_inverse_rels"].add((element, feature))
+        slots["_inverse_rels"].add(birth)
     else:
-        slots["_birth"] = (element, feature)
+        slots["_birth"] = birth
     return True
 
 
-def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if not _adopt(element, feature, kind, value):
+def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, value: Any) -> bool:
+    if not _adopt(element, feature, known, value, (element, feature)):
         return False
-    slots[name] = holder(ContainedValue if feature.containment else ReferenceValue, element, feature, value)
+    slots[name] = holder(known.holder, element, feature, value)
     return True
 
 
-def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
+def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, values: Iterable[Any]) -> bool:
+    if values.__class__ is list and not values:
+        return True
     many = slots[name] = collection(element, feature)
     items, positions = many.items, many.map
+    birth = (element, feature)
     for value in values:
         if value in positions:
             continue
-        if _adopt(element, feature, kind, value):
+        if _adopt(element, feature, known, value, birth):
             positions[value] = len(items)
             items.append(value)
         else:
@@ -135,43 +190,40 @@ def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind
     return True
 
 
-def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
+def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, values: Iterable[Any]) -> bool:
     """Containment of many with a single-valued opposite: the parts know their container under its name."""
     many = slots[name] = collection(element, feature)
     items, positions = many.items, many.map
-    back = feature.eOpposite
+    back, key = known.back, known.back_key
     for value in values:
         if value in positions:
             continue
-        fresh = (
-            value.__class__ is not EProxy and isinstance(value, kind) and value._container is None and value._eresource is None
-        )
-        if not fresh or back._name in value.__dict__:
+        fresh = value.__class__ in known.classes or known.takes(value)
+        if not fresh or value._container is not None or value._eresource is not None or key in value.__dict__:
             many.append(value)
             continue
         own = value.__dict__
         own["_container"] = element
         own["_containment_feature"] = feature
-        own[back._name] = holder(ReferenceValue, value, back, element)
+        own[key] = holder(ReferenceValue, value, back, element)
         _set(own, back)
         positions[value] = len(items)
         items.append(value)
     return True
 
 
-def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
+def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, value: Any) -> bool:
     """A single reference whose opposite collects many: the element joins the collection of what it refers to."""
-    if value.__class__ is EProxy or not isinstance(value, kind):
+    if value.__class__ not in known.classes and not known.takes(value):
         return False
-    back = feature.eOpposite
     own = value.__dict__
-    many = own.get(back._name)
+    many = own.get(known.back_key)
     if many is None:
-        many = own[back._name] = collection(value, back)
+        many = own[known.back_key] = collection(value, known.back)
     slots[name] = holder(ReferenceValue, element, feature, value)
     many.map[element] = len(many.items)
     many.items.append(element)
-    _set(own, back)
+    _set(own, known.back)
     return True
 
 

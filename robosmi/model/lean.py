@@ -1,8 +1,9 @@
 """Elements without ballast: how values lie inside a pyecore EObject, and how to put them there without its setters.
 
-pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are holders with
-what all share in their class, and descriptors that make the four containers when somebody asks. Elements stay pyecore
-EObjects: its own setters, collections and `delete` work on them. Only the XMI reader, `construct` and `strict` use this module.
+pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are attributes whose
+plain values lie bare in the element until somebody changes them, holders with what all share in their class, and descriptors
+that make the four containers when somebody asks. Elements stay pyecore EObjects: its own setters, collections and `delete`
+work on them. Only the XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
 """
 
 from __future__ import annotations
@@ -12,12 +13,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from pyecore.ecore import EEnum
+from pyecore.ecore import EAttribute, EEnum, EEnumLiteral
 from pyecore.innerutils import InternalSet
 from pyecore.valuecontainer import ECollection, EOrderedSet, EValue
 
 from robosmi.model import datatypes
-from robosmi.model.strict import resource_of
+from robosmi.model.strict import Element, resource_of
 
 
 def _holder_class(name: str, is_ref: bool, is_cont: bool) -> Any:
@@ -39,6 +40,45 @@ ContainedValue = _holder_class("ContainedValue", True, True)
 HOLDERS = (AttributeValue, ReferenceValue, ContainedValue)
 
 _new = object.__new__
+_NOTHING: Any = object()
+
+REFUSAL = "_refusal"
+"""Where an element that nobody can change has what makes the error, of the element and a feature's name."""
+BARE = frozenset([int, str, bool, float, EEnumLiteral])
+"""Classes of the values that lie bare in an element, by their exact class."""
+
+
+class _BareAttribute(EAttribute):  # type: ignore[misc]
+    """An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
+
+    def __get__(self, instance: Any, owner: Any = None) -> Any:
+        if instance is None:
+            return self
+        value = instance.__dict__.get(self._name, _NOTHING)
+        if value.__class__ in BARE:
+            return value
+        if value is _NOTHING and REFUSAL in instance.__dict__:
+            return self.get_default_value()  # an element that nobody can change needs no holder for what it has not
+        return super().__get__(instance, owner)
+
+    def __set__(self, instance: Any, value: Any) -> None:
+        slots = instance.__dict__
+        if REFUSAL in slots:
+            raise slots[REFUSAL](instance, self._name)
+        present = slots.get(self._name, _NOTHING)
+        if present.__class__ in BARE:
+            slots[self._name] = holder(AttributeValue, instance, self, present)
+        super().__set__(instance, value)
+
+
+_BareAttribute.__name__ = _BareAttribute.__qualname__ = EAttribute.__name__  # it is the same thing to all who ask
+
+
+def bare(feature: Any) -> bool:
+    """Whether values of the feature may lie bare in elements from now on, which is for attributes of one value alone."""
+    if feature.__class__ is EAttribute and not (feature.many or feature.derived or feature.volatile):
+        feature.__class__ = _BareAttribute
+    return feature.__class__ is _BareAttribute
 
 
 def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
@@ -52,26 +92,40 @@ def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
 
 def collection(owner: Any, feature: Any) -> Any:
     """An empty collection of the class that pyecore would take for that feature, which is not derived."""
-    if not (feature.unique and feature.ordered):
+    form = feature.__dict__.get("_robosmi_form", _NOTHING)
+    if form is _NOTHING:
+        if not (feature.unique and feature.ordered):
+            form = None
+        else:
+            is_ref = feature.is_reference
+            is_cont = is_ref and feature.containment
+            form = is_ref, is_cont, is_cont and feature.eOpposite is None
+        if issubclass(owner.__class__, Element):  # the features of other classes may change yet
+            feature.__dict__["_robosmi_form"] = form
+    if form is None:
         made = ECollection.create(owner, feature)
         made.birth = None
         return made
     made = _new(EOrderedSet)
     made.owner = owner
     made.feature = feature
-    made.is_ref = feature.is_reference
-    made.is_cont = made.is_ref and feature.containment
+    made.is_ref, made.is_cont, is_born = form
     made.generic_type = None
     made._orderedset_update = False
     made.items = []
     made.map = {}
-    made.birth = (owner, feature) if made.is_cont and feature.eOpposite is None else None
+    made.birth = (owner, feature) if is_born else None
     return made
 
 
 def holders_of(element: Any) -> list[Any]:
     """All holders and collections of an element, those made by a mere look included."""
     return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
+
+
+def value_in(slot: Any) -> Any:
+    """The value in a slot of an attribute of one value, bare or in a holder."""
+    return slot if slot.__class__ in BARE else slot._value
 
 
 class _Made:
@@ -89,10 +143,18 @@ class _Made:
 
 
 def _set_features(element: Any) -> Any:
-    """The features that were given a value: those with a holder or collection of ours, and collections that hold something."""
+    """The features that were given a value: bare ones, those with a holder or collection of ours, collections with something."""
     found = InternalSet()
-    for value in holders_of(element):
-        if isinstance(value, HOLDERS) or (isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value))):
+    cls = element.__class__
+    for name, value in element.__dict__.items():
+        if value.__class__ in BARE:
+            feature = getattr(cls, name, None)
+            if feature.__class__ is _BareAttribute:
+                found[feature] = None
+        elif isinstance(value, EValue):
+            if value.__class__ is not EValue and (value._value is not None or isinstance(value, HOLDERS)):
+                found[value.feature] = None
+        elif isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value)):
             found[value.feature] = None
     return found
 

@@ -1,6 +1,6 @@
 """EMF elements that are built when somebody asks for them, and that nobody can change.
 
-A driver builds an element with stand-ins in the place of parts that are not wanted yet (`stand_ins`); `settle` turns these into
+A driver builds an element with stand-ins in the place of parts that are not wanted yet (`stand_in`); `settle` turns these into
 promises, which pyecore's own attribute access keeps at the first look, once. Every slot is then read-only, with a clear error.
 Which parts can wait, and how they are built, is the driver's business.
 """
@@ -17,6 +17,7 @@ from pyecore.valuecontainer import EList, EOrderedSet, EValue
 from robosmi.errors import InternalError
 from robosmi.model.driver import ReadOnlyError
 from robosmi.model.features import all_features
+from robosmi.model.lean import BARE, REFUSAL, bare, prepare
 
 
 def refused(element: Any, name: str) -> ReadOnlyError:
@@ -39,24 +40,40 @@ class Promise:
 
     __slots__ = ("element", "feature", "hint", "make")
 
-    def __init__(self, element: Any, feature: Any, make: Callable[[], Any], hint: Any = None) -> None:
+    def __init__(self, element: Any, feature: Any, make: Callable[..., Any], hint: Any = None) -> None:
         self.element = element
         self.feature = feature
         self.make = make
         self.hint = hint
         element.__dict__[feature._name] = self
 
+    def value(self) -> Any:
+        """The value, made now."""
+        return self.make()
+
     def _get(self) -> Any:
         try:
-            value = self.make()
+            value = self.value()
         except AttributeError as error:  # pyecore would take the promise itself for the value
             raise InternalError(f"{self.feature._name} cannot be built: {error}") from error
-        if self.element.__dict__[self.feature._name] is self:
+        slots, name = self.element.__dict__, self.feature._name
+        if slots[name] is self:
             fill(self.element, self.feature, value)
-        return self.element.__dict__[self.feature._name]._get()
+        held = slots[name]
+        return held if held.__class__ in BARE else held._get()
 
     def _set(self, value: Any, update_opposite: bool = True) -> None:
         raise refused(self.element, self.feature._name)
+
+
+class Link(Promise):
+    """A promise whose value is found by the element and the feature alone, so that many can share how (`make`)."""
+
+    __slots__ = ()
+
+    def value(self) -> Any:
+        """The value, found now."""
+        return self.make(self.element, self.feature)
 
 
 class ReadOnlyValue(EValue):  # type: ignore[misc]
@@ -95,38 +112,44 @@ def fill(element: Any, feature: Any, value: Any) -> None:
     values = list(value) if feature.many else [] if value is None else [value]
     if feature.is_reference and feature.containment:
         for child in values:
-            child._container = element
-            child._containment_feature = feature
+            inner = child.__dict__
+            inner["_container"], inner["_containment_feature"] = element, feature
+    slots = element.__dict__
     if feature.many:
-        element.__dict__[feature._name] = _collection(element, feature, values)
+        slots[feature._name] = _collection(element, feature, values)
+    elif value.__class__ in BARE and bare(feature):
+        slots[feature._name] = value
     else:
-        holder = ReadOnlyValue(element, feature)
-        holder._value = value
-        element.__dict__[feature._name] = holder
-    if values:
-        element._isset[feature] = None
+        holder = slots[feature._name] = object.__new__(ReadOnlyValue)
+        holder.owner, holder.feature, holder._value = element, feature, value
+        holder.is_ref = feature.is_reference
+    if values and "_isset" in slots:
+        slots["_isset"][feature] = None
 
 
 @cache
-def stand_ins(cls: Any) -> Any:
+def _stand_ins(cls: Any) -> Any:
     """A class whose elements stand for parts that are built later; `cls` is a class that every place for such a part takes."""
     quiet: Any = type("Quiet", (type(cls),), {"__init__": type.__init__})  # it becomes part of no metamodel
-    return quiet(f"Later{cls.__name__}", (cls,), {})
+    made = quiet(f"Later{cls.__name__}", (cls,), {})
+    prepare(made)
+    return made
 
 
 def stand_in(cls: type, make: Callable[[], Any], hint: Any) -> Any:
     """A stand-in for a part."""
-    made = stand_ins(cls)()
-    made._make, made._hint = make, hint
+    made = object.__new__(_stand_ins(cls))
+    slots = made.__dict__
+    slots["_make"], slots["_hint"] = make, hint
     return made
 
 
-def settle(element: Any, links: Callable[[Any, Any], Callable[[], Any]] | None = None) -> Any:
+def settle(element: Any, links: Callable[[Any, Any], Any] | None = None) -> Any:
     """Make an element that was just built, with all it contains already, read-only, its stand-ins into promises.
 
     Args:
         element: the element.
-        links: for an element and a cross reference how to make its value; None if they have their values.
+        links: finds the value of a cross reference, given the element and the feature; None if they have their values.
 
     Returns:
         The element.
@@ -135,33 +158,40 @@ def settle(element: Any, links: Callable[[Any, Any], Callable[[], Any]] | None =
     while pending:
         one = pending.pop()
         slots, cls = one.__dict__, one.__class__
-        assert one._isset is not None  # it may be worked out from the holders, which now change their classes
-        for feature in _features(one.eClass):
-            name = feature._name
+        slots[REFUSAL] = refused
+        for feature, name, is_link, holds in _held(cls):
             slot = slots.get(name)
-            if isinstance(slot, (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)):
-                pending.extend(_parts(slot, feature))
-            elif links is not None and _is_link(feature):
-                Promise(one, feature, links(one, feature))
+            if isinstance(slot, _READ_ONLY):
+                if holds:
+                    pending.extend(_parts(slot, feature))
+            elif is_link and links is not None:
+                Link(one, feature, links)
             elif slot is None:
                 slots[name] = _empty(cls, name, feature)
-            elif (built := _promised(one, feature, slot)) is not None:
+            elif holds and (built := _promised(one, feature, slot)) is not None:
                 pending.extend(built)
             else:
                 slot.__class__ = (
                     ReadOnlyValue if isinstance(slot, EValue) else ReadOnlyList if isinstance(slot, EList) else ReadOnlySet
                 )
-                pending.extend(_parts(slot, feature))
+                if holds:
+                    pending.extend(_parts(slot, feature))
     return element
 
 
-@cache
-def _features(eclass: Any) -> list[Any]:
-    """The features of a class; what is read on demand has a metamodel that does not change any more."""
-    return all_features(eclass)
+_READ_ONLY = (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)
 
 
 @cache
+def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
+    """The features of a class whose slots must be made read-only one by one; that metamodel does not change any more.
+
+    Each with its slot, whether it is a cross reference, whether it contains elements.
+    """
+    features = [f for f in all_features(cls.eClass) if f.is_reference or not bare(f)]
+    return [(f, f._name, _is_link(f), bool(f.is_reference and f.containment)) for f in features]
+
+
 def _is_link(feature: Any) -> bool:
     return (
         isinstance(feature, EReference) and not feature.containment and not (feature.eOpposite and feature.eOpposite.containment)
@@ -169,16 +199,14 @@ def _is_link(feature: Any) -> bool:
 
 
 def _parts(slot: Any, feature: Any) -> list[Any]:
-    """The elements that a slot contains already."""
-    if isinstance(slot, Promise) or not (feature.is_reference and feature.containment):
+    """The elements that a slot of containment contains already."""
+    if isinstance(slot, Promise):
         return []
     return list(slot) if feature.many else [] if slot._value is None else [slot._value]
 
 
 def _promised(element: Any, feature: Any, slot: Any) -> list[Any] | None:
     """Turn a slot with stand-ins into a promise; the elements in it that are built already, or None if there was no stand-in."""
-    if not (feature.is_reference and feature.containment):
-        return None
     parts = list(slot) if feature.many else [slot._value]
     if not any(part is not None and "_make" in part.__dict__ for part in parts):
         return None

@@ -100,9 +100,7 @@ class Element(_Base):
             return resource_of(self)
 
     def __init__(self, **features: Any) -> None:
-        from robosmi.model.construct import initialise  # it needs this module's errors
-
-        initialise(self, features)
+        (_initialise or _find_initialise())(self, features)
 
     if not TYPE_CHECKING:  # to a type checker an element has its features and no others
 
@@ -160,6 +158,17 @@ def resource_of(element: Any) -> Any:
         if steps == limit:
             steps, limit, seen = 0, limit * 2, element
     return element._eresource
+
+
+_initialise: Any = None
+
+
+def _find_initialise() -> Any:
+    global _initialise
+    from robosmi.model.construct import initialise  # it needs this module's errors
+
+    _initialise = initialise
+    return initialise
 
 
 _MISSING: Any = object()

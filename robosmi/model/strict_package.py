@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from pyecore import ecore
 
+from robosmi.model.construct import initialise
 from robosmi.model.ecore_description import XML_TYPE_URI
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
@@ -46,13 +47,29 @@ if TYPE_CHECKING:
 
 else:
     EAttribute, EReference = ecore.EAttribute, ecore.EReference
+    _INIT = Element.__init__
 
     class MetaEClass(ecore.MetaEClass):
         """pyecore's metaclass, with features whose name in Python is not their name in the metamodel.
 
         Such a feature has both names: the Python one for people, its own for pyecore, which asks for it by that name. A
-        name that something else has (`delete`, `__init__`, the Python name of another feature) is not set over it.
+        name that something else has (`delete`, `__init__`, the Python name of another feature) is not set over it. Whether
+        a class is abstract is asked until it has an element.
         """
+
+        _concrete = False
+
+        def __call__(cls, *given: Any, **features: Any) -> Any:
+            """A new element."""
+            if "_concrete" in cls.__dict__:
+                if cls.__init__ is _INIT and cls.__new__ is Element.__new__ and not given:
+                    made = object.__new__(cls)
+                    initialise(made, features)
+                    return made
+                return type.__call__(cls, *given, **features)
+            made = super().__call__(*given, **features)
+            cls._concrete = True
+            return made
 
         def __init__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> None:
             super().__init__(name, bases, namespace)

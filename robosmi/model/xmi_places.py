@@ -19,6 +19,7 @@ from pyecore import ecore
 from robosmi.errors import ModelError
 from robosmi.model import datatypes
 from robosmi.model.features import as_package, id_attribute, root_package
+from robosmi.model.lean import value_in
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
 _NOT_IN_PATHS = re.compile(r"[^A-Za-z0-9/_.!~*'()@=+$,;\u00a0-\U0010ffff-]")  # as EMF's URI.createFileURI, but for & and :
@@ -83,9 +84,10 @@ class Places:
             self._ids[element.__class__] = known
         key, convert, default = known
         slot = element.__dict__.get(key) if key is not None else None
-        if slot is None or convert is None or slot._value is None or slot._value == default:
+        value = value_in(slot) if slot is not None else None
+        if convert is None or value is None or value == default:
             return None
-        identity = str(convert(slot._value))
+        identity = str(convert(value))
         if identity[:1] == "/":
             raise UnusableId(identity)
         return identity
@@ -144,7 +146,7 @@ def shown(element: Any) -> str:
     if " object at 0x" not in text:
         return text
     name = element.__dict__.get("name")
-    value = getattr(name, "_value", None)
+    value = name if isinstance(name, str) else getattr(name, "_value", None)
     return f"<{type(element).__name__}{f' name={value!r}' if value is not None else ''}>"
 
 

@@ -20,7 +20,7 @@ from robosmi.errors import ModelError
 from robosmi.model.datatypes import real
 from robosmi.model.ecore_writer import EcoreText
 from robosmi.model.features import as_package
-from robosmi.model.lean import collector_at_rest
+from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi_places import Places, Unplaced, UnusableId, metamodel_place, metamodel_uri, relative, shown
 
@@ -142,7 +142,7 @@ class _Writer:
                 for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
                     slot = slots[key]
                     if kind == VALUE:
-                        value = slot._value
+                        value = slot if slot.__class__ in BARE else slot._value
                         if value.__class__ is plain and (text := rendered.get(value)) is not None:
                             append(text)
                         else:

@@ -7,9 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pyecore.notification import EObserver
 
 import robosmi
 from robosmi.metamodels import ccode, hardware
+from robosmi.model.changes import Recording
+from robosmi.model.strict import FeatureValueError
 from robosmi.model.xmi_writer import to_xmi
 
 
@@ -174,3 +177,29 @@ def test_a_whole_program_is_made_the_same_both_ways(examples: Path) -> None:
         twins.append(made[id(original)])
     assert len(state(twins[0])) > 300
     assert state(twins[0]) == state(twins[1])
+
+
+def test_a_value_given_to_the_constructor_behaves_as_one_set_later() -> None:
+    macro = ccode.Macro(name="ON", functionLike=True, line=3)
+    assert (macro.name, macro.functionLike, macro.line, macro.column) == ("ON", True, 3, 0)
+    assert [macro.eIsSet(name) for name in ("name", "line", "column")] == [True, True, False]
+    seen: list[Any] = []
+    observer: Any = type("Observer", (EObserver,), {"notifyChanged": lambda self, change: seen.append((change.old, change.new))})
+    observer(macro)
+    macro.name = "OFF"
+    macro.line = 4
+    assert seen == [("ON", "OFF"), (3, 4)]
+    with pytest.raises(FeatureValueError, match="does not take"):
+        macro.line = "five"  # type: ignore[assignment]
+    assert (macro.name, macro.line) == ("OFF", 4)
+    del_name: Any = macro
+    del del_name.name
+    assert del_name.name != "OFF"
+
+
+def test_an_undone_change_gives_back_what_the_constructor_got() -> None:
+    macro = ccode.Macro(name="ON")
+    with Recording() as recording:
+        macro.name = "OFF"
+    recording.undo()
+    assert macro.name == "ON"

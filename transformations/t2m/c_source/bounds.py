@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import os
 import re
+import stat
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache
 
 from robosmi.diagnostics import Location
@@ -73,12 +75,15 @@ def harmless_headers(path: str, data: bytes, folders: Sequence[str]) -> dict[str
     """
     found: dict[str, bytes] = {}
     own = os.path.dirname(os.path.abspath(path))
+    holding = _holding(tuple(_stamped(os.path.abspath(folder)) for folder in folders))
     pending = [(own, name) for name in _INCLUDED.findall(data)]
     seen: set[str] = set()
     while pending and len(seen) < MAX_HEADERS:
-        beside, name = pending.pop()
-        for folder in (beside, *folders):
-            place = os.path.join(os.path.abspath(folder), name.decode("latin-1"))
+        beside, raw = pending.pop()
+        name = raw.decode("latin-1")
+        first = name.partition("/")[0]
+        for folder in (beside, *holding.get(first if first not in _UP else "", ())):
+            place = os.path.join(folder, name)
             if place in seen:
                 break
             try:
@@ -86,12 +91,34 @@ def harmless_headers(path: str, data: bytes, folders: Sequence[str]) -> dict[str
             except (OSError, ValueError):
                 continue
             seen.add(place)
-            if os.path.isfile(place):
+            if stat.S_ISREG(state.st_mode):
                 text, included = _harmless(place, state.st_mtime_ns, state.st_size)
                 if text is not None:
                     found[place] = text
                 pending += [(os.path.dirname(place), inner) for inner in included]
                 break
+    return found
+
+
+_UP = frozenset(["", ".", ".."])
+
+
+def _stamped(folder: str) -> tuple[str, int]:
+    """A folder and when an entry of it was last made, renamed or removed; 0 for no folder."""
+    try:
+        return folder, os.stat(folder).st_mtime_ns
+    except (OSError, ValueError):
+        return folder, 0
+
+
+@lru_cache(maxsize=100)
+def _holding(folders: tuple[tuple[str, int], ...]) -> dict[str, list[str]]:
+    """For each name the folders that have an entry of that name, in order; all of them for the empty name."""
+    found: dict[str, list[str]] = {"": [folder for folder, _ in folders]}
+    for folder, changed in folders:
+        with suppress(OSError):  # a file, or a folder that may not be read
+            for name in os.listdir(folder) if changed else ():
+                found.setdefault(name, []).append(folder)
     return found
 
 

@@ -9,7 +9,8 @@ builders.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, c_longlong, c_uint, c_ulong, c_void_p, pointer
 from functools import cache
 from importlib.util import find_spec
@@ -181,19 +182,20 @@ def parse(
 def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, Any], int]) -> None:
     """Visit the children of a cursor; the callback answers 0 to stop, 1 to go on, 2 to go into the child first.
 
+    What it raises would be lost in C: it must be `raising`, or raise nothing.
+    """
+    library().visitChildren(cursor, VISITOR(callback), None)
+
+
+@contextmanager
+def raising() -> Iterator[list[BaseException]]:
+    """A list for what a callback caught, whose first is raised in the end: nothing may pass through C.
+
     Raises:
-        Exception: what the callback raised (ctypes alone would swallow it).
+        BaseException: what the callback put into the list.
     """
     failed: list[BaseException] = []
-
-    def guarded(child: Cursor, parent: Cursor, data: Any) -> int:
-        try:
-            return callback(child, parent, data)
-        except BaseException as error:  # nothing may pass through C
-            failed.append(error)
-            return 0
-
-    library().visitChildren(cursor, VISITOR(guarded), None)
+    yield failed
     if failed:
         raise failed[0]
 

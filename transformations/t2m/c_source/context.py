@@ -62,6 +62,7 @@ class Context:
         for expansion in sorted(parsed.expansions, key=lambda e: (e.start, -e.end)):
             self._expansions.append(expansion)
             self._expansion_starts.append(expansion.start)
+        self.argument_types: dict[tuple[int, int | None, int | None], str] = {}
         self.canonical: dict[int, tuple[str, int, bool, bool]] = {}
         self.attribute_macros: frozenset[str] = frozenset(
             {*api.settings["parser"].get("attribute_macros", ()), *parsed.prelude.macros}

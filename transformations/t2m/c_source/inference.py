@@ -76,8 +76,16 @@ def _type_name(context: Context, node: Node) -> str:
         node = node.children[0]
     if node.kind == 109:
         return "const char *"
-    lib = context.lib
-    kind = lib.getCursorType(node.cursor)
+    kind = context.lib.getCursorType(node.cursor)
+    key = (kind.kind, kind.data[0], kind.data[1])
+    known = context.argument_types.get(key)
+    if known is None:
+        known = context.argument_types[key] = _argument_type(context.lib, kind)
+    return known
+
+
+def _argument_type(lib: Any, kind: Any) -> str:
+    """The type of a parameter that takes values of a type of the parser."""
     canonical = lib.getCanonicalType(kind)
     text: str = lib.text(lib.getTypeSpelling(kind))
     if canonical.kind in _FLOATING:

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.construct import connect
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.lexer import KEYWORDS, TYPE_WORDS
@@ -48,7 +49,7 @@ class Linker:
             function = self._external_function(name, self._sites[name])
             functions.append(function)
             for site in self._sites[name]:
-                site.call.callee = function
+                connect(site.call, "callee", function)
         symbols = [self.externals[key] for key in sorted(self.externals)]
         return functions + symbols
 
@@ -60,7 +61,7 @@ class Linker:
             if function is None or not function.definition:
                 function = self._own(number, str(call.calleeName)) or function
             if function is not None:
-                call.callee = function
+                connect(call, "callee", function)
                 continue
             name = str(call.calleeName)
             header = (header_of(context, cursor) if cursor is not None else None) or ""
@@ -132,7 +133,7 @@ class Linker:
             if element is None:
                 element = self._external_symbol(context, reference, cursor)
             if element is not None:
-                reference.target = element
+                connect(reference, "target", element)
 
     def _external_symbol(self, context: Context, reference: ccode.NameReference, cursor: Any) -> ccode.Declaration | None:
         name = str(reference.name)
@@ -162,7 +163,7 @@ class Linker:
                     headers = _type_headers(context)
                 own = self._symbol(name, headers.get(name, ""), "typeUse")
             if own is not None:
-                use.declaration = own
+                connect(use, "declaration", own)
 
 
 def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Function]:

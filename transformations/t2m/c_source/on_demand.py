@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import os
 import weakref
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -131,13 +132,20 @@ class ProgramModel(TypedModel):
         while pending:
             element = pending.pop()
             yield element
+            slots = element.__dict__
             parts: list[Any] = []
-            for feature in _containments(element.__class__):
-                slot = element.__dict__[feature._name]
-                if _can_hold(feature, wanted) and not (isinstance(slot, Promise) and _holds_only_others(slot, wanted)):
-                    value = slot._get()
-                    parts += value if feature.many else [] if value is None else [value]
-            pending.extend(reversed(parts))
+            for name, many in _ways(element.__class__, wanted):
+                slot = slots[name]
+                if slot.__class__ is Promise and _holds_only_others(slot, wanted):
+                    continue
+                value = slot._get()
+                if many:
+                    parts += value
+                elif value is not None:
+                    parts.append(value)
+            if parts:
+                parts.reverse()
+                pending += parts
 
     # Identity
 
@@ -159,18 +167,14 @@ class ProgramModel(TypedModel):
 
     # Links
 
-    def _link(self, unit: Unit, element: Any, feature: Any) -> Callable[[], Any]:
-        """How to find the value of a cross reference."""
-
-        def make() -> Any:
-            found = self._near(unit, element, feature.name) if not feature.many else None
-            if found is None:
-                self._link_all()
-                slot = element.__dict__[feature.name]  # what was built after all was linked has no link
-                return (() if feature.many else None) if isinstance(slot, Promise) else slot._get()
-            return found
-
-        return make
+    def _link(self, unit: Unit, element: Any, feature: Any) -> Any:
+        """The value of a cross reference."""
+        found = self._near(unit, element, feature.name) if not feature.many else None
+        if found is None:
+            self._link_all()
+            slot = element.__dict__[feature.name]  # what was built after all was linked has no link
+            return (() if feature.many else None) if isinstance(slot, Promise) else slot._get()
+        return found
 
     def _near(self, unit: Unit, element: Any, name: str) -> Any:
         """The program's own declaration that a use refers to, if it can be told without the rest of the program."""
@@ -221,7 +225,7 @@ class ProgramModel(TypedModel):
             in_building_order(unit)
             unit.link_macros()
         self._made_externals = Linker(list(contexts), [list(unit.element.declarations) for unit in self._units]).run()
-        for element in (*elements, *self._made_externals):
+        for element in (*(unit.element for unit in self._units), *self._made_externals):
             settle(element)
 
 
@@ -240,6 +244,12 @@ def _containments(cls: type) -> list[Any]:
         features = all_features(cls.eClass)  # type: ignore[attr-defined]
         _CONTAINS[cls] = [f for f in features if f.is_reference and f.containment]
     return _CONTAINS[cls]
+
+
+@cache
+def _ways(cls: type, wanted: type) -> list[tuple[str, bool]]:
+    """Where elements of the wanted class may be below an element of a class: slots, and whether they hold many."""
+    return [(feature._name, feature.many) for feature in _containments(cls) if _can_hold(feature, wanted)]
 
 
 def _links(cls: type) -> list[Any]:

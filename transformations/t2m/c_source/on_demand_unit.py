@@ -69,7 +69,7 @@ class Unit:
         api: the platform's.
         folders: with headers.
         defines: macros from outside.
-        link: for a cross reference of an element how to find its value.
+        link: finds the value of a cross reference of an element.
         program: the program's element.
 
     Raises:
@@ -82,7 +82,7 @@ class Unit:
         api: ApiIndex,
         folders: Sequence[str],
         defines: Sequence[str],
-        link: Callable[[Unit, Any, Any], Callable[[], Any]],
+        link: Callable[[Unit, Any, Any], Any],
         program: ccode.Program,
     ) -> None:
         self._api, self._folders, self._defines, self._link_of = api, list(folders), list(defines), link
@@ -130,12 +130,15 @@ class Unit:
     def _covered(self) -> coverage.Coverage:
         pending: list[Any] = [*self.element.declarations, *self.element.macroUses]
         while pending:  # all of it must be built for this
-            pending.extend(pending.pop().eContents)
+            pending += contents(pending.pop())
         return coverage.calls(self.context)
 
     def settled(self, element: Any) -> Any:
         """An element that was just built, read-only and with promises in the place of its links."""
-        return settle(element, lambda owner, feature: self._link_of(self, owner, feature))
+        return settle(element, self._linked)
+
+    def _linked(self, owner: Any, feature: Any) -> Any:
+        return self._link_of(self, owner, feature)
 
     def _settled_all(self, elements: Any) -> list[Any]:
         return [self.settled(element) for element in elements]

@@ -1,7 +1,8 @@
 """Parsing one text with libclang: arguments, virtual headers, the prelude loop, diagnostics, and the file's top level.
 
-The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). At most three parses: the second with
-declarations for undeclared names (`prelude`), the third for names that only then came to light. Where the text is damaged, some
+The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). Mostly one parse, with declarations for the names
+that nothing declares as far as the tokens tell (`foresight`, `prelude`); else up to three: the second with declarations for
+undeclared names, the third for names that only then came to light. Where the text is damaged, some
 more of a copy that is mended step by step (`mending`); the complaints stay, offsets are those of the file.
 """
 
@@ -11,9 +12,11 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 from robosmi.transformations.t2m.c_source import clang, tree
 from robosmi.transformations.t2m.c_source.bounds import cuts, harmless_headers
+from robosmi.transformations.t2m.c_source.foresight import foresee
 from robosmi.transformations.t2m.c_source.mending import MAX_ROUNDS, Edit, Scratch, closed_strings, guess, opening
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
@@ -83,13 +86,22 @@ class Parsed:
 _INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
 
 
-def _virtual_files(api: ApiIndex, source: SourceText, include_dirs: Sequence[str]) -> list[clang.UnsavedFile]:
-    """The standard headers that the text can reach; each one given costs time even where it is not read."""
+_NAME = re.compile(rb"[A-Za-z_]\w*")
+
+
+def _virtual_files(
+    api: ApiIndex, source: SourceText, include_dirs: Sequence[str]
+) -> tuple[list[clang.UnsavedFile], frozenset[str] | None]:
+    """The standard headers that the text can reach, and all names in them; no names where it reaches real headers too.
+
+    Each header that is given costs time even where it is not read.
+    """
     headers = api.virtual_headers()
     wanted = {name.decode("latin-1") for name in _INCLUDED.findall(source.parsed)}
     folder = os.path.dirname(os.path.abspath(source.path))
     local: dict[str, bytes] = {}
-    if include_dirs or any(os.path.isfile(os.path.join(folder, name)) for name in wanted):
+    own = not include_dirs and not any(os.path.isfile(os.path.join(folder, name)) for name in wanted)
+    if not own:
         reached = set(headers)  # real headers may include any of them
         local = harmless_headers(source.path, source.parsed, include_dirs)
     else:
@@ -100,7 +112,14 @@ def _virtual_files(api: ApiIndex, source: SourceText, include_dirs: Sequence[str
                 reached.add(name)
                 pending += [n.decode("latin-1") for n in _INCLUDED.findall(headers[name])]
     files = {f"{HEADERS}/{name}": headers[name] for name in sorted(reached)}
-    return clang.unsaved(files | local)
+    names = frozenset[str]().union(*(_names(headers[name]) for name in reached)) if own else None
+    return clang.unsaved(files | local), names
+
+
+@cache
+def _names(header: bytes) -> frozenset[str]:
+    """All names in a header of our own."""
+    return frozenset(name.decode() for name in _NAME.findall(header))
 
 
 def arguments(api: ApiIndex, language: str, include_dirs: Sequence[str], defines: Sequence[str]) -> list[str]:
@@ -133,13 +152,12 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
     settings = api.settings["parser"]
     given = arguments(api, source.language, include_dirs, defines)
     path = os.path.abspath(source.path)
-    fixed = _virtual_files(api, source, include_dirs)
-    prelude = Prelude(api, source.language == "C++")
-    if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
-        prelude.always.append("#include <stdarg.h>")
+    fixed, names = _virtual_files(api, source, include_dirs)
     first: list[Diagnostic] = []
     taken_out = cuts(source.path, source.parsed, source.tokens)
     attempt = _Attempt(source, taken_out)
+    prelude = _prelude(source, api)
+    foreseen = names is not None and not taken_out and _foresee(prelude, source, names, defines)
     number = 0
     while True:
         number += 1
@@ -150,6 +168,12 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
             return None
         reader = tree.TreeReader(unit, path, scratch)
         diagnostics = _diagnostics(unit, reader)
+        if foreseen:
+            foreseen = False
+            if not _as_foreseen(diagnostics, prelude):
+                number, prelude = 0, _prelude(source, api)
+                clang.library().disposeTranslationUnit(unit)
+                continue
         if number == 1:
             first = list(diagnostics)
         else:  # a type that only comes to light when the text is mended is as unknown
@@ -176,6 +200,41 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         reader,
         reader.cut,
     )
+
+
+def _prelude(source: SourceText, api: ApiIndex) -> Prelude:
+    """The prelude before anything is known of a text."""
+    prelude = Prelude(api, source.language == "C++")
+    if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
+        prelude.always.append("#include <stdarg.h>")
+    return prelude
+
+
+def _foresee(prelude: Prelude, source: SourceText, names: frozenset[str], defines: Sequence[str]) -> bool:
+    """Put into a prelude what the text will surely be found not to declare; whether there is any."""
+    if prelude.cxx:
+        return False
+    settings = prelude.platform.settings["parser"]
+    given = {re.split(r"\W", define, maxsplit=1)[0] for define in (*settings.get("defines", ()), *defines)}
+    given |= {*settings.get("builtins", {}), *settings.get("attribute_macros", ())}
+    found = foresee(source.tokens, lambda name: name in names or name in given)
+    if found is None or not found.undeclared:
+        return False
+    prelude.foresee(found.undeclared, source.tokens, found.functions)
+    return True
+
+
+def _as_foreseen(diagnostics: list[Diagnostic], prelude: Prelude) -> bool:
+    """Whether what was foreseen is all that the text needs, and contradicts nothing in it."""
+    for diagnostic in diagnostics:
+        message = diagnostic.message
+        if message.startswith("conflicting types for"):
+            name = message.split("'")[1]
+            if prelude.declares(name) or name in prelude.functions or name in prelude.standard:
+                return False
+        elif not message.endswith("file not found"):
+            return False
+    return True
 
 
 class _Attempt:

@@ -141,6 +141,20 @@ class Prelude:
             self._add_functions(uses, own)
         return new
 
+    def foresee(self, names: Iterable[str], tokens: list[Token], functions: Iterable[str]) -> None:
+        """Take over names that nothing declares, before any parse.
+
+        Args:
+            names: in text order.
+            tokens: of the text.
+            functions: that the text declares at file scope.
+        """
+        uses, own = _Uses(tokens), dict.fromkeys(functions, "function")
+        for name in names:
+            self._declare(name, False, uses, own)
+        self.members |= {m: form for m, form in uses.members.items() if m not in self.macros}
+        self._add_functions(uses, own)
+
     def _known(self, name: str) -> bool:
         return name in self.types or name in self.values or name in self.macros or name in self.standard
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Sequence
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
+from robosmi.model.construct import connect
 from robosmi.model.lean import collector_at_rest
 from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import Context
@@ -155,5 +156,5 @@ def _unit(
     for use in uses:
         macro = by_name.get(str(use.name))
         if macro is not None:
-            use.macro = macro
+            connect(use, "macro", macro)
     return unit

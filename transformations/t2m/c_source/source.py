@@ -10,6 +10,7 @@ from __future__ import annotations
 import codecs
 import hashlib
 import os
+import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 from typing import Any
@@ -19,6 +20,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.c_source.bounds import LARGEST
 from robosmi.transformations.t2m.c_source.lexer import Token, tokens
 
+_LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000
 CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
 _SPLIT = "give the program's own source files; leave generated data out"
@@ -98,7 +100,7 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
     source = SourceText(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
     if codec != "utf-8":
         source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
-    source._lines = [0, *(i + 1 for i, byte in enumerate(data) if byte == 10)]
+    source._lines = [0, *(match.end() for match in _LINE_END.finditer(data))]
     source.tokens = tokens(source.parsed, MOST_TOKENS)
     if len(source.tokens) > MOST_TOKENS:
         raise SourceError(f"the file has more than {MOST_TOKENS:,} tokens", location=place, fix=_SPLIT)

@@ -16,8 +16,9 @@ from robosmi.transformations.t2m.c_source.mending import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
-TRANSLATION_UNIT, MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 350, 501, 502, 503
+MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 501, 502, 503
 FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = 8, 9, 20, 2, 3, 4, 5, 7
+_NOT_READ = frozenset((MACRO_DEFINITION, INCLUSION))
 _TAGGED = frozenset((STRUCT, UNION, CLASS, ENUM))
 _OWN = {FUNCTION: "function", VARIABLE: "variable", TYPEDEF: "type"}
 
@@ -33,32 +34,27 @@ class Node:
         kind: CXCursorKind.
         start, end: byte offsets in the file; of a macro's expansion where the text has it.
         from_macro: it begins in the expansion of a macro.
+        raw: the cursor's bytes.
         cursor: the cursor itself.
         children: in the parser's order.
 
     A large program has millions of them, so the cursor is kept as its bytes (a third of the memory), and leaves share one list.
     """
 
-    __slots__ = ("_raw", "children", "end", "from_macro", "kind", "start")
+    __slots__ = ("children", "end", "from_macro", "kind", "raw", "start")
 
-    def __init__(self, kind: int, start: int, end: int, from_macro: bool, cursor: Cursor) -> None:
+    def __init__(self, kind: int, start: int, end: int, from_macro: bool, raw: bytes) -> None:
         self.kind = kind
         self.start = start
         self.end = end
         self.from_macro = from_macro
-        self._raw = bytes(cursor)
+        self.raw = raw
         self.children: list[Node] = LEAF
 
     @property
     def cursor(self) -> Cursor:
         """The cursor."""
-        return Cursor.from_buffer_copy(self._raw)
-
-    def add(self, child: Node) -> None:
-        """Put a child behind the others."""
-        if self.children is LEAF:
-            self.children = []
-        self.children.append(child)
+        return Cursor.from_buffer_copy(self.raw)
 
     def __repr__(self) -> str:
         return f"<Node {self.kind} {self.start}..{self.end}{' macro' if self.from_macro else ''} {len(self.children)} children>"
@@ -91,6 +87,7 @@ class TreeReader:
         self.base: int = lib.getLocationForOffset(unit, self.file, 0).int_data
         self.expansions: list[Expansion] = []
         self.cut: list[tuple[int, int]] = []
+        self._extent = lib.getCursorExtent
         self._root = lib.getTranslationUnitCursor(unit)
 
     def offset(self, location: clang.SourceLocation) -> int:
@@ -105,7 +102,7 @@ class TreeReader:
 
     def extent(self, cursor: Cursor) -> tuple[int, int, bool]:
         """Start and end offsets, and whether the start lies in a macro's expansion; -1 outside the main file."""
-        extent = clang.library().getCursorExtent(cursor)
+        extent = self._extent(cursor)
         begin, end, base = extent.begin, extent.end, self.base
         start = begin - base
         if begin < MACRO_ID:
@@ -139,60 +136,105 @@ class TreeReader:
         found: dict[str, str] = {}
 
         def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
-            what = _OWN.get(cursor.kind)
-            if what and self.offset(lib.getCursorLocation(cursor)) >= 0:
-                found[lib.text(lib.getCursorSpelling(cursor))] = what
+            try:
+                what = _OWN.get(cursor.kind)
+                if what and self.offset(lib.getCursorLocation(cursor)) >= 0:
+                    found[lib.text(lib.getCursorSpelling(cursor))] = what
+            except BaseException as error:
+                failed.append(error)
+                return 0
             return 1
 
-        clang.visit(self._root, visitor)
+        with clang.raising() as failed:
+            clang.visit(self._root, visitor)
         return found
 
     def read(self) -> list[Node]:
         """The nodes of the file's top level with all below them; fills `expansions` and `cut`."""
         top: list[Node] = []
-        stack: list[tuple[Any, Any, Any, Node]] = []
         types: set[Any] = set()
+        extent, expansion, place = self.extent, self._expansion, self._extent
+        last = self.base + self.length
 
         def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
             kind = cursor.kind
-            if parent.kind == TRANSLATION_UNIT:
-                if kind in (MACRO_DEFINITION, INCLUSION):
+            if kind in _NOT_READ:  # most cursors by far
+                return 1
+            try:
+                begin = place(cursor).begin
+                if begin > last and begin < MACRO_ID:  # in a header
                     return 1
                 if kind == MACRO_EXPANSION:
-                    self._expansion(cursor)
+                    expansion(cursor)
                     return 1
-                start, end, macro = self.extent(cursor)
-                if start < 0:
-                    return 1
-                node = Node(kind, start, end, macro, cursor)
-                top.append(node)
-                stack.clear()
-            else:
-                held = parent.data
-                key = (held[0], held[1], held[2])
-                while stack and stack[-1][:3] != key:
+                start, end, macro = extent(cursor)
+                if start >= 0:
+                    top.append(Node(kind, start, end, macro, bytes(cursor)))
+            except BaseException as error:
+                failed.append(error)
+                return 0
+            return 1
+
+        with clang.raising() as failed:
+            clang.visit(self._root, visitor)
+        self._read_below(top, types)
+        return top
+
+    def _read_below(self, tops: list[Node], types: set[Any]) -> None:
+        """Add all that is below the nodes of the top level; the types are those whose parts were read."""
+        place, extent, cut = self._extent, self.extent, self.cut
+        first, last = self.base, (self.base + self.length if self._back is None else -1)
+        stack: list[Node] = []
+
+        def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+            try:
+                raw = bytes(parent)
+                while stack[-1].raw != raw:
                     stack.pop()
-                if not stack:
-                    return 1
-                start, end, macro = self.extent(cursor)
-                above = stack[-1][3]
-                if start < 0:  # recovered by the parser, or from an included table
-                    start, end = above.start, above.start
-                node = Node(kind, start, end, macro, cursor)
-                above.add(node)
+                owner = stack[-1]
+                found = place(cursor)
+                start, end = found.begin, found.end
+                if first <= start <= end <= last:
+                    start, end, macro = start - first, end - first, False
+                else:
+                    start, end, macro = extent(cursor)
+                    if start < 0:  # recovered by the parser, or from an included table
+                        start = end = owner.start
+                kind = cursor.kind
+                node = Node(kind, start, end, macro, bytes(cursor))
+                if owner.children is LEAF:
+                    owner.children = [node]
+                else:
+                    owner.children.append(node)
                 if len(stack) > MAX_TREE_DEPTH:
-                    self.cut.append((start, end))
+                    cut.append((start, end))
                     return 1
-            held = cursor.data
-            if kind in _TAGGED:  # the parser shows a type again below each declarator: twice as much for each level
-                if held[0] in types:
+                if kind in _TAGGED and not self._enters(kind, cursor, types):
                     return 1
-                types.add(held[0])
-            stack.append((held[0], held[1], held[2], node))
+                stack.append(node)
+            except BaseException as error:
+                failed.append(error)
+                return 0
             return 2
 
-        clang.visit(self._root, visitor)
-        return top
+        below = clang.VISITOR(visitor)
+        visit = clang.library().visitChildren
+        with clang.raising() as failed:
+            for node in tops:
+                cursor = node.cursor
+                if self._enters(node.kind, cursor, types) and not failed:
+                    stack[:] = [node]
+                    visit(cursor, below, None)
+
+    @staticmethod
+    def _enters(kind: int, cursor: Cursor, types: set[Any]) -> bool:
+        """Whether to read what is below; the parser shows a type again below each declarator: twice as much for each level."""
+        if kind not in _TAGGED:
+            return True
+        name = cursor.data[0]
+        known = name in types
+        types.add(name)
+        return not known
 
     def _expansion(self, cursor: Cursor) -> None:
         start, end, macro = self.extent(cursor)
