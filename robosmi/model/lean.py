@@ -48,7 +48,10 @@ BARE = frozenset([int, str, bool, float, EEnumLiteral])
 """Classes of the values that lie bare in an element, by their exact class."""
 
 
-class _BareAttribute(EAttribute):  # type: ignore[misc]
+_Quiet: Any = type("_Quiet", (type(EAttribute),), {"__init__": type.__init__})  # what it makes becomes part of no metamodel
+
+
+class _BareAttribute(EAttribute, metaclass=_Quiet):  # type: ignore[misc]
     """An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
 
     def __get__(self, instance: Any, owner: Any = None) -> Any:
