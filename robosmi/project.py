@@ -60,6 +60,15 @@ _TABLES = ("migrate", "libraries", "bind", "roles", "severity", "accept")
 _MIGRATE = ("hardware", "target", "source_platform")
 
 
+def project_of(first: Path) -> Project:
+    """The project file beside an input, or in it if it is a folder.
+
+    Raises:
+        SourceError: as `load_project`.
+    """
+    return load_project(first if first.is_dir() else first.parent)
+
+
 def load_project(folder: Path) -> Project:
     """The project file in a folder, or an empty project.
 

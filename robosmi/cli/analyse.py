@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from robosmi.cli.common import add_source_options, project_of, write_model
+from robosmi.cli.common import add_source_options, write_model
 from robosmi.plugins import content
-from robosmi.project import defaults
+from robosmi.project import defaults, project_of
 from robosmi.report import Report
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from robosmi.cli.common import project_of
 from robosmi.plugins import content
+from robosmi.project import project_of
 from robosmi.report import Report
 
 

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.errors import UsageError
-from robosmi.project import Project, load_project
 
 
 def add_source_options(parser: argparse.ArgumentParser) -> None:
@@ -34,11 +33,6 @@ def pairs(texts: list[str], option: str) -> dict[str, str]:
         if result.setdefault(name.strip(), value.strip()) != value.strip():
             raise UsageError(f"{option} gives '{name.strip()}' two values", fix="give one of them")
     return result
-
-
-def project_of(first: Path) -> Project:
-    """The project file beside an input."""
-    return load_project(first.parent if first.parent.parts else Path())
 
 
 def write_model(root: Any, path: Path) -> dict[str, str]:

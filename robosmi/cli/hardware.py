@@ -6,9 +6,10 @@ import argparse
 import shutil
 from pathlib import Path
 
-from robosmi.cli.common import project_of, write_model
+from robosmi.cli.common import write_model
 from robosmi.model.files import write_atomic
 from robosmi.plugins import content
+from robosmi.project import project_of
 from robosmi.report import Report
 
 

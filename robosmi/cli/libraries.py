@@ -1,4 +1,4 @@
-"""`robosmi libraries import DIR`: installed libraries into the user's own index."""
+"""`robosmi libraries import DIR` and `show NAME`: installed libraries into the user's own index, and what a library offers."""
 
 from __future__ import annotations
 
@@ -18,15 +18,27 @@ def configure(parser: argparse.ArgumentParser) -> None:
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     taking = actions.add_parser("import", help="add the libraries of a folder")
     taking.add_argument("folder", metavar="DIR", type=Path, help="folder of libraries, one library, or a PlatformIO project")
-    taking.add_argument("--platform", metavar="NAME", help="platform that the libraries are for")
-    taking.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
+    showing = actions.add_parser("show", help="what a library offers: classes, methods, functions, constants")
+    showing.add_argument("name", metavar="NAME", help="its name in the index")
+    for action in (taking, showing):
+        action.add_argument("--platform", metavar="NAME", help="platform that the libraries are for")
+        action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
+    platform = arguments.platform or defaults()["targets"][defaults()["migrate"]["target"]]["platform"]
+    return _show(arguments.name, platform) if arguments.action == "show" else _import(arguments.folder, platform)
+
+
+def _show(name: str, platform: str) -> Report:
+    shown = content("chain", "libraries_show")(name, platform)
+    return Report("libraries", result=shown.result, lines=shown.lines())
+
+
+def _import(folder: Path, platform: str) -> Report:
     report = Report("libraries")
-    target = defaults()["targets"][defaults()["migrate"]["target"]]
-    done = content("chain", "libraries_import")(arguments.folder, arguments.platform or target["platform"])
+    done = content("chain", "libraries_import")(folder, platform)
     report.result = {
         "added": [{"name": name, "version": version} for name, version in done.added],
         "skipped": [{"path": path, "reason": reason} for path, reason in done.skipped.items()],

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from robosmi.cli.asking import ask_libraries, may_ask
-from robosmi.cli.common import add_source_options, pairs, project_of
+from robosmi.cli.common import add_source_options, pairs
 from robosmi.diagnostics import Finding
 from robosmi.plugins import content
-from robosmi.project import Accepted
+from robosmi.project import Accepted, project_of
 from robosmi.report import Report
 
 
@@ -51,6 +51,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--bind", action="append", default=[], metavar="NAME=PIN", help="target pin for a port of the source")
     parser.add_argument("--adapters", choices=("filled", "placeholders"), help="bodies of adapters")
+    parser.add_argument(
+        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+    )
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
     parser.add_argument("--yes", action="store_true", help="ask nothing")
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
@@ -64,7 +67,7 @@ def run(arguments: argparse.Namespace) -> Report:
         arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
         source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
         libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
-        dry_run=arguments.dry_run, strict=arguments.strict,
+        dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
         ask=ask_libraries if may_ask(yes=arguments.yes, as_json=arguments.json) else None,
     )  # fmt: skip
     return filled(report, done, project.severity, project.accept)

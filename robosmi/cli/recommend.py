@@ -5,10 +5,9 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from robosmi.cli.common import project_of
 from robosmi.errors import UsageError
 from robosmi.plugins import content
-from robosmi.project import defaults
+from robosmi.project import defaults, project_of
 from robosmi.report import Report
 
 

@@ -1,7 +1,7 @@
 """Model to text: the mirror of EGL and EGX on Jinja2, with protected regions, three-way merge and files written all or none.
 
-`Gen` holds rules and runs them; `region_id` derives ids of regions from the model; `formatters` indent. The application's own
-templates go through `environment` and `manifest` as well. Nothing here knows what is generated.
+`Gen` holds rules and runs them; `region_id` derives ids of regions from the model; `formatters` indent. The application writes
+texts with its models in one commit, by `kept_texts` and `manifest`. Nothing here knows what is generated.
 docs/reference/egl.md sets EGL and EGX beside it, construct by construct.
 """
 

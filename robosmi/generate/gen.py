@@ -13,9 +13,7 @@ Rules are `rules`', texts `templates`', files `staging`'s. docs/reference/egl.md
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -28,6 +26,7 @@ from robosmi.generate.rules import Flag, Formatter, GenerationRule, value_of, va
 from robosmi.generate.staging import Staging, as_text
 from robosmi.generate.templates import Templates, Where
 from robosmi.model.driver import Model
+from robosmi.model.lean import collector_at_rest
 from robosmi.query.erl import Blocks, as_model, failed, place_of
 
 F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])
@@ -39,7 +38,7 @@ class Gen:
     """A generation: rules and templates that make the files of a folder.
 
     Args:
-        folder: the output folder; no file is made outside of it.
+        folder: the output folder, the current one if none is given; no file is made outside of it.
         templates: where templates come from: a folder, several, a mapping of names to texts; the built-in ones if None.
         models: handles or root elements; every template sees them by their names.
         keep: false for the engine's behaviour, in which edits outside of protected regions are lost; true to merge them, with the
@@ -56,7 +55,7 @@ class Gen:
 
     def __init__(
         self,
-        folder: str | Path,
+        folder: str | Path = ".",
         templates: Where = None,
         models: Sequence[Any] = (),
         *,
@@ -211,9 +210,26 @@ class Gen:
             StoppedError: with `keep`, an edit would be lost.
         """
         try:
-            with collector_paused():
+            with collector_at_rest():
                 self._run_rules()
                 return self._staging.finish(dry_run=dry_run)
+        finally:
+            self._staging = self._fresh()
+
+    def make(self) -> Generation:
+        """Run the rules as if the folder were empty, and give what they make; the folder is neither read nor written.
+
+        For who writes the files himself, with others in one commit. What `post` blocks are given is not there afterwards either.
+
+        Raises:
+            RuleError: a rule or template is wrong, or raises.
+            SourceError: a target lies outside of the folder.
+        """
+        self._staging.ignore_folder()
+        try:
+            with collector_at_rest():
+                self._run_rules()
+                return self._staging.finish(dry_run=True)
         finally:
             self._staging = self._fresh()
 
@@ -276,15 +292,3 @@ class Gen:
         if target is not None:
             self._put(target, text, flags, rule.name, element)
         return text
-
-
-@contextmanager
-def collector_paused() -> Iterator[None]:
-    """Keep Python's cycle collector still: what a run makes stays until its end, so looking for garbage finds none, at length."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()

@@ -1,4 +1,4 @@
-"""`keep` for a generation that is no `Gen`: texts that were made some other way are merged with the files that are there.
+"""`keep` for texts that `Gen.make` gave, or that were made some other way: they are merged with the files that are there.
 
 The caller writes them, with whatever else it makes, in one commit. The record of last texts is a folder of its output.
 """
@@ -14,7 +14,6 @@ from robosmi.errors import StoppedError
 from robosmi.generate.keep import keep
 from robosmi.generate.record import Record
 from robosmi.generate.regions import styles_in
-from robosmi.generate.three_way import line_map
 from robosmi.model.files import digest
 
 
@@ -29,7 +28,6 @@ class KeptTexts:
         merged: the files whose edits, if any, are in `files`; any other file that is there must be guarded.
         obsolete: files (and their records) that an earlier run made, this one does not, and nobody changed.
         orphans: the same, but changed: they stay, with their records.
-        lines: for files with edits: line of the made text -> line of the file, both from 1.
         findings: what was kept, and what a person has to look at.
     """
 
@@ -39,7 +37,6 @@ class KeptTexts:
     merged: set[str] = field(default_factory=set)
     obsolete: set[str] = field(default_factory=set)
     orphans: set[str] = field(default_factory=set)
-    lines: dict[str, dict[int, int]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
 
 
@@ -94,9 +91,6 @@ def _merge(
     kept.findings += result.findings
     same = there is not None and result.text == existing
     kept.files[name] = there if there is not None and same else result.text.encode()
-    if result.text != text:
-        places = line_map(text.splitlines(), result.text.splitlines())
-        kept.lines[name] = {old + 1: new + 1 for old, new in places.items()}
     if result.save_old and there is not None:
         number, old = 1, f"{name}.orig"
         while (folder / old).exists():

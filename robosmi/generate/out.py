@@ -20,9 +20,9 @@ from jinja2.parser import Parser
 from jinja2.runtime import Context
 
 from robosmi.errors import RuleError, did_you_mean
-from robosmi.generate.output import Buffer, Chop, Raw, chop, outdented
+from robosmi.generate.output import Buffer, Chop, Part, Raw, chop, outdented
 from robosmi.generate.regions import CONTENT_TYPES, CONTROLLED, PROTECTED, CommentStyle
-from robosmi.query.values import as_string
+from robosmi.query.values import as_string, collection_kind
 
 
 class Stop(Exception):
@@ -52,10 +52,11 @@ class Out:
         buffer: the text in the making.
     """
 
-    __slots__ = ("_buffer", "_comments", "_kind", "_last_line", "_own", "_typed", "open", "regions")
+    __slots__ = ("_buffer", "_comments", "_kind", "_last_line", "_own", "_typed", "named", "open", "regions")
 
     def __init__(self, comments: Comments, buffer: Buffer) -> None:
         self.regions: list[str] = []
+        self.named: list[Part] = []
         self.open: str | None = None
         self._comments, self._buffer = comments, buffer
         self._own: list[CommentStyle] = []
@@ -172,6 +173,24 @@ class Out:
     def chop(self, count: int) -> Chop:
         """Takes the last characters away that were printed in this template or macro. For `{% print out.chop(1) %}`."""
         return chop(count)
+
+    def part(self, name: str, /, *elements: Any, step: str = "") -> str:
+        """Says what the lines from here to the next part come from: for `{% do out.part("head", x) %}`, not in a macro.
+
+        Args:
+            name: of the part.
+            elements: what the trace has for its lines, instead of what the template looks at there; elements, collections of
+                them, None for nothing.
+            step: step of a method, if the template belongs to one.
+        """
+        found: list[Any] = []
+        for one in elements:
+            if collection_kind(one) is not None:
+                found += one
+            elif one is not None:
+                found.append(one)
+        self.named.append(Part(len(self._buffer.parts), name, tuple(found), step))
+        return ""
 
     def stop(self) -> str:
         """Ends the template; what it has printed stays."""

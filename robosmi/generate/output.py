@@ -8,7 +8,7 @@ elements that a template looks at between two pieces are those the second one co
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.query.values import as_string
 
@@ -136,18 +136,49 @@ def outdented(text: str, indenters: Iterable[str] = ("\t", "    ")) -> str:
     return "\n".join(next((line[len(level) :] for level in levels if line.startswith(level)), line) for line in lines)
 
 
+class Part(NamedTuple):
+    """A part of a template that says itself what its lines come from (`out.part`).
+
+    Attributes:
+        piece: how many pieces of the text stand before it.
+        name: its name.
+        elements: what its lines come from.
+        step: step of a method, or "".
+    """
+
+    piece: int
+    name: str
+    elements: tuple[Any, ...]
+    step: str
+
+
 class Text(str):
     """A generated text that knows where it comes from; otherwise an ordinary text.
 
     Attributes:
         regions: the ids of its regions, in order.
+        named: the parts that its template named, in order; each reaches to the next.
     """
 
-    __slots__ = ("_marks", "_parts", "_seen", "regions")
+    __slots__ = ("_marks", "_parts", "_seen", "named", "regions")
     _parts: list[str]
     _seen: list[Any]
     _marks: list[int]
     regions: list[str]
+    named: list[Part]
+
+    @property
+    def lines_of_parts(self) -> list[tuple[int, int, Part]]:
+        """First and last line (from 0) of each named part that has text."""
+        found: list[tuple[int, int, Part]] = []
+        line = sum(piece.count("\n") for piece in self._parts[: self.named[0].piece]) if self.named else 0
+        stops = [part.piece for part in self.named[1:]] + [len(self._parts)]
+        for part, stop in zip(self.named, stops, strict=True):
+            text = "".join(self._parts[part.piece : stop])
+            if text:
+                found.append((line, line + text.count("\n", 0, len(text) - 1), part))
+            line += text.count("\n")
+        return found
 
     @property
     def sources(self) -> list[tuple[int, int, tuple[Any, ...]]]:
@@ -168,6 +199,7 @@ def text_of(
     seen: list[Any] | None = None,
     marks: list[int] | None = None,
     regions: list[str] | None = None,
+    named: list[Part] | None = None,
 ) -> Text:
     """A `Text`.
 
@@ -177,7 +209,9 @@ def text_of(
         seen: the elements that were looked at while it was made.
         marks: in pairs, the index of a piece, and how many of these elements had been looked at when it was made.
         regions: the ids of its regions.
+        named: the parts that its template named.
     """
     made = Text(text)
     made._parts, made._seen, made._marks, made.regions = parts or [], seen or [], marks or [], regions or []
+    made.named = named or []
     return made

@@ -67,13 +67,21 @@ class Places:
             f"the file that is there cannot be read: {error.strerror}", location=Location(path), fix="check its permissions"
         )
 
-    def _check(self, name: str, parent: str) -> None:
+    def check_name(self, name: str) -> None:
+        """Make sure that a path may be a file's, whatever there is in the folder.
+
+        Raises:
+            SourceError: it is no name of a file, or lies outside of the folder.
+        """
         if not name or name.endswith("/"):
             raise self._refused(name, "is no name of a file")
         if not within(name):
             raise self._refused(name, "lies outside of the output folder")
         if name.partition("/")[0] == STAGE:
             raise self._refused(name, "is where files wait to be written")
+
+    def _check(self, name: str, parent: str) -> None:
+        self.check_name(name)
         real = os.path.realpath(parent)
         if os.path.commonpath([real, self._root]) != self._root:
             raise self._refused(name, "lies outside of the output folder, by a link")

@@ -16,7 +16,7 @@ from robosmi.generate.regions import CommentStyle, partition
 from robosmi.generate.three_way import line_map
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False, repr=False)
 class Write:
     """A text on its way into a file.
 
@@ -54,6 +54,8 @@ class TextLink:
         rule: the rule that made the file.
         elements: the elements: of a whole text those of its rule, of other lines those that the template looked at there.
         region: the id of the region that these lines are, "" for other lines.
+        part: the part of the template that made them, "" where it names none.
+        step: the step of a method that this part belongs to, or "".
     """
 
     path: str
@@ -62,6 +64,8 @@ class TextLink:
     rule: str
     elements: tuple[Any, ...]
     region: str = ""
+    part: str = ""
+    step: str = ""
 
 
 @dataclass(slots=True)
@@ -112,15 +116,16 @@ class FileChange:
     def _links(self, origin: Write, there: list[str], stop: int) -> Iterator[TextLink]:
         """The links of one text, which stands in these lines of the file up to a line (exclusive), perhaps with changes."""
         made, own = _lines(origin.text), there[origin.line : stop]
-        places = {n: n for n in range(len(made))} if made == own else line_map(made, own)
+        places = None if made == own else line_map(made, own)
         if origin.elements:
             yield TextLink(self.name, origin.line + 1, stop, origin.rule, origin.elements)
-        runs = list(_by_lines(origin.text))
+        runs = list(_by_parts(origin.text) if origin.text.named else _by_lines(origin.text))
         looked_at = _at_regions(origin, runs)
-        for first, final, elements in runs:
-            lines = sorted(places[n] for n in range(first, final + 1) if n in places)
-            for start, end in _runs(lines):
-                yield TextLink(self.name, origin.line + start + 1, origin.line + end + 1, origin.rule, elements)
+        for first, final, elements, part, step in runs:
+            there_now = [(first, final)] if places is None else _runs(_moved(first, final, places))
+            for start, end in there_now:
+                line = origin.line + start + 1
+                yield TextLink(self.name, line, origin.line + end + 1, origin.rule, elements, "", part, step)
         for region in partition("\n".join([*own, ""]), origin.styles).regions() if origin.text.regions else ():
             if region.identity in origin.text.regions:
                 found = {id(e): e for e in (*origin.elements, *looked_at.get(region.identity, ()))}
@@ -196,16 +201,31 @@ class Generation:
         return TextTrace([link for file in self.files for link in file.links()])
 
 
-def _at_regions(origin: Write, runs: list[tuple[int, int, tuple[Any, ...]]]) -> dict[str, tuple[Any, ...]]:
-    """Id of a region -> the elements that the template looked at for the line of its first marker."""
-    regions = partition(origin.text, origin.styles).regions() if origin.text.regions else []
-    lines = {region.line - 1: region.identity for region in regions}
-    return {lines[n]: elements for first, final, elements in runs for n in range(first, final + 1) if n in lines}
+_LineRun = tuple[int, int, tuple[Any, ...], str, str]
+"""First line, last line (from 0), their elements, the part of the template and its step."""
+
+
+def _at_regions(origin: Write, runs: list[_LineRun]) -> dict[str, tuple[Any, ...]]:
+    """Id of a region -> the elements that the line of its first marker comes from."""
+    if not origin.text.regions:
+        return {}
+    lines = {region.line - 1: region.identity for region in partition(origin.text, origin.styles).regions()}
+    return {lines[n]: run[2] for run in runs for n in range(run[0], run[1] + 1) if n in lines}
 
 
 def _lines(text: str) -> list[str]:
     lines = text.split("\n")
     return lines if lines[-1] else lines[:-1]
+
+
+def _moved(first: int, final: int, places: dict[int, int]) -> list[int]:
+    """Where those of these lines that are still there stand now."""
+    return sorted(places[n] for n in range(first, final + 1) if n in places)
+
+
+def _by_parts(text: Text) -> Iterator[_LineRun]:
+    """The runs of lines of a text whose template names its parts."""
+    return ((first, final, part.elements, part.name, part.step) for first, final, part in text.lines_of_parts)
 
 
 def _runs(numbers: list[int]) -> Iterator[tuple[int, int]]:
@@ -222,8 +242,8 @@ def _runs(numbers: list[int]) -> Iterator[tuple[int, int]]:
         yield start, previous
 
 
-def _by_lines(text: Text) -> Iterator[tuple[int, int, tuple[Any, ...]]]:
-    """First line, last line (from 0) and elements of each run of lines that comes from the same elements."""
+def _by_lines(text: Text) -> Iterator[_LineRun]:
+    """The runs of lines that come from the same elements, those that the template looked at."""
     ends = [match.start() for match in re.finditer("\n", text)]
     found: dict[int, dict[int, Any]] = {}
     position = 0
@@ -243,7 +263,7 @@ def _by_lines(text: Text) -> Iterator[tuple[int, int, tuple[Any, ...]]]:
             run = (run[0], line, key)
             continue
         if run is not None:
-            yield run[0], run[1], tuple(found[run[0]].values())
+            yield run[0], run[1], tuple(found[run[0]].values()), "", ""
         run = (line, line, key)
     if run is not None:
-        yield run[0], run[1], tuple(found[run[0]].values())
+        yield run[0], run[1], tuple(found[run[0]].values()), "", ""

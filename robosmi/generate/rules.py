@@ -21,7 +21,7 @@ Flag = bool | Callable[..., Any]
 Formatter = Callable[[str], str]
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class GenerationRule:
     """A rule. Everything that may be a function is called with the element, or with nothing where the rule has no type.
 

@@ -22,7 +22,7 @@ from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.model.commit import commit, recover
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False, repr=False)
 class Pending:
     """A file of a run.
 
@@ -62,9 +62,14 @@ class Staging:
         self.findings: list[Finding] = []
         self._messages: list[str] = []
         self._record = record
+        self._unread = False
         self._queue: list[Write] = []
         self._files: dict[str, Pending] = {}
         self._places: Places | None = None
+
+    def ignore_folder(self) -> None:
+        """Go on as if the folder were empty and no run had been there; it is not looked at any more."""
+        self._unread, self._record = True, None
 
     def write(self, one: Write) -> None:
         """Put a text into a file, as EGL's `generate` and `append` do. It happens when somebody asks for the outcome.
@@ -134,11 +139,14 @@ class Staging:
         found = self._files.get(name)
         if found is None:
             if self._places is None:
-                recover(self.folder)
+                if not self._unread:
+                    recover(self.folder)
                 self._places = Places(self.folder)
             if self._record is not None and f"{name}/".startswith(f"{self._record.place}/"):
                 raise SourceError(f"the target '{name}' is where the last texts are kept", fix="give the file another name")
-            found = self._files[name] = Pending(name, self._places.read(name))
+            if self._unread:
+                self._places.check_name(name)
+            found = self._files[name] = Pending(name, None if self._unread else self._places.read(name))
         return found
 
     def text(self, file: Pending) -> str | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from types import MethodType
 from typing import Any
@@ -46,6 +47,11 @@ class _Environment(jinja2.Environment):
             kwargs.pop("_block_vars", None)
             return function(*args, **kwargs)
         return context.call(function, *args, **kwargs)
+
+    def region_id(self, element: Any, *purpose: str) -> str:
+        """`region_id`, which is a look at the element too."""
+        self.seen.append(element)
+        return region_id(element, *purpose)
 
     def concat(self, pieces: Iterable[str], /) -> str:  # Jinja joins macros and blocks by this
         return joined(pieces)
@@ -91,12 +97,16 @@ class Templates:
         self.comments = Comments()
         self._templates: dict[str, jinja2.Template] = {}
         self._contexts: dict[str, list[Context]] = {}
-        self._environment = _environment(_loader(where))
-        self._globals: dict[str, Any] = {}
-        self.give({"region_id": self._region_id, **(values or {})}, {"outdent": outdented, **(filters or {})})
+        self._shared = where is None and not values and not filters
+        self._environment = _built_in(tuple(resources.folders("templates"))) if self._shared else _environment(_loader(where))
+        self._globals = dict(self._environment.globals)
+        if values or filters:
+            self.give(values or {}, filters or {})
 
     def give(self, values: Mapping[str, Any], filters: Mapping[str, Callable[..., Any]]) -> None:
         """Give all templates further values and filters, by name."""
+        if self._shared:
+            self._shared, self._environment = False, _environment(_loader(None))
         self._environment.globals.update(values)
         self._globals = dict(self._environment.globals)  # what templates have is a ChainMap, and slow
         self._environment.filters.update(filters)
@@ -150,11 +160,7 @@ class Templates:
                 location=self._place(name, None),
                 fix="stop it with {{ out.stop_preserve() }}",
             )
-        return text_of("".join(parts), parts, seen, marks, out.regions)
-
-    def _region_id(self, element: Any, *purpose: str) -> str:
-        self._environment.seen.append(element)
-        return region_id(element, *purpose)
+        return text_of("".join(parts), parts, seen, marks, out.regions, out.named)
 
     def _load(self, name: str) -> jinja2.Template:
         try:
@@ -205,7 +211,13 @@ class Templates:
         return {t.filename: t for t in cache.values() if t.filename is not None}
 
 
-def _environment(loader: jinja2.BaseLoader) -> _Environment:
+@cache
+def _built_in(folders: tuple[Path, ...]) -> _Environment:
+    """The environment of the templates in these folders; compiling them takes longer than what is made with them."""
+    return _environment(jinja2.FileSystemLoader([str(folder) for folder in folders]), auto_reload=True)
+
+
+def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False) -> _Environment:
     environment = _Environment(
         loader=loader,
         undefined=jinja2.StrictUndefined,
@@ -213,12 +225,15 @@ def _environment(loader: jinja2.BaseLoader) -> _Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
-        auto_reload=False,
+        auto_reload=auto_reload,
         cache_size=-1,
+        optimized=False,  # folding constants takes longer than it saves
         finalize=printed,
         extensions=[Blocks, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
     )
     environment.seen = []
+    environment.globals["region_id"] = environment.region_id
+    environment.filters["outdent"] = outdented
     return environment
 
 

@@ -48,30 +48,30 @@ BARE = frozenset([int, str, bool, float, EEnumLiteral])
 """Classes of the values that lie bare in an element, by their exact class."""
 
 
-class _BareAttribute(EAttribute):  # type: ignore[misc]
-    """An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
-
-    def __get__(self, instance: Any, owner: Any = None) -> Any:
-        if instance is None:
-            return self
-        value = instance.__dict__.get(self._name, _NOTHING)
-        if value.__class__ in BARE:
-            return value
-        if value is _NOTHING and REFUSAL in instance.__dict__:
-            return self.get_default_value()  # an element that nobody can change needs no holder for what it has not
-        return super().__get__(instance, owner)
-
-    def __set__(self, instance: Any, value: Any) -> None:
-        slots = instance.__dict__
-        if REFUSAL in slots:
-            raise slots[REFUSAL](instance, self._name)
-        present = slots.get(self._name, _NOTHING)
-        if present.__class__ in BARE:
-            slots[self._name] = holder(AttributeValue, instance, self, present)
-        super().__set__(instance, value)
+def _value_of(self: Any, instance: Any, owner: Any = None) -> Any:
+    if instance is None:
+        return self
+    value = instance.__dict__.get(self._name, _NOTHING)
+    if value.__class__ in BARE:
+        return value
+    if value is _NOTHING and REFUSAL in instance.__dict__:
+        return self.get_default_value()  # an element that nobody can change needs no holder for what it has not
+    return EAttribute.__get__(self, instance, owner)
 
 
-_BareAttribute.__name__ = _BareAttribute.__qualname__ = EAttribute.__name__  # it is the same thing to all who ask
+def _change(self: Any, instance: Any, value: Any) -> None:
+    slots = instance.__dict__
+    if REFUSAL in slots:
+        raise slots[REFUSAL](instance, self._name)
+    present = slots.get(self._name, _NOTHING)
+    if present.__class__ in BARE:
+        slots[self._name] = holder(AttributeValue, instance, self, present)
+    EAttribute.__set__(self, instance, value)
+
+
+_Quiet: Any = type("_Quiet", (type(EAttribute),), {"__init__": type.__init__})  # what it makes becomes part of no metamodel
+_BareAttribute: Any = _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _value_of, "__set__": _change})
+"""An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
 
 
 def bare(feature: Any) -> bool:

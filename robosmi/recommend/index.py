@@ -4,7 +4,8 @@ Tables `library` and `header` hold facts; `term` holds, for each word, the heade
 their numbers) and how often, each as 8-bit numbers or, where one needs it (`wide`: 1 gaps, 2 counts), as 16-bit ones;
 `ident` holds the same for the words of identifiers; `fact` holds, for each word, the libraries that have it in one of
 `FIELDS`, and how often there; `run` holds numbers of each header or library in one piece, because ranking looks at all
-of them. Libraries are numbered by name, headers by library. No ranking here; the writing is in `index_writer`.
+of them; `api`, which an index need not have, holds what each library offers to a program (`library_api`), read only when
+asked for. Libraries are numbered by name, headers by library. No ranking here; the writing is in `index_writer`.
 """
 
 from __future__ import annotations
@@ -16,11 +17,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import accumulate
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.tfidf import Postings
+
+if TYPE_CHECKING:
+    from robosmi.recommend.library_api import HeaderApi
 
 FORMAT = 2
 """Number of the format: `PRAGMA user_version` of the file."""
@@ -209,6 +213,22 @@ class LibraryIndex:
         if row is None:
             raise self._damaged(f"header {number} is not there")
         return Header(row[0], row[1], row[2], bool(row[3]))
+
+    def api(self, number: int) -> tuple[HeaderApi, ...]:
+        """What the library of that number declares, header by header; empty where the index knows nothing of it.
+
+        Raises:
+            PlatformDataError: the index is damaged.
+        """
+        from robosmi.recommend.library_api import unpacked
+
+        if self._one("SELECT 1 FROM sqlite_master WHERE name = 'api'") is None:
+            return ()
+        row = self._one("SELECT headers FROM api WHERE library = ?", number)
+        try:
+            return unpacked(row[0]) if row is not None else ()
+        except ValueError as error:
+            raise self._damaged(f"what library {number} offers cannot be read: {error}") from error
 
     def headers_named(self, file: str) -> list[Header]:
         """All headers of that bare file name; those that agree letter for letter, if there are any."""

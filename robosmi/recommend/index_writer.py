@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from robosmi.errors import PlatformDataError, UsageError
 from robosmi.recommend.index import APPLICATION, FIELDS, FORMAT, is_named_like
+from robosmi.recommend.library_api import packed
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, used_by
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ CREATE TABLE term(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NU
 CREATE TABLE ident(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NULL, counts BLOB NOT NULL) WITHOUT ROWID;
 CREATE TABLE fact(term TEXT PRIMARY KEY, wide INTEGER NOT NULL, gaps BLOB NOT NULL, {", ".join(FIELDS)}) WITHOUT ROWID;
 CREATE TABLE run(name TEXT PRIMARY KEY, numbers BLOB NOT NULL) WITHOUT ROWID;
+CREATE TABLE api(library INTEGER PRIMARY KEY, headers BLOB NOT NULL);
 """
 
 
@@ -97,6 +99,7 @@ def _fill(db: sqlite3.Connection, rows: Sequence[LibraryRecord], headers: Sequen
         f"length_{name}": [min(sum(found[number].values()), 0xFFFF) for found in fields] for number, name in enumerate(FIELDS)
     }  # fmt: skip
     db.executemany("INSERT INTO run VALUES (?, ?)", ((name, _pack(numbers)) for name, numbers in sorted(runs.items())))
+    db.executemany("INSERT INTO api VALUES (?, ?)", ((n, packed(row.api)) for n, row in enumerate(rows) if row.api))
 
 
 def _fill_counts(db: sqlite3.Connection, table: str, headers: Iterable[tuple[int, Mapping[str, int]]]) -> None:

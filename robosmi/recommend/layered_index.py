@@ -11,9 +11,13 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import chain
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.recommend.index import FIELDS, Facts, Header, Library, LibraryIndex
 from robosmi.recommend.tfidf import Postings
+
+if TYPE_CHECKING:
+    from robosmi.recommend.library_api import HeaderApi
 
 
 class LayeredIndex(LibraryIndex):
@@ -67,6 +71,11 @@ class LayeredIndex(LibraryIndex):
             if found is not None and found.id + self._first[n] not in self._hidden:
                 return self.library(found.id + self._first[n])
         return None
+
+    def api(self, number: int) -> tuple[HeaderApi, ...]:
+        """See `LibraryIndex.api`."""
+        n = self._layer(self._first, number)
+        return self._layers[n].api(number - self._first[n])
 
     def headers_named(self, file: str) -> list[Header]:
         """See `LibraryIndex.headers_named`."""

@@ -1,7 +1,7 @@
 """What is known of one library before it is in an index: declared metadata, its headers, and the words of both.
 
 Readers (a file of facts, folders of installed libraries) make such values, `index_writer` writes them. Only facts are
-kept: names, counts of words, identifiers' words, includes; never a text. Which words a part asks for is in `words`.
+kept: names, counts of words, identifiers' words, includes, declarations; never a text. Which words a part asks for is in `words`.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.recommend.index import FIELDS, INTERFACES
+from robosmi.recommend.library_api import HeaderApi
 from robosmi.recommend.words import words
 
 _INCLUDED = {
@@ -52,6 +53,7 @@ class LibraryRecord:
         said: word -> count in what it declares about itself.
         keywords: word -> count in the keywords it declares; names of classes among them are in `classes`.
         copies, in_registry, installed, origin: see `index.Library`.
+        api: what it offers to a program; empty where that is not known.
     """
 
     name: str
@@ -71,6 +73,7 @@ class LibraryRecord:
     in_registry: bool = False
     installed: bool = False
     origin: str = ""
+    api: Sequence[HeaderApi] = ()
 
     def fields(self) -> tuple[dict[str, int], ...]:
         """Word -> count for each of `index.FIELDS`."""

@@ -28,8 +28,9 @@ class ETL:
 
     Args:
         models: handles or root elements, sources and targets; a type that is given as a class or a name is as a source that of
-            the first model that has it, as a target that of the last.
+            the first model that has it, as a target that of the last; a target of a class that none has is made in no model.
         schedule: `match`, `demand`, or `auto`: demand if a rule is lazy or over a primitive type, else match, as the engine.
+        step: step of a method that its rules belong to, for the trace.
 
     Attributes:
         pre: blocks that run before all rules; `@t.pre` adds one.
@@ -42,7 +43,8 @@ class ETL:
         UsageError: there is no such schedule.
     """
 
-    def __init__(self, *models: Any, schedule: str = "auto") -> None:
+    def __init__(self, *models: Any, schedule: str = "auto", step: str = "") -> None:
+        self.step = step
         self.models: list[Model] = [as_model(m) for m in models]
         self.schedule = schedule
         self.pre = Blocks()
@@ -141,7 +143,7 @@ class ETL:
         """
         modules = self.modules()
         used = [as_model(m) for m in models] or list(dict.fromkeys(m for module in reversed(modules) for m in module.models))
-        trace, warnings = Trace(), list[str]()
+        trace, warnings = Trace(self.step), list[str]()
         bound = bind([rule for module in modules for rule in module.rules], used)
         lazy = next((rule for rule in bound if rule.lazy), None)
         if self.schedule == "match" and lazy is not None:

@@ -9,7 +9,10 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
+from types import FunctionType
 from typing import Any
 
 from robosmi.errors import RuleError, did_you_mean
@@ -60,49 +63,71 @@ def declare(body: Callable[..., Any], transform: Any, to: Any, name: str | None,
     Raises:
         RuleError: its types are not given, do not fit its parameters, or an initial value is for no target.
     """
-    parameters = [p for p in inspect.signature(body).parameters.values() if p.default is inspect.Parameter.empty]
-    names = [p.name for p in parameters[1:]]
+    parameters = _parameters(body)
+    names = parameters[1:]
     extends = options.pop("extends", ())
     extends = [extends] if isinstance(extends, str) or callable(extends) else list(extends)
     targets: list[Any] | None = None
     if to is not None:
         targets = list(to) if isinstance(to, (list, tuple)) else [to]
-    blank = Rule(name or body.__name__, body, None, [], names)
+    title = name or body.__name__
+
+    def wrong(message: str, fix: str) -> RuleError:
+        return Rule(title, body, None, [], names).wrong(message, fix)
+
     if not parameters:
-        raise blank.wrong("takes no source", "give its function a parameter for the source and one for each target")
-    given = [_annotation(body, p) for p in parameters]
-    source = transform if transform is not None else given[0]
+        raise wrong("takes no source", "give its function a parameter for the source and one for each target")
+    source = transform if transform is not None else _annotation(body, parameters[0])
     if targets is None:
-        targets = given[1:]
+        targets = [_annotation(body, name) for name in names]
     if len(targets) != len(names):
-        raise blank.wrong(
+        raise wrong(
             f"has {len(targets)} target types and {len(names)} parameters for targets", "give each target a parameter and a type"
         )
     for parameter, kind in zip(parameters, [source, *targets], strict=True):
         if kind is None:
-            raise blank.wrong(
-                f"does not say of which type '{parameter.name}' is",
-                f"write {parameter.name}: M.Type, or the types in the decorator: rule(L.Book, to=[G.Node])",
+            raise wrong(
+                f"does not say of which type '{parameter}' is",
+                f"write {parameter}: M.Type, or the types in the decorator: rule(L.Book, to=[G.Node])",
             )
     for target in options.get("init") or {}:
         if target not in names:
-            raise blank.wrong(
-                f"has an initial value for '{target}', which is no target{did_you_mean(target, names)}", "name a target"
-            )
-    return Rule(blank.name, body, source, targets, names, extends=extends, **options)
+            raise wrong(f"has an initial value for '{target}', which is no target{did_you_mean(target, names)}", "name a target")
+    return Rule(title, body, source, targets, names, extends=extends, **options)
 
 
-def _annotation(body: Callable[..., Any], parameter: inspect.Parameter) -> Any:
-    kind = parameter.annotation
-    if kind is inspect.Parameter.empty or kind is Any or kind == "Any":
+def _parameters(body: Callable[..., Any]) -> list[str]:
+    """The names of the parameters that have no default; of a plain function without `inspect`, which takes long."""
+    if isinstance(body, FunctionType) and not hasattr(body, "__wrapped__") and not body.__code__.co_flags & _MORE:
+        code = body.__code__
+        return list(code.co_varnames[: code.co_argcount - len(body.__defaults__ or ())])
+    return [p.name for p in inspect.signature(body).parameters.values() if p.default is inspect.Parameter.empty]
+
+
+_MORE = inspect.CO_VARARGS | inspect.CO_VARKEYWORDS
+_compiled = cache(compile)
+
+
+def _annotation(body: Callable[..., Any], parameter: str) -> Any:
+    function = inspect.unwrap(body) if hasattr(body, "__wrapped__") else body
+    kind = getattr(function, "__annotations__", {}).get(parameter)
+    if kind is None or kind is Any or kind == "Any":
         return None
     if not isinstance(kind, str):
         return kind
-    scope = dict(inspect.getclosurevars(body).nonlocals)
-    try:
-        return eval(kind, getattr(body, "__globals__", {}), scope)  # what `from __future__ import annotations` left as text
+    try:  # what `from __future__ import annotations` left as text
+        return eval(_compiled(kind, "<annotation>", "eval"), body.__globals__, _nonlocals(body))
     except (NameError, AttributeError, SyntaxError):
         return _AsWritten(kind)
+
+
+def _nonlocals(body: Callable[..., Any]) -> dict[str, Any]:
+    """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and takes long)."""
+    found = {}
+    for name, cell in zip(body.__code__.co_freevars, body.__closure__ or (), strict=True):
+        with suppress(ValueError):  # not set yet
+            found[name] = cell.cell_contents
+    return found
 
 
 class _AsWritten(str):
@@ -119,7 +144,7 @@ class BoundRule:
         "width",
     )  # fmt: skip
 
-    def __init__(self, rule: Rule, models: list[Model]) -> None:
+    def __init__(self, rule: Rule, models: list[Model], makers: dict[Any, Callable[[], Any]]) -> None:
         self.rule = rule
         self.models = models
         self.name = rule.name
@@ -130,7 +155,10 @@ class BoundRule:
             self.kind.models = self._having(models)[:1]
         self.lazy = rule.lazy or (self.kind.primitive is not None and not rule.abstract)
         self.width = len(rule.targets)
-        self.makers = [self._maker(n, given) for n, given in zip(rule.names, rule.targets, strict=True)]
+        for name, given in zip(rule.names, rule.targets, strict=True):
+            if given not in makers:
+                makers[given] = self._maker(name, given)
+        self.makers = [makers[given] for given in rule.targets]
         self.init = [(rule.init or {}).get(n) for n in rule.names]
         self.own_bases: list[BoundRule] = []
         self.chain: list[BoundRule] = [self]
@@ -154,8 +182,8 @@ class BoundRule:
             raise self.rule.wrong(f"cannot make '{name}': {kind.name} is no type of a model", "give a type of a model")
         if isinstance(given, (TypeHandle, str)):
             return kind.maker(None)
-        having = (m for m in kind.models if (t := m.find_type(kind.name)) is not None and class_of(t) is kind.cls)
-        return kind.maker(next(having, None))
+        kind.models = [m for m in kind.models if (t := m.find_type(kind.name)) is not None and class_of(t) is kind.cls][:1]
+        return kind.maker(None)
 
     def applies(self, source: Any, exact: bool, check_type: bool = True) -> bool:
         """Whether the rule is for a source: its type, its guard and those of the rules it extends; a refusal is remembered.
@@ -228,10 +256,11 @@ def bind(rules: Sequence[Rule], models: list[Model]) -> list[BoundRule]:
         UnknownTypeError: a type is in none of the models.
     """
     bound: dict[str, BoundRule] = {}
+    makers: dict[Any, Callable[[], Any]] = {}  # type -> what makes an element of it; most rules of a module make the same
     for rule in rules:
         if rule.name in bound:
             raise rule.wrong("is there twice", "give one of them another name: rule(name=...)")
-        bound[rule.name] = BoundRule(rule, models)
+        bound[rule.name] = BoundRule(rule, models, makers)
     names = {id(rule.body): rule.name for rule in rules}
     for one in bound.values():
         for given in one.rule.extends:

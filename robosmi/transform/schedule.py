@@ -130,7 +130,7 @@ class Demand(Schedule):
         for rule in self._to_run():
             exact = not rule.rule.greedy
             for source in rule.kind.instances(exact):
-                if rule.applies(source, exact):
+                if rule.applies(source, exact, check_type=False):
                     self._transform(rule, source)
 
     def _transform(self, rule: BoundRule, source: Any) -> list[Any]:

@@ -47,11 +47,15 @@ class Link:
 class Trace:
     """The links of one run.
 
+    Args:
+        step: step of a method that the rules of the run belong to.
+
     Attributes:
         links: all links in the order in which they were made.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, step: str = "") -> None:
+        self.step = step
         self.links: list[Link] = []
         self._by_source: dict[Any, list[Link]] = {}
         self._by_target: dict[int, list[Link]] = {}
@@ -59,7 +63,7 @@ class Trace:
 
     def add(self, rule: str, source: Any, targets: list[Any]) -> Link:
         """Record that a rule made the targets from the one source."""
-        made = Link(rule, (source,), targets)
+        made = Link(rule, (source,), targets, self.step)
         self.links.append(made)
         if source.__class__ in _BY_VALUE:
             source = key(source)
@@ -83,6 +87,11 @@ class Trace:
         self.links.append(made)
         for source in made.sources:
             self._by_source.setdefault(key(source) if source.__class__ in _BY_VALUE else source, []).append(made)
+
+    def take(self, other: Trace) -> None:
+        """Put the links of another trace behind those of this one: of another step of the same method."""
+        for link in other.links:
+            self.link(link.rule, link.step, link.sources, link.targets)
 
     def links_from(self, source: Any) -> list[Link]:
         """The links of a source, in order; do not change the list."""

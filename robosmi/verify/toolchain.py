@@ -9,17 +9,20 @@ from __future__ import annotations
 import tempfile
 import time
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import UsageError
+from robosmi.errors import RobosmiError, UsageError
+from robosmi.plugins import content
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.build import Build
-from robosmi.verify.compile_report import TOO_BIG, CompileReport
+from robosmi.verify.compile_report import MISSING_HEADER, TOO_BIG, CompileReport
 from robosmi.verify.libraries import LibraryIndex
 from robosmi.verify.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import Installed, find_installed
+
+_OFFERS = 3
 
 
 def compile_sketch(
@@ -53,7 +56,25 @@ def compile_sketch(
         others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
         report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
-    return replace(report, seconds=time.perf_counter() - started)
+    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
+    return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
+
+
+def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -> Finding:
+    """The finding; if a header is missing, with the libraries that offer it for this architecture, the likeliest first."""
+    if finding.rule != MISSING_HEADER:
+        return finding
+    try:
+        header = PurePosixPath(finding.evidence["header"]).name
+        found = content("query", "libraries_by_header")(header, toolchain.platform, project)
+    except RobosmiError:
+        return finding  # there is no index of libraries; the finding is true without
+    built = [each for each in found if not each.architectures or {"*", toolchain.architecture} & set(each.architectures)]
+    names = [each.name for each in (built or found)[:_OFFERS]]
+    if not names:
+        return finding
+    fix = f"{finding.fix}; libraries that offer it: {', '.join(repr(name) for name in names)}"
+    return replace(finding, fix=fix, evidence=finding.evidence | {"libraries": names})
 
 
 def _too_big(report: CompileReport, sketch: Sketch) -> Finding:

@@ -105,13 +105,48 @@ def test_a_locked_history_is_read_as_it_was(remembered: History, line_follower: 
     assert "RS411" not in outcome.rules()
 
 
+def test_a_history_that_another_program_holds_is_done_without(
+    remembered: History, line_follower: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("robosmi.recommend.history_database._WAIT_S", 0.1)
+    before = remembered.entries()
+    with closing(sqlite3.connect(remembered.place, isolation_level=None)) as db:
+        db.execute("BEGIN EXCLUSIVE")
+        outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--json")
+    assert outcome.code == 0
+    assert {"RS410", "RS411"} <= outcome.rules()
+    assert remembered.entries() == before
+
+
+def test_a_history_that_can_only_be_read_is_read(remembered: History, line_follower: Path, tmp_path: Path) -> None:
+    """A write version above 2 makes a file read-only for SQLite, whoever runs this (file format, section 1.3)."""
+    place = Path(remembered.place)
+    data = bytearray(place.read_bytes())
+    data[18] = 3
+    place.write_bytes(data)
+    outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--json")
+    assert outcome.code == 0
+    assert "RS410" in outcome.rules()
+    assert "RS411" not in outcome.rules()
+    assert place.read_bytes() == data
+    assert [e["library"] for e in run("history", "list", "--json").result["entries"]] == ["Servo", "DHT sensor library"]
+    assert run("history", "forget", "--all").code == 3
+
+
+def test_migrate_reads_and_writes_the_history_that_is_named(line_follower: Path, tmp_path: Path) -> None:
+    place = tmp_path / "team.sqlite"
+    assert run("migrate", line_follower, "-o", tmp_path / "out", "--history", place, "--json").code == 0
+    assert {entry.library for entry in History(place).entries()} != set()
+    assert History().entries() == [], "the user's own is left alone"
+
+
 def test_libraries_import(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROBOSMI_HOME", str(tmp_path / "home"))
     folder = shutil.copytree(LIBRARIES, tmp_path / "libraries")
     outcome = run("libraries", "import", folder, "--json")
     assert outcome.code == 0
     assert {"name": "Described Sensor", "version": "1.2.3"} in outcome.result["added"]
-    assert {Path(item["path"]).name for item in outcome.result["skipped"]} == {"no_headers", "twice"}
+    assert {Path(item["path"]).name for item in outcome.result["skipped"]} == {"no_headers", "twice", "library.properties"}
     assert outcome.rules() == {"RS420"}
     assert "read 5 libraries" in run("libraries", "import", folder).out
     assert run("libraries", "import", tmp_path / "absent").code == 3

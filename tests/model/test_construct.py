@@ -7,10 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pyecore import ecore
 from pyecore.notification import EObserver
 
 import robosmi
 from robosmi.metamodels import ccode, hardware
+from robosmi.model import lean
 from robosmi.model.changes import Recording
 from robosmi.model.strict import FeatureValueError
 from robosmi.model.xmi_writer import to_xmi
@@ -203,3 +205,11 @@ def test_an_undone_change_gives_back_what_the_constructor_got() -> None:
         macro.name = "OFF"
     recording.undo()
     assert macro.name == "ON"
+
+
+def test_an_attribute_whose_values_lie_bare_is_an_attribute_of_ecore_all_the_same() -> None:
+    ccode.Function(name="f")
+    attribute = ccode.Function.eClass.findEStructuralFeature("name")
+    assert attribute.eClass is ecore.EAttribute.eClass
+    assert isinstance(attribute, ecore.EAttribute)
+    assert not hasattr(lean, "eClass"), "the module is no package"

@@ -16,6 +16,14 @@ from tests.recommend.labelled import Labelled, labelled
 DATA = Path(__file__).parent / "data"
 
 
+@pytest.fixture(autouse=True, scope="module")
+def _no_libraries_of_the_user(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """What the person who runs this has imported changes no figure, not in fixtures of a whole module either."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ROBOSMI_HOME", str(tmp_path_factory.mktemp("home")))
+        yield
+
+
 @pytest.fixture
 def tiny_facts(tmp_path: Path) -> Path:
     """The five libraries as the builder wants them."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import json
 import threading
+import zlib
 from pathlib import Path
 
 import pytest
@@ -43,10 +44,13 @@ def test_same_facts_same_bytes(tiny_facts: Path, tmp_path: Path) -> None:
 
 
 def test_the_shipped_index_is_what_the_facts_give(shared_facts: Path, tmp_path: Path) -> None:
-    assert build(shared_facts / "index.jsonl.gz", tmp_path / "again.sqlite") == (1609, 3667)
+    again = tmp_path / "again.sqlite"
+    assert build(shared_facts / "index.jsonl.gz", again, shared_facts / "api.jsonl.gz") == (1609, 3667)
     shipped = resources.built_in("platform_repo") / "arduino/libraries/index.sqlite"
-    assert (tmp_path / "again.sqlite").read_bytes() == shipped.read_bytes()
-    assert shipped.stat().st_size < 8_000_000
+    assert shipped.stat().st_size < 8_500_000
+    if "ng" in zlib.ZLIB_RUNTIME_VERSION:
+        pytest.skip("this Python compresses with zlib-ng, whose bytes differ from those of zlib")
+    assert again.read_bytes() == shipped.read_bytes()
 
 
 def test_no_addresses_of_people_are_shipped() -> None:

@@ -47,10 +47,26 @@ def test_ranks_without_a_draw(experiment: Experiment) -> None:
     assert [found[DHT, way] for way in WAYS] == [38, 19, 25]
 
 
+def test_a_board_header_full_of_servo_words_goes_before_the_servo_library(experiment: Experiment) -> None:
+    """The paper's first sensitive case: Boards.h says MAX_SERVOS for every board that it knows."""
+    first = [experiment.first(SERVO, "words", experiment.draw(seed)) for seed in range(DRAWS)]
+    assert first.count("Boards.h") >= DRAWS * 0.8
+    assert "Servo.h" not in first
+
+
 def test_a_part_whose_words_no_header_has_finds_nothing_of_use() -> None:
     """The paper's second sensitive case: TSOP312 is an infrared receiver, and no library says so."""
     names = [c.library for c in tfidf_ranker().rank(ComponentQuery("1", "TSOP312.., 314..")).candidates]
     assert "IRremote" not in names
+
+
+def test_a_choice_in_the_history_mends_what_words_cannot(history: History) -> None:
+    """The second sensitive case again: once a person has chosen IRremote for the receiver, it is first for that part."""
+    query = ComponentQuery("1", "TSOP312.., 314..", part_id="tsop")
+    history.record("tsop", query.title, "IRremote")
+    assert tfidf_ranker().rank(query, history).candidates[0].library == "IRremote"
+    other = ComponentQuery("2", "TSOP312.., 314..", part_id="another part")
+    assert all(c.library != "IRremote" for c in tfidf_ranker().rank(other, history).candidates), "for that part only"
 
 
 def test_a_choice_in_the_history_mends_the_ranking(history: History) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import wraps
 from pathlib import Path
 from typing import Any
 
@@ -343,3 +344,34 @@ def test_what_raises_deep_down_is_named_once() -> None:
         t.set(g, main=a.mentor)
 
     assert fails(t, "OSError: no").count("the rule A fails for <Author name='Cy'") == 1
+
+
+def test_a_target_of_a_class_that_no_model_has_is_in_no_model() -> None:
+    L = library("L")
+    count = len(list(L.all_contents()))
+    t = ETL(L, step="second")
+
+    @t.rule
+    def C(c: L.Comic, text: trace.TextTrace) -> None:  # type: ignore[name-defined]
+        text.path = c.name
+
+    made = t.run()
+    assert [x.path for link in made for x in link.targets] == ["Zap"]
+    assert [link.step for link in made] == ["second"]
+    assert len(list(L.all_contents())) == count
+
+
+def test_parameters_with_defaults_are_no_targets_and_wrapped_functions_count_as_they_are_written() -> None:
+    L, G = library("L"), empty("graph", "G")
+    t = ETL(L, G)
+
+    @t.rule(name="First")
+    def first(c: L.Comic, n: G.Node, mark: str = "!") -> None:  # type: ignore[name-defined]
+        n.label = c.name + mark
+
+    def second(c: L.Comic, n: G.Node) -> None:  # type: ignore[name-defined]
+        n.label = c.name
+
+    t.rule(wraps(second)(lambda *given: second(*given)))
+    t.run()
+    assert [n.label for n in G.Node.all] == ["Zap!", "Zap"]

@@ -88,3 +88,14 @@ def test_what_is_no_element_of_emf_is_left_out_of_the_model() -> None:
     (link,) = made.to_model().links
     assert list(link.sources) == []
     assert [x.path for x in link.targets] == ["p"]  # type: ignore[attr-defined]
+
+
+def test_traces_of_steps_become_one() -> None:
+    whole = Trace()
+    one, two = object(), object()
+    whole.link("first", "a", [one], [two])
+    part = Trace("b")
+    part.add("second", two, [one])
+    whole.take(part)
+    assert [(k.rule, k.step) for k in whole.links] == [("first", "a"), ("second", "b")]
+    assert (whole.equivalents(two), whole.origins(two), whole.origins(one)) == ([one], [one], [two])

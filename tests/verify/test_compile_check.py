@@ -116,6 +116,26 @@ def test_a_missing_header_says_what_to_do() -> None:
 
 
 @needs_tools
+def test_a_missing_header_names_the_libraries_that_offer_it() -> None:
+    (finding,) = compiled("missing_library").diagnostics
+    assert finding.rule == "RS803"
+    assert finding.evidence["libraries"][0] == "Adafruit BMP085 Library"
+    assert finding.fix is not None
+    assert "libraries that offer it: 'Adafruit BMP085 Library'" in finding.fix
+    (unknown,) = compiled("missing_header").diagnostics
+    assert "libraries" not in unknown.evidence, "no library offers it"
+
+
+@needs_tools
+def test_without_an_index_of_libraries_a_missing_header_is_still_reported(tmp_path: Path) -> None:
+    own = tmp_path / ".robosmi/platform_repo/arduino/libraries/index.sqlite"
+    own.parent.mkdir(parents=True)
+    own.write_bytes(b"no index")
+    (finding,) = compile_sketch(CASES / "missing_library", project=tmp_path).diagnostics
+    assert (finding.rule, finding.evidence) == ("RS803", {"header": "Adafruit_BMP085.h"})
+
+
+@needs_tools
 def test_warnings_of_the_sketch_are_reported() -> None:
     report = compiled("warnings")
     assert report.ok

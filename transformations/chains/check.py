@@ -14,7 +14,7 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration
 from robosmi.model import EmfModel, Model, load_model, open_model
 from robosmi.plugins import content, registry
-from robosmi.project import defaults, load_project
+from robosmi.project import defaults, project_of
 from robosmi.query import root_of
 from robosmi.transformations.chains.reading import read_drawing
 
@@ -55,7 +55,7 @@ def check(path: str | Path) -> Checked:
     file = Path(path)
     done = Checked()
     if defaults()["readers"].get(file.suffix.lower()) in registry().names("drawing reader"):
-        read = read_drawing(file, load_project(file.parent).roles)
+        read = read_drawing(file, project_of(file).roles)
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix != ".xmi":
@@ -76,10 +76,16 @@ def _validated(done: Checked, models: list[Any]) -> Checked:
     for model in models:
         sets = [content(KIND, name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
-            done.findings += one.run(model).findings()
+            done.findings += one.run(model, *_referred(model, models)).findings()
         counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": sum(1 for _ in model.all_contents()), "constraints": counted})
     return done
+
+
+def _referred(model: Any, models: list[Any]) -> list[Any]:
+    """The program of a plan, which some of the plan's constraints are about."""
+    is_plan = isinstance(model, EmfModel) and any(isinstance(r, migration.MigrationPlan) for r in model.roots)
+    return [m for m in models if m is not model and m.name == "code"] if is_plan else []
 
 
 def _metamodels(model: Model) -> list[str]:

@@ -1,7 +1,7 @@
-"""The chain `libraries import`: installed libraries into the user's own index, which ranking reads beside the shipped one.
+"""The chains `libraries import` and `libraries show`: installed libraries into the user's own index, and what one offers.
 
-The facts read are kept beside that index (`installed.jsonl.gz`), so that a second import adds to the first; a library that is
-read again replaces what was known of it.
+Ranking reads the user's index beside the shipped one. The facts read are kept beside it (`installed.jsonl.gz`), so that a
+second import adds to the first; a library that is read again replaces what was known of it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.model.files import write_atomic
-from robosmi.transformations.m2m.library_ranking import installed_index
+from robosmi.recommend.library_api import LibraryApi
+from robosmi.transformations.m2m.library_ranking import LibraryFacts, installed_index, library_api, library_by_name
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from robosmi.transformations.t2m.library_index import build
 
@@ -33,6 +34,52 @@ class Imported:
     added: list[tuple[str, str]]
     skipped: dict[str, str]
     known: int
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A library with what it offers to a program."""
+
+    facts: LibraryFacts
+    api: LibraryApi
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's result."""
+        library = self.facts.library
+        return {
+            "name": library.name, "version": library.version, "header": library.header, "author": library.author,
+            "license": library.license, "url": library.url, "architectures": list(library.architectures),
+            "depends": list(self.facts.depends), "installed": library.installed,
+            "api": [header.to_json() for header in self.api.headers],
+        }  # fmt: skip
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        library = self.facts.library
+        where = ", installed here" if library.installed else ""
+        lines = [f"{library.name} {library.version}".rstrip() + f" <{library.header}>{where}"]
+        lines += [f"  needs {', '.join(self.facts.depends)}"] if self.facts.depends else []
+        for header in self.api.headers:
+            lines.append(f"  {header.file}" + (f" (by {header.include})" if header.include != header.file else ""))
+            for each in header.classes:
+                lines.append(f"    {each.kind} {each.name}" + (f" : {', '.join(each.bases)}" if each.bases else ""))
+                lines += [f"      {each.name.rpartition('::')[2]}{parameters}" for parameters in each.constructors]
+                lines += [f"      {method.signature}" for method in each.methods]
+            lines += [f"    {function.signature}" for function in header.functions]
+            lines += [f"    enum {name}: {', '.join(values)}".replace("enum :", "enum:") for name, values in header.enums.items()]
+            lines += [f"    {name} = {value}" for name, value in header.constants.items()]
+        return lines if self.api.headers else [*lines, "  nothing is known of what its headers declare"]
+
+
+def show_library(name: str, platform: str) -> Shown:
+    """A library of the index, with what it offers.
+
+    Raises:
+        UsageError: the index has none of that name.
+    """
+    facts = library_by_name(name, platform)
+    return Shown(facts, library_api(facts.name, platform))
 
 
 def import_libraries(folder: Path, platform: str) -> Imported:

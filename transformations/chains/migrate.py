@@ -15,7 +15,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.plugins import content
-from robosmi.project import Project, defaults, load_project
+from robosmi.project import Project, defaults, project_of
 from robosmi.query import ancestor_of_kind
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.transformations.chains.earlier import history_findings
@@ -23,6 +23,7 @@ from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.reading import check_source_platform, read_drawing, read_program
+from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
@@ -30,6 +31,7 @@ from robosmi.transformations.queries.circuit import the_board
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.plan import library_json
 from robosmi.transformations.t2m.boards import load_board
+from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.target_platform import target_facts
 
@@ -45,11 +47,12 @@ def plan_migration(
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
+    history: str | None = None,
 ) -> MigrationModels:
     """Make the plan of a migration, with the models it refers to.
 
     Args:
-        files: source files of one program.
+        files: source files of one program; a folder stands for those in it, `compile_commands.json` for those that it names.
         project: the project file; the one beside the first source if None.
         hardware: drawing of the new hardware; the project file's if None.
         target: target board.
@@ -58,13 +61,18 @@ def plan_migration(
         defines: macros defined from outside.
         libraries: component -> library, before the project file.
         bind: port of the source -> target pin, before the project file.
+        history: place of earlier choices, a file or a URL; the user's own if None.
 
     Raises:
         SourceError: an input cannot be read or used.
         UsageError: a choice names what does not exist.
     """
-    paths = [Path(f) for f in files]
-    project = project if project is not None else load_project(paths[0].parent)
+    given = [Path(f) for f in files]
+    project = project if project is not None else project_of(given[0])
+    sources = source_files(given, [str(d) for d in include_dirs], defines)
+    paths = [Path(source.path) for source in sources]
+    include_dirs = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
+    defines = list(dict.fromkeys(d for source in sources for d in source.defines))
     platform_name = source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
     facts = target_facts(target or project.target or defaults()["migrate"]["target"])
     drawing_path = Path(hardware) if hardware is not None else project.hardware
@@ -116,12 +124,13 @@ def plan_migration(
     if choices.libraries and drawn is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     ranker = content("ranker", defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
-    earlier = ForgivingHistory()
+    earlier = ForgivingHistory(history)
     findings = [*findings, *history_findings(earlier)]
     plan, repository = make_plan(
         _sketch_name(main), __version__, seen, drawn, board or load_board(facts.board), facts, choices, ranker,
         earlier, stored, findings, places,
     )  # fmt: skip
+    plan.findings.extend(move_findings(plan, seen))
     return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})
 
 
@@ -140,6 +149,7 @@ def migrate(
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
+    history: str | None = None,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
 ) -> Generated:
     """Migrate a program: plan, generate, write.
@@ -150,7 +160,8 @@ def migrate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         adapters: `placeholders`; bodies (`filled`) are not there yet.
-        project, hardware, target, source_platform, include_dirs, defines, libraries, bind: see `plan_migration`.
+        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, history: see
+            `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
 
     Raises:
@@ -166,7 +177,7 @@ def migrate(
     def planned(said: Mapping[str, str]) -> MigrationModels:
         return plan_migration(
             files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
-            defines=defines, libraries=said, bind=bind,
+            defines=defines, libraries=said, bind=bind, history=history,
         )  # fmt: skip
 
     models = planned(libraries or {})
@@ -174,7 +185,7 @@ def migrate(
     if ask is not None and left and (answers := ask(left)):
         models = planned({**(libraries or {}), **answers})
     made = produce(models, Path(output), dry_run=dry_run, strict=strict)
-    remember(made)
+    remember(made, history)
     return made
 
 

@@ -6,16 +6,17 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
+from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
-from robosmi.metamodels import migration
+from robosmi.metamodels import migration, trace
 from robosmi.model.commit import recover, update
 from robosmi.plugins import content
 from robosmi.query import Q
@@ -128,9 +129,9 @@ def produce(
     generator = content("generator", target_facts(plan.board.name if plan.board else "").generator)
     recover(output)
     manifest = Manifest.load(output)
-    texts = {file.path: file.text() for file in generator(plan, models.files)}
-    kept = keep_texts(output, LAST, texts, manifest.files)
-    _move_traces(plan, kept.lines)
+    made: Generation = generator(plan, models.files)
+    kept = keep_texts(output, LAST, {file.name: file.after or "" for file in made.files}, manifest.files)
+    _trace_texts(plan, made, kept.files)
     contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
     exempt = tuple(inputs)
     obsolete = manifest.guard(output, contents | kept.records, inputs=(*exempt, *kept.merged, *kept.orphans)) | kept.obsolete
@@ -144,15 +145,17 @@ def produce(
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
 
 
-def _move_traces(plan: migration.MigrationPlan, lines: Mapping[str, Mapping[int, int]]) -> None:
-    """Bring text traces to where their lines are in files with edits; a trace whose lines are all gone goes."""
-    for text in list(plan.trace.texts) if plan.trace is not None else ():
-        if text.path in lines:
-            found = [lines[text.path][n] for n in range(text.line, text.endLine + 1) if n in lines[text.path]]
-            if found:
-                text.line, text.endLine = min(found), max(found)
-            elif plan.trace is not None:
-                plan.trace.texts.remove(text)
+def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping[str, bytes]) -> None:
+    """The plan's text traces anew: where the lines of the parts of templates stand in the files as they are written."""
+    if plan.trace is None:
+        plan.trace = trace.Trace()
+    plan.trace.texts.clear()
+    plan.trace.texts.extend(
+        trace.TextTrace(path=k.path, line=k.line, endLine=k.end_line, step=k.step, rule=k.part, elements=k.elements)
+        for file in made.files
+        for k in replace(file, after=files[file.name].decode().replace("\r\n", "\n")).links()
+        if k.part
+    )
 
 
 def _key(choice: migration.LibraryChoice) -> str:
@@ -164,10 +167,10 @@ def _component(decision: Any) -> str:
     return f"library for {decision.component.title}" if decision.component is not None else "library"
 
 
-def remember(made: Generated) -> None:
+def remember(made: Generated, place: str | None = None) -> None:
     """Count the libraries that persons chose (paper 3.3); a history that cannot be written is a finding, not a failure."""
     try:
-        history = History()
+        history = History(place)
         for choice in made.new_choices if made.written else []:
             component = choice.component
             if component is not None:

@@ -11,6 +11,7 @@ from typing import Any
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import root_of
+from robosmi.transformations.constraints.code_rules import moved
 from robosmi.transformations.constraints.electrical_plan import together
 from robosmi.validate import EVL, Fail, Fix
 
@@ -18,6 +19,7 @@ plan = EVL()
 """The constraints on a plan; run them over its model."""
 
 plan.include(together)
+plan.include(moved)
 
 bindings = plan.context(migration.PortBinding)
 decisions = plan.context(migration.Decision)

@@ -1,7 +1,7 @@
 """Parts and libraries to recommendations: the shipped index of libraries, opened once, and asked.
 
 Here are the rankers that the registry offers, and the look-up of a library by name or by header with everything that
-it depends on. How libraries are ranked is in `robosmi.recommend`; which recommendation becomes an include is decided
+it depends on and offers. How libraries are ranked is in `robosmi.recommend`; which recommendation becomes an include is decided
 by the migration plan (flag, project file, history), never here.
 """
 
@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
@@ -21,6 +22,9 @@ from robosmi.recommend.layered_index import LayeredIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.recommend.tfidf_ranker import TfidfRanker
 from robosmi.transformations.m2m.device_knowledge import device_knowledge
+
+if TYPE_CHECKING:
+    from robosmi.recommend.library_api import LibraryApi
 
 _VERSION = re.compile(r"\s*\([^()]*\)\s*$")
 
@@ -157,6 +161,20 @@ def library_in(index: LibraryIndex, name: str) -> LibraryFacts:
         hint = f" (the header {name} belongs to '{by_header[0].name}')" if by_header else did_you_mean(name, index.names())
         raise UsageError(f"no library is called '{name}'{hint}", fix="give the name of a library as the index has it")
     return _with_dependencies(index, found)
+
+
+def library_api(name: str, platform: str = "arduino", project: Path | None = None) -> LibraryApi:
+    """What a library offers to a program: classes, methods, functions, constants; nothing where the index knows nothing of it.
+
+    Raises:
+        UsageError: the index has none of that name.
+        PlatformDataError: the index is damaged.
+    """
+    from robosmi.recommend.library_api import LibraryApi
+
+    index = library_index(platform, project)
+    found = library_in(index, name).library
+    return LibraryApi(found.name, found.version, index.api(found.id))
 
 
 def libraries_by_header(file: str, platform: str = "arduino", project: Path | None = None) -> tuple[Library, ...]:

@@ -116,7 +116,7 @@ def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
     for statement in view.of_kind(ccode.DeclarationStatement):
         scope, function = statement.eContainer(), ancestor_of_kind(statement, ccode.Function)
         initialised = [d for d in statement.declarations if isinstance(d, ccode.Variable) and d.initializer is not None]
-        if function is None or not initialised or not _jumped(statement, scope, function):
+        if function is None or not initialised or not _jumped(statement, scope, function, view):
             continue
         for variable in initialised:
             use = variable.valueType
@@ -125,12 +125,14 @@ def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
                 yield Change(variable, "assign-behind", variable.name, "C++ jumps over no initial value")
 
 
-def _jumped(statement: ccode.Statement, scope: object, function: ccode.Function) -> bool:
+def _jumped(statement: ccode.Statement, scope: object, function: ccode.Function, view: CodeView) -> bool:
     behind = [s for s in scope.statements if s.startOffset > statement.startOffset] if isinstance(scope, ccode.Block) else []
     if isinstance(getattr(scope, "eContainer", lambda: None)(), ccode.Switch):
         return any(isinstance(s, (ccode.Case, ccode.Default)) for s in behind)
-    labels = {label.name for s in behind for label in all_of_kind(s, ccode.Label)}
-    return any(g.labelName in labels and g.startOffset < statement.startOffset for g in all_of_kind(function, ccode.Goto))
+    jumps = [g for g in view.of_kind(ccode.Goto) if g.startOffset < statement.startOffset]
+    jumps = [g for g in jumps if ancestor_of_kind(g, ccode.Function) is function]
+    labels = {label.name for s in behind for label in all_of_kind(s, ccode.Label)} if jumps else set()
+    return any(g.labelName in labels for g in jumps)
 
 
 def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

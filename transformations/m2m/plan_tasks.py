@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
-from robosmi.query import Q, all_of_kind, ancestor_of_kind
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.queries.plan import needs_own_types
@@ -35,7 +35,7 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
     """
     components = {c.elementId: c for c in plan.circuit.components} if plan.circuit is not None else {}
     kept = {*paths.values()}
-    findings = [
+    return [
         migration.PlanFinding(
             rule=f.rule, severity=getattr(Level, f.severity.name), message=f.message, fix=f.fix or "",
             path=_stored(f.location.path, paths, kept) if f.location else "",
@@ -44,7 +44,6 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
         )
         for f in [*read, *plan_faults(plan)]
     ]  # fmt: skip
-    return findings + list(_width_findings(plan))
 
 
 def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:
@@ -210,32 +209,3 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
     _unparsed, _adapters, _symbols, _bindings, _libraries, _unsupported, _unused,
 )  # fmt: skip
-
-
-def _width_findings(plan: migration.MigrationPlan) -> Iterator[migration.PlanFinding]:
-    """Where the target's narrower int may change what retained code computes."""
-    if plan.program is None or plan.source is None or plan.target is None or plan.source.intBits <= plan.target.intBits:
-        return
-    source, target = plan.source.intBits, plan.target.intBits
-    for unit in plan.program.units:
-        narrow = Q(all_of_kind(unit, ccode.TypeUse)).select(
-            lambda t: t.bits == source and t.pointerDepth == 0 and _says_int(t.canonical or t.spelling)
-        )
-        if narrow:
-            yield migration.PlanFinding(
-                rule="RS310", severity=Level.info, path=unit.path, fix="use int32_t where values may pass 16 bits",
-                message=f"int has {source} bits on {plan.source.name} and {target} on {plan.target.name}: "
-                f"{len(narrow)} declaration(s) of type int are carried over as they are",
-            )  # fmt: skip
-        limit = 2 ** (target - 1)
-        for literal in all_of_kind(unit, ccode.IntegerLiteral):
-            if literal.value >= limit and not isinstance(literal.eContainer(), ccode.Call):
-                yield migration.PlanFinding(
-                    rule="RS311", severity=Level.warning, message=f"{literal.text} does not fit into an int of the target",
-                    fix="make sure that it is computed with and stored in a 32-bit type", **_place(literal),  # type: ignore[arg-type]
-                )  # fmt: skip
-
-
-def _says_int(spelling: str) -> bool:
-    words = set(spelling.replace("const", " ").replace("volatile", " ").split())
-    return bool(words) and words <= {"int", "signed", "unsigned"}

@@ -1,4 +1,4 @@
-"""`adapters.h`: one adapter for each platform function that is called, one placeholder for each platform symbol (paper 3.4).
+"""Adapters as templates show them: one for each platform function that is called (paper 3.4).
 
 An adapter keeps the function's signature, so that the calls of the retained code stay as they are (adapter pattern).
 Bodies are placeholders with a TODO; what is left is in the task list.
@@ -6,64 +6,66 @@ Bodies are placeholders with a TODO; what is left is in the task list.
 
 from __future__ import annotations
 
-from robosmi.generate.environment import render
-from robosmi.generate.text import GeneratedFile
+from collections.abc import Iterable
+from dataclasses import dataclass
+
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plan import needs_own_types
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, nothing, parameter_name, taken_apart
 from robosmi.transformations.queries.source_text import is_header
 
-FILE = "adapters.h"
+
+@dataclass(frozen=True)
+class Adapter:
+    """An adapter.
+
+    Attributes:
+        use: what of the plan it is.
+        name: its name in the sketch.
+        signature: the function's as it was.
+        header: where that is declared, empty where nobody knows it.
+        notes: comments.
+        prefix: what stands before its signature.
+        target_signature: its signature.
+        parameters: the names of its parameters.
+        result: what its placeholder gives back, empty for void.
+    """
+
+    use: migration.AdapterUse
+    name: str
+    signature: str
+    header: str
+    notes: list[str]
+    prefix: str
+    target_signature: str
+    parameters: list[str]
+    result: str
 
 
-def adapters_file(plan: migration.MigrationPlan) -> GeneratedFile:
-    """The adapter file of a plan."""
-    file = GeneratedFile(f"{plan.name}/{FILE}")
-    assert plan.board is not None
-    source = plan.source.name if plan.source else "the source platform"
-    include = plan.target.mainHeader if plan.target else ""
-    file.add(
-        render("arduino/adapters_header.j2", source=source, board=plan.board.title, include=include),
-        "generation",
-        "adapter file",
-        [plan],
-    )
-    for symbol in plan.symbolUses:
-        meaning = symbol.symbol.meaning if symbol.symbol else ""
-        todo = symbol.status is migration.AdapterStatus.todo
-        text = render("arduino/placeholder.j2", meaning=meaning, declaration=symbol.placeholder, todo=todo)
-        file.add(text, "code", "placeholder", [symbol, *symbol.uses])
-    renamed: list[tuple[migration.AdapterUse, str]] = []
-    for adapter in plan.adapterUses:
-        if adapter.signatureSource == OWN_PROTOTYPE:
-            continue  # its body stands where the program declares it
-        if not needs_own_types(plan, adapter):
-            file.add(adapter_text(plan, adapter), "code", "adapter", [adapter, *adapter.calls])
-        _, name, _ = taken_apart(adapter.targetSignature)
-        if name and name != adapter.name:
-            renamed.append((adapter, name))
-    for number, (adapter, name) in enumerate(renamed):
-        text = render("arduino/renamed.j2", name=adapter.name, new=name)
-        file.add(text if number else "\n" + text, "code", "adapter's name", [adapter])
-    return file
-
-
-def adapter_text(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
-    """An adapter with its comments."""
+def adapters(plan: migration.MigrationPlan, uses: Iterable[migration.AdapterUse]) -> list[Adapter]:
+    """Adapters of a plan as templates show them."""
     several = plan.program is not None and sum(not is_header(u) for u in plan.program.units) > 1
-    returned, _, parameters = taken_apart(adapter.targetSignature)
-    header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
-    return render(
-        "arduino/adapter.j2",
-        signature=adapter.signature,
-        header=header.name if header else "",
-        notes=[*adapter.notes, *_pin_notes(plan, adapter)],
-        prefix="inline " if several else "",
-        target_signature=adapter.targetSignature,
-        result=nothing(returned),
-        parameters=[n for n in map(parameter_name, parameters) if n],
-    )
+    return [_adapter(plan, use, "inline " if several else "") for use in uses]
+
+
+def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: str) -> Adapter:
+    returned, name, parameters = taken_apart(use.targetSignature)
+    header = ancestor_of_kind(use.function, platform.Header) if use.function else None
+    return Adapter(
+        use, name, use.signature, header.name if header else "", [*use.notes, *_pin_notes(plan, use)], prefix,
+        use.targetSignature, [n for n in map(parameter_name, parameters) if n], nothing(returned),
+    )  # fmt: skip
+
+
+def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
+    """The adapters that are functions of their own; of others the body stands where the program declares them."""
+    return [use for use in plan.adapterUses if use.signatureSource != OWN_PROTOTYPE]
+
+
+def with_own_types(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
+    """The adapters that can only stand behind the program's own types."""
+    return [use for use in plan.adapterUses if needs_own_types(plan, use)]
 
 
 def _pin_notes(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> list[str]:

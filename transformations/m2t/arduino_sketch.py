@@ -1,39 +1,64 @@
-"""The sketch folder of a migration plan: the generator registered for Arduino targets (paper 3.4, its EGL template).
+"""The sketch folder of a migration plan: the generator registered for Arduino targets, as rules of EGX (paper 3.4).
 
-It reads the plan, the models it refers to and the stored sources, and nothing else; it decides nothing. Each file is
-made by a module of its own; here they are put together and every generated line is traced to its elements and to the
-step of the method that made it.
+It reads the plan, the models it refers to and the stored sources, and nothing else; it decides nothing. Each rule makes a
+file by a template; what a template shows beyond the plan is prepared by the module of that file. Templates name their parts,
+so that every generated line is traced to its elements and to the step of the method that made it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
-from robosmi.generate.text import GeneratedFile
-from robosmi.metamodels import migration, trace
-from robosmi.transformations.m2t.adapters import adapters_file
-from robosmi.transformations.m2t.program_text import program_files
-from robosmi.transformations.m2t.sketch_project import sketch_yaml
-from robosmi.transformations.m2t.task_list import migration_report
+from robosmi.generate import Gen, Generation
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2t.adapters import adapters, made_apart, with_own_types
+from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
+from robosmi.transformations.m2t.sketch_project import project
+from robosmi.transformations.m2t.task_list import report
+from robosmi.transformations.queries.source_text import SourceText, is_header
 
 
-def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> list[GeneratedFile]:
-    """The files of the sketch, and the plan's text traces anew.
+def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Generation:
+    """The files of the sketch, their paths relative to the output folder; nothing is written.
 
     Args:
-        plan: a complete plan; its `trace.texts` are replaced.
+        plan: a complete plan.
         sources: path of a unit -> its bytes.
 
-    Returns:
-        The files, paths relative to the output folder.
+    Raises:
+        InternalError: two edits overlap.
+        RuleError: a template is wrong.
     """
-    files = [*program_files(plan, sources), adapters_file(plan), sketch_yaml(plan), migration_report(plan)]
-    if plan.trace is None:
-        plan.trace = trace.Trace()
-    plan.trace.texts.clear()
-    plan.trace.texts.extend(
-        trace.TextTrace(path=file.path, line=first, endLine=last, step=part.step, rule=part.rule, elements=part.elements)
-        for file in files
-        for first, last, part in file.lines()
+    g = Gen()
+    assert plan.program is not None
+    late = with_own_types(plan)
+    texts = {unit: SourceText(unit, sources[unit.path], plan.edits) for unit in plan.program.units}
+
+    @g.rule(
+        domain=plan.program.units,
+        template=lambda u: "arduino/own_header.h.j2" if is_header(u) else "arduino/sketch.ino.j2",
+        target=lambda u: f"{plan.name}/{file_name(u, plan)}",
     )
-    return files
+    def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
+        text = texts[unit]
+        return own_header(text) if is_header(unit) else {"plan": plan, **program_text(plan, text, late)}
+
+    @g.rule(template="arduino/adapters.h.j2", target=f"{plan.name}/adapters.h")
+    def Adapters() -> dict[str, Any]:
+        listed = adapters(plan, made_apart(plan))
+        return {
+            "plan": plan,
+            "adapters": [a for a in listed if a.use not in late],
+            "renamed": [a for a in listed if a.name not in ("", a.use.name)],
+        }
+
+    @g.rule(template="arduino/sketch.yaml.j2", target=f"{plan.name}/sketch.yaml")
+    def Project() -> dict[str, Any]:
+        return {"plan": plan, **project(plan)}
+
+    @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")
+    def Report() -> dict[str, Any]:
+        return {"plan": plan, **report(plan)}
+
+    return g.make()

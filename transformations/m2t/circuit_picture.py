@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 
-from robosmi.generate.environment import render
+from robosmi.generate import Gen
 from robosmi.metamodels import hardware
 from robosmi.transformations.m2m.connector_mapping import natural_key, pins_of
 from robosmi.transformations.m2t.circuit_layout import Box, Link, Place, Row, placed
@@ -63,7 +63,7 @@ def circuit_picture(circuit: hardware.Circuit) -> Picture:
 def picture_svg(picture: Picture) -> str:
     """The picture as SVG, with the layout of this package."""
     width, height = placed(picture.boxes, picture.links, bool(picture.loose))
-    return render(
+    return Gen().text(
         "circuit/picture.svg.j2",
         title=escape(picture.title),
         width=width,
@@ -78,7 +78,7 @@ def picture_dot(picture: Picture) -> str:
     """The picture in the language of Graphviz."""
     title = escape(picture.title).replace("\\", "\\\\").replace('"', "'")
     loose = ", ".join(picture.loose).replace("\\", "\\\\").replace('"', "'")
-    return render("circuit/picture.dot.j2", title=title, boxes=picture.boxes, links=picture.links, loose=loose)
+    return Gen().text("circuit/picture.dot.j2", title=title, boxes=picture.boxes, links=picture.links, loose=loose)
 
 
 def svg(circuit: hardware.Circuit, dot: str | None = None) -> str:

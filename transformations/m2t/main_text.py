@@ -9,15 +9,33 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
-from robosmi.generate.environment import render
-from robosmi.generate.text import Part
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import rules_of
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.source_text import Piece, SourceText, comments_in, reindent
+
+
+@dataclass(frozen=True)
+class Part:
+    """A piece of carried-over text and what it comes from.
+
+    Attributes:
+        text: whole lines, each ending in a line feed.
+        step: the step of the method that made it (code, hardware, generation).
+        rule: which part of the generated text it is.
+        elements: the model elements it comes from.
+    """
+
+    text: str
+    step: str
+    rule: str
+    elements: Sequence[Any]
+
 
 HOISTS = ("hoist-local", "hoist-local-split")
 
@@ -65,7 +83,7 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     if not isinstance(loop, ccode.Loop):
         yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, _parameters(main))
         yield Part("\n", "generation", "blank", [main])
-        yield Part(render("arduino/function.j2", name="loop", body=""), "generation", "loop", [main])
+        yield Part("void loop() {\n}\n", "generation", "loop", [main])
         return
     place = statements.index(loop)
     border = source.line_start(loop.startOffset)

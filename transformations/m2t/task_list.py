@@ -1,4 +1,4 @@
-"""`MIGRATION.md`: what is left to do, what became of each element, how the new hardware is wired.
+"""What `MIGRATION.md` says: what is left to do, what became of each element, how the new hardware is wired.
 
 The report says what the plan says, all of it; the counts per unit add up to the number of its elements.
 """
@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any
 
-from robosmi.generate.environment import render
-from robosmi.generate.text import GeneratedFile
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.plan import call_sites, element_title, open_choices
@@ -17,31 +15,27 @@ from robosmi.transformations.queries.plan import call_sites, element_title, open
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
 
-def migration_report(plan: migration.MigrationPlan) -> GeneratedFile:
+def report(plan: migration.MigrationPlan) -> dict[str, Any]:
     """The report of a plan."""
-    file = GeneratedFile(f"{plan.name}/MIGRATION.md")
     sites = call_sites(plan)
-    text = render(
-        "report/migration.md.j2",
-        name=plan.name,
-        source=plan.source.name if plan.source else "its platform",
-        board=plan.board.title if plan.board else "the target",
-        summary=(
+    return {
+        "name": plan.name,
+        "source": plan.source.name if plan.source else "its platform",
+        "board": plan.board.title if plan.board else "the target",
+        "summary": (
             f"{len(plan.dispositions)} elements were judged. "
             f"{sites['total']} calls go to {len(plan.adapterUses)} platform functions; "
             f"{sites['with_body']} of them reach an adapter with a body, {sites['todo']} one that is still to be written. "
             f"{len(open_choices(plan))} choices are open."
         ),
-        tasks=[_said(t) for t in plan.tasks],
-        findings=[_said(f) for f in plan.findings],
-        wiring=[_wire(c, plan) for c in plan.connections],
-        ports=[_port(b) for b in plan.portBindings],
-        libraries=[_library(c) for c in plan.libraryChoices],
-        groups=[_group(u, plan) for u in (plan.program.units if plan.program else [])] + _outside(plan),
-        adapters=[_adapter(a) for a in plan.adapterUses],
-    )
-    file.add(text, "generation", "report", [plan])
-    return file
+        "tasks": [_said(t) for t in plan.tasks],
+        "findings": [_said(f) for f in plan.findings],
+        "wiring": [_wire(c, plan) for c in plan.connections],
+        "ports": [_port(b) for b in plan.portBindings],
+        "libraries": [_library(c) for c in plan.libraryChoices],
+        "groups": [_group(u, plan) for u in (plan.program.units if plan.program else [])] + _outside(plan),
+        "adapters": [_adapter(a) for a in plan.adapterUses],
+    }
 
 
 def _cell(text: str) -> str:

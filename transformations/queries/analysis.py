@@ -10,7 +10,7 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
-from robosmi.transformations.queries import code, main_program, pin_uses
+from robosmi.transformations.queries import code, cores, main_program, pin_uses
 from robosmi.transformations.t2m.platform_api import ApiIndex
 
 _STORAGE = {"externStorage": "extern", "staticStorage": "static", "registerStorage": "register", "autoStorage": "auto"}
@@ -30,14 +30,16 @@ def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> 
 
 
 def library_cogs(view: code.CodeView) -> list[Finding]:
-    """RS108: functions of the platform that start a core of their own when they are called."""
+    """RS108: functions of the platform that start code of their library on another core; one a header, at the first call."""
+    by_header: dict[str, list[code.CalledFunction]] = {}
+    for function in cores.library_starts(view):
+        by_header.setdefault(function.header, []).append(function)
     found = []
-    for function in view.functions_of("platform"):
-        if function.calls and view.api.code_argument(function.name) is None and view.api.meaning(function.name).get("startsCog"):
-            call = function.calls[0]
-            found.append(
-                _finding(view, "RS108", Severity.info, call, f"{function.name} ({function.header}) runs on a core of its own")
-            )
+    for header, functions in by_header.items():
+        call = min((f.calls[0] for f in functions), key=lambda c: int(c.startOffset))
+        names = ", ".join(f.name for f in functions)
+        runs = "run on a core of their own" if len(functions) > 1 else "runs on a core of its own"
+        found.append(_finding(view, "RS108", Severity.info, call, f"{names} ({header}) {runs}"))
     return found
 
 

@@ -43,6 +43,11 @@ class Division:
     reason: str = ""
 
 
+def main_of(unit: ccode.SourceUnit) -> ccode.Function | None:
+    """The unit's definition of main."""
+    return next((d for d in unit.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition), None)
+
+
 def divide(main: ccode.Function, reserved: Collection[str] = ()) -> Division:
     """Divide main at its endless loop if that keeps its meaning.
 

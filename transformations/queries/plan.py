@@ -148,15 +148,30 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
     """
     result: list[Finding] = []
     for entry in entries:
-        location = Location(places.get(entry.path, entry.path), entry.line or None, entry.column or None) if entry.path else None
+        location = _place(entry, places)
         kind = Finding if isinstance(entry, migration.PlanFinding) else Task
-        evidence = {"effort": entry.effort} if entry.effort else {}
+        evidence: dict[str, Any] = {"effort": entry.effort} if entry.effort else {}
         if isinstance(entry, migration.PlanFinding):
             evidence |= next(({"component": e.title, "model_index": e.elementId} for e in _components(entry)), {})
+            if len(located := _located(entry)) > 1:
+                evidence["places"] = [[e.line, e.column, e.endLine, e.endColumn] for e in located]
         result.append(
             kind(entry.rule, Severity[entry.severity.name], entry.message, location, fix=entry.fix or None, evidence=evidence)
         )
     return result
+
+
+def _place(entry: migration.PlanTask, places: dict[str, str]) -> Location | None:
+    """Where an entry is; the end of the range is that of the element that it is about."""
+    if not entry.path:
+        return None
+    about = next((e for e in _located(entry) if (e.line, e.column) == (entry.line, entry.column)), None)
+    end = (about.endLine or None, about.endColumn or None) if about is not None else (None, None)
+    return Location(places.get(entry.path, entry.path), entry.line or None, entry.column or None, *end)
+
+
+def _located(entry: migration.PlanTask) -> list[ccode.Located]:
+    return [element for element in entry.elements if isinstance(element, ccode.Located)]
 
 
 def _components(entry: migration.PlanTask) -> list[hardware.Component]:

@@ -2,12 +2,14 @@
 
 A folder of libraries (one folder each), one library, or a PlatformIO project (`.pio/libdeps/*/`, `lib/`) will do. Declared
 metadata come from library.properties or library.json, else the folder's name is the library's. Files that cannot be read,
-folders without headers, doubles and rings of links are left out, each with its reason. Kept are facts only, see `library_index`.
+folders without headers, doubles and rings of links are left out, each with its reason. Kept are facts only, see
+`library_index`; what headers declare is found by `library_declarations`.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections import Counter
 from collections.abc import Iterator
@@ -18,10 +20,12 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
+from robosmi.transformations.t2m.library_declarations import declarations
 
 HEADERS = (".h", ".hpp", ".hh")
-_MOST_HEADERS, _MOST_WORDS, _LARGEST = 40, 700, 4_000_000
+_MOST_HEADERS, _MOST_WORDS, _LARGEST, _LONGEST_NAME = 40, 700, 4_000_000, 200
 _NOT_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'", re.DOTALL)
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.MULTILINE)
 _CLASS = re.compile(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*(?::[^;{]*)?\{")
 _KEYWORDS = frozenset(  # of C++, and of its preprocessor
@@ -104,11 +108,16 @@ def _library(folder: Path, found: Found) -> dict[str, Any] | None:
     said = _declared(folder, found)
     inner = folder / "src"
     files = [path for path in _entries(inner if inner.is_dir() else folder, found) if path.suffix.lower() in HEADERS]
-    headers = [path for path in files if path.is_file()]
+    headers = []
+    for path in files:
+        if path.name.isprintable():
+            headers += [path] if path.is_file() else []
+        else:
+            found.skipped[_clean(str(path))] = "its name has characters that cannot be kept"
     if not headers:
         found.skipped.setdefault(str(folder), "it has no header")
         return None
-    name = said.get("name") or folder.name
+    name = said.get("name") or _clean(folder.name) or "library"
     wanted = [part.strip() for part in said.get("includes", "").split(",") if part.strip()]
     main = [path.name for path in headers if path.name in wanted]
     main = main or [path.name for path in headers if _bears(path.stem, name) or _bears(path.stem, folder.name)]
@@ -120,6 +129,7 @@ def _library(folder: Path, found: Found) -> dict[str, Any] | None:
         return None
     classes = {each for header in facts for each in header.pop("classes") if header["main"]}
     keywords, declared = _keywords(folder)
+    start = [path for path in headers if any(header["main"] and header["file"] == path.name for header in facts)]
     return {
         "name": name, "version": said.get("version", ""), "author": said.get("author", ""), "category": said.get("category", ""),
         "architectures": _listed(said.get("architectures", "")), "depends": _listed(said.get("depends", "")),
@@ -127,6 +137,7 @@ def _library(folder: Path, found: Found) -> dict[str, Any] | None:
         "main": [header["file"] for header in facts if header["main"]], "headers": facts, "installed": True,
         "meta_terms": dict(Counter(chunks(f"{said.get('sentence', '')} {said.get('paragraph', '')}".lower()))),
         "keyword_terms": dict(keywords), "keyword_classes": sorted(classes | declared), "copies": 1,
+        "api": _api(start, inner if inner.is_dir() else folder, found),
     }  # fmt: skip
 
 
@@ -135,14 +146,19 @@ def _declared(folder: Path, found: Found) -> dict[str, str]:
     properties, manifest = folder / "library.properties", folder / "library.json"
     if properties.is_file() and (text := _text(properties, found)) is not None:
         pairs = (line.partition("=") for line in text.splitlines() if not line.startswith("#"))
-        return {key.strip(): " ".join(value.split()) for key, equals, value in pairs if equals}
+        said = {key.strip(): _clean(value) for key, equals, value in pairs if equals}
+        if not 0 < len(said.get("name", "")) <= _LONGEST_NAME:
+            found.skipped[str(properties)] = "it names no library; the folder's name was taken"
+            said.pop("name", None)
+        return said
     if manifest.is_file() and (text := _text(manifest, found)) is not None:
         try:
             data = json.loads(text)
         except (ValueError, RecursionError):
             data = None
         if isinstance(data, dict):
-            return _from_manifest(data)
+            said = {key: _clean(value) for key, value in _from_manifest(data).items()}
+            return said if len(said["name"]) <= _LONGEST_NAME else {**said, "name": ""}
         found.skipped[str(manifest)] = "it is no JSON object; the folder's name was taken"
     return {}
 
@@ -179,6 +195,27 @@ def _header(path: Path, main: bool, found: Found) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
+def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Any]]:
+    """What the main headers declare, and the headers of the library that they include, directly or not."""
+    rows = []
+    known: dict[Path, str] = {path.resolve(): path.name for path in main}  # header -> the main one that leads to it
+    waiting = list(main)
+    for path in waiting:  # grows while it is walked: breadth first
+        text = _text(path, found)
+        if text is None:
+            continue
+        leads = known[path.resolve()]
+        rows.append({"header": path.name, "main": leads} | declarations(text.encode("utf-8", "replace")))
+        for name in _INCLUDE.findall(_COMMENT.sub(" ", text)):
+            for place in (path.parent / name, root / name):
+                if len(waiting) < _MOST_HEADERS and os.path.isfile(place):  # False for what is no name of a file, too
+                    real = place.resolve()
+                    if real not in known and real.is_relative_to(root.resolve()):
+                        known[real] = leads
+                        waiting.append(place)
+    return rows
+
+
 def _keywords(folder: Path) -> tuple[Counter[str], set[str]]:
     """Words of the identifiers in keywords.txt, and its classes (KEYWORD1)."""
     counts: Counter[str] = Counter()
@@ -208,6 +245,11 @@ def _text(path: Path, found: Found) -> str | None:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         return data.decode("latin-1")
+
+
+def _clean(text: str) -> str:
+    """Text without what cannot be printed or kept: line ends, zero bytes, halves of characters."""
+    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 
 def _bears(stem: str, name: str) -> bool:

@@ -1,10 +1,10 @@
 """Text to model: a file of facts about libraries (JSON lines) becomes the index that ships with RoboSMi.
 
-    python -m robosmi.transformations.t2m.library_index index.jsonl.gz platform_repo/arduino/libraries/index.sqlite
+    python -m robosmi.transformations.t2m.library_index index.jsonl.gz platform_repo/arduino/libraries/index.sqlite api.jsonl.gz
 
-Kept are declared metadata, header names and how often each word occurs in a header (the 700 commonest words of each:
-the source has no more). Left out are identifiers, signatures and all text. The file format is in
-`robosmi.recommend.index`, the ranking in `transformations.m2m.library_ranking`.
+Kept are declared metadata, header names, how often each word occurs in a header (the 700 commonest words of each: the
+source has no more), and from a second file what the headers declare (`library_api_facts`). All other text is left out. The
+file format is in `robosmi.recommend.index`, the ranking in `transformations.m2m.library_ranking`.
 """
 
 from __future__ import annotations
@@ -13,27 +13,31 @@ import gzip
 import json
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.recommend.index_writer import write_index
+from robosmi.recommend.library_api import HeaderApi
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
+from robosmi.transformations.t2m.library_api_facts import header_api, read_api
 
 _ADDRESS = re.compile(r"\s*[<(][^<>()]*@[^<>()]*[>)]|\S+@\S+")
 _FIX = "take a file that has one library a line, as the README beside the index says"
 
 
-def build(index_jsonl_gz: Path, target: Path) -> tuple[int, int]:
+def build(index_jsonl_gz: Path, target: Path, api_jsonl_gz: Path | None = None) -> tuple[int, int]:
     """Build the index from facts; the same facts give the same bytes. A target that is there is replaced.
 
     Args:
         index_jsonl_gz: JSON lines, gzip; one library a line with `name`, `main`, `headers` (`file`, `main`, `raw`: word ->
             count) and perhaps version, author, category, architectures, depends, license, url, repo, commit, path,
-            copies, in_registry.
+            copies, in_registry, and `api`: rows like those of the other file.
         target: the SQLite file to write; its folder is made.
+        api_jsonl_gz: JSON lines, gzip; one header a line with `library`, `header`, `main`, `classes`, `functions`,
+            `constants`, `enums`; libraries that the first file does not name are left out.
 
     Returns:
         How many libraries and headers are in it.
@@ -42,8 +46,9 @@ def build(index_jsonl_gz: Path, target: Path) -> tuple[int, int]:
         SourceError: the facts cannot be read, a library is given twice, has no main header or an unfit value.
     """
     target.parent.mkdir(parents=True, exist_ok=True)
+    api = read_api(api_jsonl_gz) if api_jsonl_gz is not None else {}
     try:
-        return write_index(target, (_library(row) for row in _rows(index_jsonl_gz)))
+        return write_index(target, (_library(row, api.get(row["name"], ())) for row in _rows(index_jsonl_gz)))
     except UsageError as error:
         raise SourceError(error.message, location=Location(str(index_jsonl_gz)), fix=_FIX) from error
 
@@ -75,6 +80,10 @@ def _checked(row: Any, place: Location) -> dict[str, Any]:
         raise SourceError(f"a header of '{row['name']}' lacks file, main or raw", location=place, fix=_FIX)
     if not all(isinstance(tf, int) and tf > 0 for item in headers for tf in item["raw"].values()):
         raise SourceError(f"a count of a word of '{row['name']}' is not a whole number above 0", location=place, fix=_FIX)
+    try:
+        row["api"] = [header_api(item) for item in row.get("api") or ()]
+    except (ValueError, TypeError) as error:
+        raise SourceError(f"what '{row['name']}' declares has another form: {error}", location=place, fix=_FIX) from error
     return row
 
 
@@ -82,7 +91,7 @@ def _texts(value: object) -> bool:
     return isinstance(value, list) and all(isinstance(item, str) and "\n" not in item for item in value)
 
 
-def _library(row: Mapping[str, Any]) -> LibraryRecord:
+def _library(row: Mapping[str, Any], api: Sequence[HeaderApi]) -> LibraryRecord:
     repo, commit, folder = (str(row.get(key) or "") for key in ("repo", "commit", "path"))
     headers = [
         HeaderRecord(item["file"], bool(item["main"]), item["raw"], item.get("idents") or {}, item.get("includes") or ())
@@ -106,15 +115,16 @@ def _library(row: Mapping[str, Any]) -> LibraryRecord:
         copies=int(row.get("copies") or 1),
         in_registry=bool(row.get("in_registry")),
         installed=bool(row.get("installed")),
+        api=[header for header in (*row["api"], *api) if header],
     )
 
 
 def main(arguments: list[str]) -> int:
-    """The command line: SOURCE and TARGET. Returns the exit code."""
+    """The command line: SOURCE, TARGET and perhaps a second source with what headers declare. Returns the exit code."""
     try:
-        if len(arguments) != 2:
-            raise UsageError("a source and a target are wanted", fix="library_index index.jsonl.gz index.sqlite")
-        libraries, headers = build(Path(arguments[0]), Path(arguments[1]))
+        if len(arguments) not in (2, 3):
+            raise UsageError("a source and a target are wanted", fix="library_index index.jsonl.gz index.sqlite [api.jsonl.gz]")
+        libraries, headers = build(Path(arguments[0]), Path(arguments[1]), *(Path(more) for more in arguments[2:]))
     except RobosmiError as error:
         print(error, file=sys.stderr)
         return error.exit_code

@@ -111,6 +111,7 @@ class ApiIndex:
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
         self._pins: dict[tuple[str, str], PinFacts] | None = None
         self._meanings: dict[str, Any] | None = None
+        self._cogs: dict[str, Sequence[str]] | None = None
 
     @staticmethod
     def load(name: str) -> ApiIndex:
@@ -210,10 +211,20 @@ class ApiIndex:
             return "register"
         return {"macro": "macro", "function_macro": "macro", "constant": "constant"}.get(entry.kind, "variable")
 
+    def is_register(self, name: str) -> bool:
+        """Whether the platform has a register of that name."""
+        return name in self._registers
+
     def code_argument(self, function: str) -> int | None:
         """Which argument, from 0, is the code that a function starts on another core; None for a function that starts none."""
         position = self.settings.get("cogs", {}).get(function)
         return None if position is None else int(position)
+
+    def starts_cog(self, function: str, header: str) -> bool:
+        """Whether a function, as the header declares it, starts code on another core, its own or that of its library."""
+        if self.code_argument(function) is not None or function in self._library_cogs().get(header, ()):
+            return True
+        return bool(self.meaning(function).get("startsCog", False))
 
     def virtual_headers(self) -> dict[str, bytes]:
         """Our own text of the standard headers, by the name a program includes."""
@@ -225,6 +236,12 @@ class ApiIndex:
         from robosmi.transformations.t2m.platform_model import build
 
         return build(self, names, tuple(includes))
+
+    def _library_cogs(self) -> dict[str, Sequence[str]]:
+        if self._cogs is None:
+            path = self._file("cogs.toml")
+            self._cogs = _toml(path).get("headers", {}) if path.is_file() else {}
+        return self._cogs
 
     def _meaning_tables(self) -> dict[str, Any]:
         if self._meanings is None:

@@ -78,7 +78,7 @@ def _function(api: ApiIndex, name: str, entry: Entry) -> pf.ApiFunction:
         variadic=variadic,
         functionLikeMacro=entry.kind == "function_macro",
         blocking=bool(meaning.get("blocking", False)),
-        startsCog=bool(meaning.get("startsCog", False)) or api.code_argument(name) is not None,
+        startsCog=api.starts_cog(name, entry.header),
         parameters=parameters,
         conventions=[
             pf.PinConvention(pin=c.pin, direction=getattr(pf.Direction, DIRECTIONS[c.direction]), what=c.what, setBy=c.set_by)

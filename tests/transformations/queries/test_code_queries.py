@@ -89,7 +89,7 @@ def test_own_definitions_win_and_locals_shadow(api: ApiIndex) -> None:
         "nowhere": "void nowhere(const char *, ...)",
         "own": "void own(int)",
     }
-    assert sorted(f.rule for f in findings) == ["RS109", "RS109"]
+    assert sorted(f.rule for f in findings) == ["RS108", "RS109", "RS109"]
     assert unit["coverage"]["unresolved"] == []
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, UsageError
 
 ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".C")
 COMMANDS = "compile_commands.json"
@@ -42,6 +42,7 @@ def source_files(
 
     Raises:
         SourceError: a folder holds no sources, or the compile commands cannot be read.
+        UsageError: a file is given twice.
     """
     found: dict[str, Compiled] = {}
     for given in paths:
@@ -55,7 +56,10 @@ def source_files(
         else:
             files = [Compiled(path, tuple(include_dirs), tuple(defines), True)]
         for file in files:
-            found.setdefault(os.path.realpath(file.path), file)
+            key = os.path.realpath(file.path)
+            if file.given and key in found and found[key].given:
+                raise UsageError(f"'{file.path}' is given twice", fix="give each source file once")
+            found.setdefault(key, file)
     return list(found.values())
 
 

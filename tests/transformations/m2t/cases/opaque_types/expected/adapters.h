@@ -12,6 +12,7 @@ struct serial {};  // TODO: complete symbol
 
 // fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate)  [fdserial.h]
 // called in line 9
+// it starts code on another core there
 fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   // TODO: complete method
   (void)rxpin;
@@ -23,6 +24,7 @@ fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baud
 
 // int fdserial_rxChar(fdserial *term)  [fdserial.h]
 // called in line 14
+// it blocks
 int32_t fdserial_rxChar(fdserial *term) {
   // TODO: complete method
   (void)term;

@@ -1,0 +1,15 @@
+#include "simpletools.h"
+#include "ping.h"
+void show(void) { pause(500); }  // RS322
+
+int main(void)
+{
+  pause(1000);
+  while (1) {
+    show();
+    if (ping_cm(8) < 10)  // RS322
+      pause(20);  // RS322
+    while (!input(4));  // RS322
+    while (input(4)) { }  // RS322
+  }
+}

@@ -1,0 +1,7 @@
+#include "simpletools.h"
+long now;
+
+int main(void)
+{
+  now = time(0);  // RS324: time(0)
+}

@@ -1,0 +1,3 @@
+#include <math.h>
+extern int wheels;
+int spin(int times);

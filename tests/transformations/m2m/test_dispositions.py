@@ -1,0 +1,105 @@
+"""Dispositions as rules of ETL: each rule has a program in which it speaks, and the trace is that of the transformation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.metamodels import ccode, migration
+from robosmi.query import all_contents, all_of_kind, all_of_type
+from robosmi.transform import Trace
+from robosmi.transformations.m2m.dispositions import Known, dispositions
+from robosmi.transformations.queries.code import views
+from robosmi.transformations.queries.program_model import ProgramModel
+from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.target_platform import target_facts
+
+PROGRAMS = Path(__file__).parent / "programs"
+SOURCES = {
+    "every_verdict": [PROGRAMS / "every_verdict" / name for name in ("every_verdict.c", "wheel.c")],
+    "whole_main": [PROGRAMS / "whole_main.c"],
+}
+
+
+@pytest.fixture(params=SOURCES)
+def plan(request: pytest.FixtureRequest) -> migration.MigrationPlan:
+    """The plan of each program."""
+    made: migration.MigrationPlan = planned(request.param)
+    return made
+
+
+def planned(name: str) -> Any:
+    return robosmi.plan_migration(SOURCES[name]).plan
+
+
+def judged(plan: migration.MigrationPlan) -> list[tuple[str, migration.Disposition]]:
+    """Rule and disposition of each link of the trace that leads to one."""
+    assert plan.trace is not None
+    return [(k.rule, d) for k in plan.trace.links for d in k.targets if isinstance(d, migration.Disposition)]
+
+
+def test_every_rule_speaks_in_one_of_the_programs() -> None:
+    spoken = {rule for name in SOURCES for rule, _ in judged(planned(name))}
+    program = planned("every_verdict").program
+    code = ProgramModel(views(program, ApiIndex.load("propeller")))
+    rules = dispositions(code, Known(code._views[0].api, target_facts("uno"), (), (), ()))
+    assert spoken == {rule.name for module in rules.modules() for rule in module.rules}
+
+
+@pytest.mark.parametrize(
+    ("line", "rule", "verdict"),
+    [
+        (2, "PlatformInclude", "drop platform-include"),
+        (3, "StandardInclude", "retain standard-include"),
+        (5, "ConditionalInclude", "retain conditional-include"),
+        (7, "MissingInclude", "unsupported posix-include"),
+        (8, "UnknownInclude", "unsupported unknown-include"),
+        (9, "OwnHeader", "retain own-header"),
+        (12, "MainPrototype", "drop main-prototype"),
+        (24, "HoistedLocal", "hoist hoist-local"),
+        (25, "SplitLocal", "hoist hoist-local-split"),
+        (29, "MainRepeated", "retain main-repeated"),
+        (33, "Unreachable", "drop unreachable"),
+    ],
+)
+def test_the_verdict_on_a_line(line: int, rule: str, verdict: str) -> None:
+    found = [
+        (r, d) for r, d in judged(planned("every_verdict")) if isinstance(d.element, ccode.Located) and d.element.line == line
+    ]
+    assert (rule, verdict) in [(r, f"{d.action.name} {d.rule}") for r, d in found]
+
+
+def test_each_disposition_has_one_link_from_its_element(plan: migration.MigrationPlan) -> None:
+    assert plan.trace is not None
+    trace = Trace.of_model(plan.trace)
+    for disposition in plan.dispositions:
+        (link,) = trace.links_to(disposition)
+        assert link.sources == (disposition.element,)
+        assert link.step == "code"
+        assert trace.equivalents(disposition.element)[0] is disposition
+
+
+def test_dispositions_stand_in_the_order_of_the_model(plan: migration.MigrationPlan) -> None:
+    places = {id(element): place for place, element in enumerate(all_contents(plan.program))}
+    rules = {id(d): rule for rule, d in judged(plan)}
+    order = [places[id(d.element)] for d in plan.dispositions if rules[id(d)] != "Rewritten"]
+    assert order == sorted(order)
+    assert [rules[id(d)] == "Rewritten" for d in plan.dispositions] == sorted(
+        rules[id(d)] == "Rewritten" for d in plan.dispositions
+    )
+
+
+@pytest.mark.parametrize("kind", [ccode.Include, ccode.Statement, ccode.Declaration, ccode.Program, ccode.Located])
+def test_the_model_for_rules_has_the_extents_of_the_program(kind: Any) -> None:
+    program = planned("every_verdict").program
+    code = ProgramModel(views(program, ApiIndex.load("propeller")))
+    assert list(code.all_contents()) == list(all_contents(program))
+    assert list(code.all_of_kind(kind)) == list(all_of_kind(program, kind))
+    assert list(code.all_of_type(kind)) == list(all_of_type(program, kind))
+    for element in list(code.all_of_kind(kind))[:5]:
+        assert code.owns(element)
+        assert code.element(code.id_of(element)) is element
+    assert not code.owns(ccode.Include(header="x"))

@@ -1,0 +1,2 @@
+void forward(int speed);
+void turn(void);

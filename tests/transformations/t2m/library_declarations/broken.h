@@ -1,0 +1,7 @@
+class Open { public: void first(); void second(
+class Next { public: void lost(); };
+}}} ) ] > ;
+#endif
+#else
+int found();
+template <

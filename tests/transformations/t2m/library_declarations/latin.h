@@ -1,0 +1,3 @@
+// Grüße, 20 °C
+class Latin { public: void heat(const char *unit = "°C"); };
+#define UNIT "°C"

@@ -1,0 +1,1 @@
+/* old Mac */class Mac { public:  void read();};

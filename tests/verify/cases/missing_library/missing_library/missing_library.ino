@@ -1,0 +1,5 @@
+#include <Adafruit_BMP085.h>
+
+void setup() {}
+
+void loop() {}

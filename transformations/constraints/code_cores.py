@@ -1,0 +1,154 @@
+"""Constraints on what a target with one core and other registers does not have: registers, code on other cores, waiting for it.
+
+What libraries of the platform run on other cores is said where the program is read (RS108); here is what the program itself does.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents
+from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
+from robosmi.transformations.queries.cores import reached, written
+from robosmi.transformations.queries.main_program import main_function
+from robosmi.validate import Fail
+
+
+def has_fewer_cores() -> bool:
+    """Whether there is a move to a target without other cores."""
+    m = move()
+    return m is not None and m.source.hasCogs and not m.target.hasCogs
+
+
+def is_register(use: Any) -> bool:
+    """Whether a name that the program does not declare is a register of the source platform."""
+    m = move()
+    if m is None or m.register(use.name) is None:
+        return False
+    return use.macro is None if isinstance(use, ccode.MacroUse) else isinstance(use.target, (ccode.ExternalSymbol, type(None)))
+
+
+def starts_code(call: ccode.Call) -> bool:
+    """Whether a call starts code of the program on another core, and the target has none."""
+    return has_fewer_cores() and id(call) in the_move().cores.starts
+
+
+def may_wait(loop: ccode.Loop) -> bool:
+    """Whether a loop has a condition, and there is code on other cores that may change it."""
+    return loop.condition is not None and not loop.endless and has_fewer_cores() and bool(the_move().cores.elsewhere)
+
+
+references = moved.context(ccode.NameReference, guard=is_register)
+expanded = moved.context(ccode.MacroUse, guard=is_register)
+starts = moved.context(ccode.Call, guard=starts_code)
+loops = moved.context(ccode.Loop, guard=may_wait)
+units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
+
+
+def _register(use: Any) -> Any:
+    m = the_move()
+    meaning = m.register(use.name)
+    said = f" ({meaning})" if meaning else ""
+    return Fail(f"{use.name} is a register of {m.source.name}{said}; nothing on the target follows its placeholder")
+
+
+@references.constraint(
+    id="RS320", severity=Severity.warning, location=place,
+    advice="write what is meant with functions of the target (pinMode, digitalWrite, micros ...)",
+    guard=lambda r: int(r.startOffset) not in the_move().expansions,
+)  # fmt: skip
+def IsNoRegister(reference: ccode.NameReference) -> Any:
+    """No register of the source platform is used."""
+    return _register(reference)
+
+
+@expanded.constraint(
+    id="RS320", severity=Severity.warning, location=place,
+    advice="write what is meant with functions of the target (pinMode, digitalWrite, micros ...)",
+)  # fmt: skip
+def StandsForNoRegister(use: ccode.MacroUse) -> Any:
+    """No macro that stands for a register of the source platform is used."""
+    return _register(use)
+
+
+@starts.constraint(
+    id="RS321", severity=Severity.warning, location=place, advice="call it from loop, in steps that do not wait",
+)  # fmt: skip
+def RunsOnItsOwn(call: ccode.Call) -> Any:
+    """The program starts nothing on a core of its own."""
+    start = the_move().cores.starts[id(call)]
+    what = f"'{start.function}'" if start.function else "code"
+    return Fail(f"{start.via} starts {what} on a core of its own; the target has one core")
+
+
+@units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait where other work has to go on")
+def DoesNotWait(unit: ccode.SourceUnit) -> Any:
+    """What is repeated for ever does not wait."""
+    cores = the_move().cores
+    main = main_function(unit)
+    repeated = [s.body for s in main.body.statements if isinstance(s, ccode.Loop) and s.endless] if main and main.body else []
+    done = {id(e): e for e in reached(repeated)}.values()
+    calls = [e for e in done if isinstance(e, ccode.Call) and e.calleeName in cores.blocking and not e.viaMacro]
+    waits = sorted((*calls, *filter(_is_busy, done)), key=lambda e: int(e.startOffset))
+    if not waits:
+        return True
+    counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)
+    names = ", ".join(f"{name} ({count})" if count > 1 else name for name, count in counted.most_common())
+    others = ", while code on other cores has to go on" if cores.starts or cores.by_libraries else ""
+    return together(f"what is repeated for ever waits in {names}{others}", waits)
+
+
+def _is_busy(element: Any) -> bool:
+    """Whether it is a loop that does nothing until something outside of the program changes."""
+    if not isinstance(element, ccode.Loop) or element.condition is None or element.endless:
+        return False
+    body = element.body
+    if not isinstance(body, ccode.EmptyStatement) and not (isinstance(body, ccode.Block) and not body.statements):
+        return False
+    condition = (element.condition, *all_contents(element.condition))
+    outside = (e for e in condition if isinstance(e, ccode.Call) and e.callee is not None and not e.callee.definition)
+    return any(outside) or any(isinstance(e, ccode.NameReference) and is_register(e) for e in condition)
+
+
+@loops.constraint(
+    id="RS323", severity=Severity.warning, location=place,
+    advice="let loop do the other work meanwhile, and test the condition each time",
+)  # fmt: skip
+def EndsByItself(loop: ccode.Loop) -> Any:
+    """No loop waits for what only code on another core can change."""
+    elsewhere = the_move().cores.elsewhere
+    condition = [loop.condition, *all_contents(loop.condition)]
+    if any(isinstance(e, (ccode.Call, ccode.Assignment)) for e in condition):
+        return True
+    names = [e.target for e in condition if isinstance(e, ccode.NameReference)]
+    variables = [v for v in names if isinstance(v, ccode.Variable)]
+    if len(variables) < len([n for n in names if not isinstance(n, ccode.EnumerationLiteral)]):
+        return True
+    inside = reached([*condition, loop.body, loop.step if isinstance(loop, ccode.For) else None])
+    leaves = any(isinstance(e, (ccode.Break, ccode.Return, ccode.Goto)) for e in inside)
+    changed = written(inside)
+    waited = [v for v in variables if id(v) in elsewhere]
+    ends = leaves or not waited or any(id(v) in changed for v in variables)
+    return ends or Fail(f"this loop ends when code on another core changes '{waited[0].name}'; the target has one core")
+
+
+@units.critique(id="RS324", info=True, location=place, advice="nothing; or include it in the source, too")
+def IncludesWhatItUses(unit: ccode.SourceUnit) -> Any:
+    """What is used of the standard library is included, not only brought by a header of the platform."""
+    m = the_move()
+    view = m.view(unit)
+    added = [h for h in m.added_headers if h not in view.includes]
+    first: dict[str, ccode.Located] = {}
+    names: dict[str, list[str]] = {h: [] for h in added}
+    for function in view.called().values() if added else ():
+        if function.header in names and function.calls:
+            names[function.header].append(function.name)
+            first.setdefault(function.header, function.calls[0])
+    said = [f"{', '.join(names[h])} (<{h}>)" for h in added if names[h]]
+    return not said or together(
+        f"of the standard library are used and not included: {'; '.join(said)}; the sketch includes what they need",
+        sorted(first.values(), key=lambda e: int(e.startOffset)),
+    )

@@ -1,0 +1,83 @@
+"""Constraints on texts that say how numbers are printed and read: what they name must be as wide as what is passed.
+
+A function takes such a text where its last parameter before "..." is a text. On the source int and long may be the same, so that
+%d and %ld were both right; on a target with a narrower int only one is, and the others after it are read from wrong places.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.constraints.code_move import Move, is_narrower, moved, place, the_move
+from robosmi.transformations.queries.expression_type import element_type, type_of
+from robosmi.validate import Fail
+
+_CONVERSION = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%\[])")
+_INTEGERS = frozenset("diuxXobc")
+_TEXT = re.compile(r"\s*(?:const\s+)?char\s*(?:const\s*)?\*")
+
+calls = moved.context(
+    ccode.Call, guard=lambda c: any(isinstance(a, ccode.StringLiteral) for a in c.arguments) and not c.viaMacro and is_narrower()
+)
+
+
+@calls.constraint(
+    id="RS316", severity=Severity.warning, location=place,
+    advice="cast the argument to what the text names: (int) for %d, (long) for %ld",
+)  # fmt: skip
+def NamesWhatIsPassed(call: ccode.Call) -> Any:
+    """Every number that is passed is as wide as its place in the format says."""
+    m = the_move()
+    given = _format(m, call)
+    if given is None:
+        return True
+    text, values = given
+    wrong = []
+    for (letters, wanted), value in zip(_conversions(m, text), values, strict=False):
+        bits = _bits(m, value)
+        if wanted and bits and bits != wanted:
+            wrong.append(f"{letters} takes {wanted} bits, but is given {bits}")
+    return not wrong or Fail(f"{call.calleeName}: on the target {'; '.join(wrong)}")
+
+
+def _format(m: Move, call: ccode.Call) -> tuple[str, list[Any]] | None:
+    """The format of a call and what is passed for it; None for a function without one."""
+    function = call.callee
+    position = -1
+    if function is not None and function.variadic and function.parameters:
+        last = function.parameters[len(function.parameters) - 1].valueType
+        if last is not None and (last.canonical or last.spelling).replace("const", "").split() == ["char", "*"]:
+            position = len(function.parameters) - 1
+    elif call.calleeName in m.signatures:
+        taken = m.signatures[call.calleeName]
+        if len(taken) > 1 and taken[-1] == "..." and _TEXT.match(taken[-2]):
+            position = len(taken) - 2
+    arguments: list[Any] = list(call.arguments)
+    if not 0 <= position < len(arguments) or not isinstance(arguments[position], ccode.StringLiteral):
+        return None
+    return str(arguments[position].text), arguments[position + 1 :]
+
+
+def _conversions(m: Move, text: str) -> Iterator[tuple[str, int]]:
+    """The arguments that a format takes: how it says so, and their bits on the target, 0 for what is no integer."""
+    for found in _CONVERSION.finditer(text):
+        width, precision, length, letter = found.groups()
+        if letter == "%":
+            continue
+        if "*" in (width, precision):
+            yield from (("*", m.there.int_bits) for part in (width, precision) if part == "*")
+        bits = {"l": m.there.long_bits, "ll": 64, "j": 64, "z": m.there.pointer_bits, "t": m.there.pointer_bits}
+        yield found[0], bits.get(length or "", m.there.int_bits) if letter in _INTEGERS else 0
+
+
+def _bits(m: Move, value: Any) -> int:
+    """The bits of an integer as it is passed, or of the one that a pointer leads to; 0 for anything else."""
+    number = m.numbers.of(value)
+    if number is not None:
+        return 0 if number.real else max(number.bits, m.there.int_bits)
+    pointed = m.numbers.typed(element_type(type_of(value, m.numbers.functions)))
+    return pointed.bits if pointed is not None and not pointed.real and pointed.bits >= m.there.int_bits else 0

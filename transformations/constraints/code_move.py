@@ -1,0 +1,242 @@
+"""What a move of a program to its target may change: the constraints' common ground, and how a plan is asked.
+
+`moved` holds them all (`code_widths`, `code_characters`, `code_formats`, `code_cores`); `move_findings` asks them of a plan whose
+program has views at hand, `robosmi check` of a stored plan and its code model. Without a plan nothing is said: what changes
+depends on the target.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from contextvars import ContextVar
+from functools import cached_property
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.model import EmfModel
+from robosmi.query import ancestor_of_kind
+from robosmi.query.run import current_run
+from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.cores import Cores
+from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.numbers import Machine, Numbers
+from robosmi.transformations.queries.ranges import Ranges
+from robosmi.transformations.queries.signature_text import function_type
+from robosmi.transformations.queries.values import Values
+from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.platform_model import split_parameters
+from robosmi.validate import EVL, Fail, Unsatisfied
+
+moved = EVL()
+"""The constraints on a program that is moved; run them over its plan and its model."""
+
+MANY = 5
+"""So many findings of a rule in one file are one each; more are one together."""
+PLACES = "places"
+_running: ContextVar[Move | None] = ContextVar("robosmi_move", default=None)
+_FIXED = re.compile(r"\bu?int(?:8|16|32|64)_t\b|\bfloat\b")
+
+
+class Move:
+    """A plan, and what source and target make of its program.
+
+    Args:
+        plan: the plan; it has a program and both platforms.
+        seen: a view of each unit of the program.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> None:
+        assert plan.program is not None
+        assert plan.source is not None
+        assert plan.target is not None
+        self.plan, self.views = plan, seen
+        self.told: set[int] = set()
+        self.program: ccode.Program = plan.program
+        self.source: platform.Platform = plan.source
+        self.target: platform.Platform = plan.target
+        self.here, self.there = Machine.of(plan.source), Machine.of(plan.target)
+
+    @property
+    def narrower(self) -> bool:
+        """Whether int has fewer bits on the target."""
+        return self.there.int_bits < self.here.int_bits
+
+    @cached_property
+    def numbers(self) -> Numbers:
+        """The program's numbers on the target."""
+        functions = _functions(self.views)
+        functions.update({a.name: function_type(a.targetSignature) for a in self.plan.adapterUses})
+        sure = (s for s in self.plan.symbolUses if s.symbol is not None and s.symbol.typeName)  # a person gives the others theirs
+        symbols = {s.name: found[0] for s in sure if (found := _FIXED.search(s.placeholder or ""))}
+        return Numbers(self.there, functions, symbols, self._macros)
+
+    @cached_property
+    def ranges(self) -> Ranges:
+        """The program's values on the source."""
+        functions = _functions(self.views)
+        functions.update({a.name: function_type(a.signature) for a in self.plan.adapterUses})
+        return Ranges(Numbers(self.here, functions, {}, self._macros), Values(self.program, self.views[0].unit), self.program)
+
+    @cached_property
+    def _macros(self) -> dict[str, str]:
+        return {m.name: m.body or "" for view in self.views for m in view.unit.macros if not m.functionLike}
+
+    @cached_property
+    def signatures(self) -> dict[str, list[str]]:
+        """Name of a function that the program calls and does not define -> its parameters as its header has them."""
+        return {
+            f.name: split_parameters(f.entry.parameters)
+            for view in self.views
+            for f in view.called().values()
+            if f.entry is not None and f.entry.parameters
+        }
+
+    def register(self, name: str) -> str | None:
+        """What a register of the source platform means, empty where that is not known; None for a name that is none."""
+        api = self.views[0].api
+        return api.symbol_meaning(name).get("meaning", "") if api.is_register(name) else None
+
+    @cached_property
+    def expansions(self) -> set[int]:
+        """Where macros that stand for registers begin: their expansions are not uses of their own."""
+        uses = (u for view in self.views for u in view.of_kind(ccode.MacroUse) if u.macro is None)
+        return {int(u.startOffset) for u in uses if self.register(u.name) is not None}
+
+    @cached_property
+    def cores(self) -> Cores:
+        """What the program does on other cores."""
+        return Cores(self.views)
+
+    @cached_property
+    def added_headers(self) -> list[str]:
+        """Standard headers that the sketch includes and the program does not."""
+        marks = ((s.placeholder or "", s) for s in self.plan.symbolUses)
+        return [text.removeprefix("#include <").rstrip(">") for text, _ in marks if text.startswith("#include <")]
+
+    def view(self, unit: ccode.SourceUnit) -> CodeView:
+        """The view of a unit."""
+        return next(v for v in self.views if v.unit is unit)
+
+
+def _functions(seen: Iterable[CodeView]) -> dict[str, FunctionType]:
+    return {
+        f.name: FunctionType(f.entry.detail, ())
+        for view in seen
+        for f in view.called().values()
+        if f.entry is not None and f.entry.kind == "function"
+    }
+
+
+def move() -> Move | None:
+    """The move that the running constraints are about, None where the models have no plan with two platforms."""
+    return _running.get()
+
+
+def the_move() -> Move:
+    """The move, in a constraint whose guard has seen that there is one."""
+    found = move()
+    assert found is not None
+    return found
+
+
+def is_narrower() -> bool:
+    """Whether there is a move, to a narrower int."""
+    found = move()
+    return found is not None and found.narrower
+
+
+@moved.pre
+def find_the_move() -> None:
+    """Make what the constraints need: of the plan that is one of the models, or of the views that were given with it."""
+    _running.set(None)
+    for model in current_run().models:
+        if isinstance(model, Given):
+            _running.set(model.move)
+            return
+        roots = model.roots if isinstance(model, EmfModel) else ()
+        for plan in roots:
+            if isinstance(plan, migration.MigrationPlan) and plan.program is not None and plan.source is not None and plan.target:
+                _running.set(Move(plan, views(plan.program, ApiIndex.load(plan.source.name))))
+
+
+@moved.post
+def forget_the_move() -> None:
+    """Let go of the models."""
+    _running.set(None)
+
+
+class Given(EmfModel):
+    """A program with views at hand: its extents are theirs.
+
+    Args:
+        of: the move.
+    """
+
+    def __init__(self, of: Move) -> None:
+        super().__init__(of.program, name="code")
+        self.move = of
+
+    def all_of_kind(self, kind: Any) -> list[Any]:
+        """The instances of a class of the program's metamodel, in pre-order."""
+        if kind is ccode.SourceUnit:
+            return [view.unit for view in self.move.views]
+        return [x for view in self.move.views for x in view.of_kind(kind)]
+
+
+def place(element: ccode.Located | ccode.SourceUnit) -> Location | None:
+    """Where an element stands, with its range; of a unit its file."""
+    if isinstance(element, ccode.SourceUnit):
+        return Location(element.path)
+    unit = ancestor_of_kind(element, ccode.SourceUnit)
+    if unit is None:
+        return None
+    return Location(unit.path, element.line or None, element.column or None, element.endLine or None, element.endColumn or None)
+
+
+def together(message: str, elements: Sequence[ccode.Located]) -> Fail:
+    """What a check says of several places of a unit at once; the places are kept with it."""
+    return Fail(f"{message} ({in_lines(elements)})", **{PLACES: tuple(elements)})
+
+
+def in_lines(elements: Iterable[ccode.Located]) -> str:
+    """The lines of elements, each once, the first eight of them."""
+    lines = list(dict.fromkeys(int(e.line) for e in elements))
+    shown = ", ".join(map(str, lines[:8])) + (" ..." if len(lines) > 8 else "")
+    return f"line{'s' * (len(lines) > 1)} {shown}"
+
+
+def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> list[migration.PlanFinding]:
+    """What the constraints on the move find, in the order of files and lines; more than a few of one rule in a file are one.
+
+    Args:
+        plan: the plan; complete but for its findings.
+        seen: a view of each unit of its program.
+    """
+    if plan.program is None or plan.source is None or plan.target is None:
+        return []
+    files: dict[tuple[str, str], list[Unsatisfied]] = {}
+    for one in moved.run(Given(Move(plan, seen))).unsatisfied:
+        where = place(one.element)
+        files.setdefault((where.path if where else "", one.constraint.id), []).append(one)
+    found = []
+    for (path, _), same in files.items():
+        same.sort(key=lambda u: int(u.element.startOffset) if isinstance(u.element, ccode.Located) else 0)
+        for some in [same] if len(same) > MANY else [[u] for u in same]:
+            found.append(_finding(path, some))
+    return sorted(found, key=lambda f: (f.path, f.line, f.column, f.rule))
+
+
+def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
+    first = same[0]
+    elements = [e for u in same for e in u.extras.get(PLACES, (u.element,))]
+    located = next((e for e in elements if isinstance(e, ccode.Located)), None)
+    message = first.message
+    if len(same) > 1:
+        message += f"; and {len(same) - 1} more of this kind in the file ({in_lines(u.element for u in same)})"
+    return migration.PlanFinding(
+        rule=first.constraint.id, severity=getattr(migration.SeverityLevel, first.severity.name), message=message, path=path,
+        fix=first.constraint.advice or "", line=located.line if located is not None else 0,
+        column=located.column if located is not None else 0, elements=elements,
+    )  # fmt: skip

@@ -1,0 +1,11 @@
+"""All constraints on the move of a program together; importing this module makes `moved` complete."""
+
+from __future__ import annotations
+
+from robosmi.transformations.constraints import code_characters, code_cores, code_formats, code_widths
+from robosmi.transformations.constraints.code_move import move_findings, moved
+
+__all__ = ["MODULES", "move_findings", "moved"]
+
+MODULES = (code_widths, code_formats, code_characters, code_cores)
+"""Where they are."""

@@ -1,0 +1,321 @@
+"""Constraints on numbers that a narrower int of the target does not hold: declarations, literals, sums, products, shifts, sizes.
+
+A warning is a value that the text itself gives and that does not fit; what depends on values from outside is one remark a file.
+What is computed in 32 bits on the target anyway (long, results of adapters) is not mentioned, nor what is cut off on purpose.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.constraints.code_move import Move, is_narrower, moved, place, the_move, together
+from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.numbers import COMPARISONS, Number
+from robosmi.transformations.queries.ranges import Range
+from robosmi.validate import Fail
+
+ARITHMETIC = frozenset(["+", "-", "*", "<<"])
+_CUT = ARITHMETIC | {"&", "|", "^"}
+_LARGE = 256  # a factor, or what a shift multiplies with, that takes a value of two digits beyond 16 bits
+
+units = moved.context(ccode.SourceUnit, guard=lambda _: is_narrower())
+literals = moved.context(ccode.IntegerLiteral, guard=lambda x: x.value > 0x7FFF and is_narrower())
+macros = moved.context(ccode.NameReference, guard=lambda r: r.target is None and is_narrower() and _is_far(r))
+enumerators = moved.context(
+    ccode.NameReference,
+    guard=lambda r: isinstance(r.target, ccode.EnumerationLiteral) and r.target.value > 0x7FFF and is_narrower(),
+)
+operations = moved.context(ccode.Binary, guard=lambda b: (b.operator in ARITHMETIC or b.operator == ">>") and is_narrower())
+
+
+@units.critique(id="RS310", info=True, location=place, advice="use int32_t where values may pass 16 bits")
+def IsDeclaredInt(unit: ccode.SourceUnit) -> Any:
+    """No variable, parameter or result of type int is carried over to a narrower one."""
+    m = the_move()
+    narrow = [
+        t
+        for t in m.view(unit).of_kind(ccode.TypeUse)
+        if t.bits == m.here.int_bits and t.pointerDepth == 0 and _says_int(t.canonical or t.spelling) and not _is_fixed(m, t)
+    ]  # fmt: skip
+    return not narrow or Fail(
+        f"int has {m.here.int_bits} bits on {m.source.name} and {m.there.int_bits} on {m.target.name}: "
+        f"{len(narrow)} declaration(s) of type int are carried over as they are"
+    )
+
+
+def _is_fixed(m: Move, use: ccode.TypeUse) -> bool:
+    """Whether a type that is an int on the source is written as one that has its width anywhere (int32_t)."""
+    if _says_int(use.spelling):
+        return False
+    kind = of_use(use)
+    number = m.there.number(kind.base) if kind is not None else None
+    return number is not None and number.fixed
+
+
+def _says_int(spelling: str) -> bool:
+    words = set(spelling.replace("const", " ").replace("volatile", " ").split())
+    return bool(words) and words <= {"int", "signed", "unsigned"}
+
+
+def _is_far(reference: ccode.NameReference) -> bool:
+    """Whether a macro stands for a number beyond 16 bits."""
+    value = the_move().ranges.of(reference) if reference.name in the_move().numbers.macros else None
+    return value is not None and not value.within(-0x8000, 0x7FFF)
+
+
+@macros.constraint(
+    id="RS313", severity=Severity.warning, location=place, advice="compute in 32 bits: add L to a number of the macro's text"
+)
+def ExpandsWithinInt(reference: ccode.NameReference) -> Any:
+    """What a macro computes does not pass the target's int in which it is computed."""
+    m = the_move()
+    value, number = m.ranges.of(reference), m.numbers.of(reference)
+    narrow = value is not None and number is not None and number.bits == m.there.int_bits
+    if not narrow or value is None or number is None or value.within(number.least, number.most) or _is_cut(m, reference):
+        return True
+    return Fail(f"'{reference.name}' stands for {value.low} and is computed in {number.bits} bits on the target")
+
+
+@macros.constraint(
+    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+)
+def StandsForWhatFits(reference: ccode.NameReference) -> Any:
+    """A macro's number is stored in, or compared with, what can hold it on the target."""
+    return _fits(reference)
+
+
+@enumerators.constraint(
+    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+)
+def CountsWhatFits(reference: ccode.NameReference) -> Any:
+    """An enumerator's number is stored in, or compared with, what can hold it on the target."""
+    return _fits(reference)
+
+
+@literals.constraint(
+    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+)
+def FitsWhereItGoes(literal: ccode.IntegerLiteral) -> Any:
+    """A number is stored in, or compared with, what can hold it on the target."""
+    return _fits(literal)
+
+
+def _fits(one: Any) -> Any:
+    m = the_move()
+    top: Any = one
+    parent: Any = top.eContainer()
+    while _hands_on(parent, top):
+        top, parent = parent, parent.eContainer()
+    goes = _goes(m, top, parent)
+    value = m.ranges.of(top)
+    if goes is None or value is None or value.within(goes[0].least, goes[0].most):
+        return True
+    if id(top) in m.told:
+        return True  # by another number in the same expression
+    m.told.add(id(top))
+    return Fail(f"{_shown(value, one, top)} does not fit into {goes[1]} of {goes[0].bits} bits on the target")
+
+
+def _hands_on(parent: Any, one: Any) -> bool:
+    if isinstance(parent, ccode.Unary):
+        return parent.operator in ("+", "-")
+    if isinstance(parent, ccode.Binary):
+        return parent.operator in ("+", "-", "*", "/", "%")
+    return isinstance(parent, ccode.ConditionalExpression) and parent.condition is not one
+
+
+def _goes(m: Move, top: Any, parent: Any) -> tuple[Number, str] | None:
+    """The int of the target that a value is stored in or compared with, and how to call it; None for anything else."""
+    number, called = None, ""
+    if isinstance(parent, ccode.InitializerList):
+        parent = parent.eContainer()
+    if isinstance(parent, ccode.Variable):
+        number, called = m.numbers.declared(parent.valueType), f"'{parent.name}'"
+    elif isinstance(parent, ccode.Assignment) and parent.right is top and parent.operator in ("=", "+=", "-="):
+        number, called = m.numbers.of(parent.left), "what it is assigned to,"
+    elif isinstance(parent, ccode.Cast):
+        number, called = m.numbers.of(parent), "the type it is converted to,"
+    elif isinstance(parent, ccode.Call) and parent.callee is not None and parent.callee.definition:
+        position = next((i for i, a in enumerate(parent.arguments) if a is top), -1)
+        taken = parent.callee.parameters
+        if 0 <= position < len(taken):
+            number, called = m.numbers.declared(taken[position].valueType), f"the parameter '{taken[position].name}'"
+    elif isinstance(parent, ccode.Binary) and parent.operator in COMPARISONS:
+        other = parent.left if parent.right is top else parent.right
+        known = m.ranges.of(other)
+        if known is None or not known.given:
+            number, called = m.numbers.of(other), "the int that it is compared with,"
+    narrow = number is not None and not number.real and number.bits == m.there.int_bits and not number.fixed
+    return (number, called) if narrow and number is not None else None
+
+
+def _shown(value: Range, one: Any, top: Any) -> str:
+    if top is one:
+        return str(one.text) if isinstance(one, ccode.IntegerLiteral) else f"'{one.name}', {value.low},"
+    return f"the value {value.low}" if value.single else f"a value of up to {max(abs(value.low), abs(value.high))}"
+
+
+@operations.constraint(
+    id="RS313",
+    severity=Severity.warning,
+    location=place,
+    advice="compute in 32 bits: make one operand int32_t, or add L to a number",
+)
+def StaysWithinInt(b: ccode.Binary) -> Any:
+    """What the text shows to pass the target's int is not computed in it."""
+    m = the_move()
+    found = _passes(m, b)
+    if found is None or not found[0]:
+        return True
+    parent: Any = b.eContainer()
+    while isinstance(parent, ccode.Unary):
+        parent = parent.eContainer()
+    outer = _passes(m, parent) if isinstance(parent, ccode.Binary) and parent.operator in ARITHMETIC else None
+    return (outer is not None and outer[0]) or Fail(found[1])
+
+
+@units.critique(
+    id="RS314", info=True, location=place, advice="use int32_t, or a cast of one operand, where values may pass 16 bits"
+)
+def MayPassInt(unit: ccode.SourceUnit) -> Any:
+    """No product or shift of values from outside may pass the target's int."""
+    m = the_move()
+    some = [b for b in m.view(unit).of_kind(ccode.Binary) if b.operator in ("*", "<<") and _may_pass(m, b)]
+    many = len(some) > 1
+    return not some or together(
+        f"{len(some)} product{'s' * many} or shift{'s' * many} of int{'' if many else ' may'}"
+        f"{' may' if many else ''} pass {m.there.int_bits} bits, by values that the text does not give", some,
+    )  # fmt: skip
+
+
+def _narrow(m: Move, b: ccode.Binary) -> Number | None:
+    """The type of an operation that the source computes in a wider one."""
+    number = m.numbers.of(b)
+    return number if number is not None and not number.real and number.bits == m.there.int_bits else None
+
+
+def _passes(m: Move, b: ccode.Binary) -> tuple[bool, str] | None:
+    """Whether an operation surely (or, false, perhaps) leaves the target's int, and what to say; None where it does not."""
+    number = _narrow(m, b)
+    if number is None:
+        return None
+    amount = m.ranges.of(b.right) if b.operator in ("<<", ">>") else None
+    if amount is not None and amount.single and amount.low >= number.bits:
+        if m.ranges.of(b.left) == (0, 0, True) or (b.operator == ">>" and _fits_already(m, b)):
+            return None
+        return True, f"a shift by {amount.low} of an int of {number.bits} bits has no meaning on the target"
+    value = m.ranges.of(b) if b.operator != ">>" else None
+    if value is None or value.within(number.least, number.most) or _is_cut(m, b):
+        return None
+    if b.operator in ("+", "-") and any(
+        r is not None and _is_too_far(r, number) for r in (m.ranges.of(b.left), m.ranges.of(b.right))
+    ):
+        return None  # the operand is what does not fit
+    if value.low >= 0 and b.operator == "<<" and value.high < 1 << number.bits and _is_mask(m, b):
+        return None
+    what = {"*": "product", "+": "sum", "-": "difference", "<<": "shift"}[b.operator]
+    if value.single:
+        return value.given, f"the {what} is {value.low} and is computed in {number.bits} bits on the target"
+    far = value.high if value.high > number.most else value.low
+    return value.given, f"the {what} can reach {far} and is computed in {number.bits} bits on the target"
+
+
+def _is_too_far(value: Range, number: Number) -> bool:
+    return not value.within(number.least, number.most)
+
+
+def _fits_already(m: Move, b: ccode.Binary) -> bool:
+    known = m.ranges.of(b.left)
+    return known is not None and known.within(-0x8000, 0x7FFF)
+
+
+def _is_mask(m: Move, b: ccode.Binary) -> bool:
+    """Whether 16 bits that an operation sets are only tested or combined: 1 << 15 as a bit."""
+    parent: Any = b.eContainer()
+    return isinstance(parent, ccode.Binary) and parent.operator in ("&", "|", "^") and _narrow(m, parent) is not None
+
+
+def _may_pass(m: Move, b: ccode.Binary) -> bool:
+    number = _narrow(m, b)
+    if number is None or _is_cut(m, b):
+        return False
+    value = m.ranges.of(b)
+    if value is not None:
+        return not value.given and not value.within(number.least, number.most)
+    left, right = m.ranges.of(b.left), m.ranges.of(b.right)
+    if b.operator == "<<":
+        return (right is not None and right.single and 8 <= right.low < number.bits) or (right is None and left is not None)
+    factor = left or right
+    return factor is not None and factor.given and max(abs(factor.low), abs(factor.high)) >= _LARGE
+
+
+def _is_cut(m: Move, expression: Any) -> bool:
+    """Whether only the low bits of a value count: a mask, a narrow variable or a conversion to one takes the others away."""
+    for one, parent in _upwards(expression):
+        if isinstance(parent, ccode.Binary) and parent.operator in _CUT:
+            if parent.operator == "&":
+                other = m.ranges.of(parent.left if parent.right is one else parent.right)
+                if other is not None and other.within(0, 0xFFFF):
+                    return True
+            if parent.operator == "<<" and parent.right is one:
+                return False
+            continue
+        if isinstance(parent, ccode.Unary) and parent.operator in ("~", "-", "+"):
+            continue
+        if isinstance(parent, ccode.Cast):
+            number = m.numbers.of(parent)
+        elif isinstance(parent, ccode.Variable):
+            number = m.numbers.declared(parent.valueType)
+        elif (
+            isinstance(parent, ccode.Assignment)
+            and parent.right is one
+            and parent.operator in ("=", "|=", "&=", "^=", "+=", "-=")
+        ):
+            number = m.numbers.of(parent.left)
+        else:
+            return False
+        return number is not None and not number.real and number.fixed and number.bits <= m.there.int_bits
+    return False
+
+
+def _upwards(expression: Any) -> Iterator[tuple[Any, Any]]:
+    one, parent = expression, expression.eContainer()
+    while parent is not None:
+        yield one, parent
+        one, parent = parent, parent.eContainer()
+
+
+@units.critique(
+    id="RS315", info=True, location=place, advice="check what the number of bytes is for: a file, a message, a memory"
+)
+def KeepsItsSize(unit: ccode.SourceUnit) -> Any:
+    """No size of a type that is narrower on the target is computed with."""
+    m = the_move()
+    some = [s for s in m.view(unit).of_kind(ccode.SizeOf) if _shrinks(m, s) and not _is_measure(s)]
+    return not some or together(f"{len(some)} size(s) of types that have fewer bytes on the target", some)
+
+
+def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
+    measured: Any = size.measured
+    if measured is None and isinstance(size.operand, ccode.NameReference):
+        measured = getattr(size.operand.target, "valueType", None)
+    kind = of_use(measured)
+    if kind is None or kind.function:
+        return False
+    if kind.depth and not kind.array:
+        return m.there.pointer_bits < m.here.pointer_bits
+    here, there = m.here.number(kind.base), m.there.number(kind.base)
+    return here is not None and there is not None and there.bits < here.bits
+
+
+def _is_measure(size: ccode.SizeOf) -> bool:
+    """Whether the size counts elements, or memory that is as big as what is put into it."""
+    parent: Any = size.eContainer()
+    while isinstance(parent, (ccode.Binary, ccode.Cast)):
+        if isinstance(parent, ccode.Binary) and parent.operator == "/":
+            return True
+        parent = parent.eContainer()
+    return isinstance(parent, ccode.Call)

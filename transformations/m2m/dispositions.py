@@ -1,0 +1,270 @@
+"""What happens to each element of the program: rules of ETL, from element to disposition (paper 3.1).
+
+Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, `main` is divided. Each rule is one
+verdict: for which elements, what, why; every element that is judged has exactly one. What a name means is data of the
+platforms, how main is divided an operation on the code model (`queries.main_function`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import all_of_kind
+from robosmi.transform import ETL
+from robosmi.transformations.queries.main_function import Division
+from robosmi.transformations.queries.program_model import ProgramModel
+from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.target_platform import TargetFacts
+
+Disposition = migration.Disposition
+retain, adapt, drop, hoist, rewrite, unsupported = (
+    getattr(migration.Action, name) for name in ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")
+)
+STEP = "code"
+
+
+@dataclass(frozen=True)
+class Known:
+    """What the rules ask besides the code model.
+
+    Attributes:
+        api: the source platform's API.
+        target: the target.
+        divisions: how each definition of main is divided.
+        adapted: names with an adapter outside of the program's text.
+        placed: names with a placeholder.
+    """
+
+    api: ApiIndex
+    target: TargetFacts
+    divisions: Collection[Division]
+    adapted: Collection[str]
+    placed: Collection[str]
+
+
+def decide(d: Disposition, element: ccode.Located, action: migration.Action, rule: str, reason: str) -> None:
+    """Fill a new disposition with a rule's verdict."""
+    by, choice = migration.ChosenBy.rule, action.name  # all values at once: one after the other takes six times as long
+    Disposition.__init__(d, element=element, action=action, rule=rule, reason=reason, choice=choice, confidence=1.0, chosenBy=by)
+
+
+def dispositions(code: ProgramModel, known: Known) -> ETL:
+    """The transformation of a program to dispositions; its rule `Rewritten` is for elements that nothing else judges."""
+    t = ETL(code, step=STEP)
+    for module in (includes(known), declarations(), mains(known.divisions), externals(code.program, known)):
+        t.include(module)
+
+    @t.rule(lazy=True, greedy=True)
+    def Rewritten(e: ccode.Located, d: Disposition) -> None:
+        decide(d, e, rewrite, "", "")
+
+    return t
+
+
+def includes(known: Known) -> ETL:
+    """Includes: which headers stay, go or are missing."""
+    t = ETL()
+
+    def means(include: ccode.Include) -> str:
+        kind = known.api.header_kind(include.header)
+        if own_header(include):
+            return "own"
+        if kind != "standard":
+            return {"platform": "platform", "posix": "missing"}.get(kind or "", "unknown")
+        if include.header not in known.target.standard_headers:
+            return "missing"
+        return "in header" if is_header(file_of(include)) else "conditional" if conditional(include) else "there"
+
+    @t.rule(guard=own_header)
+    def OwnHeader(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "own-header", "a header of the program's own, carried over with it")
+        d.choice = own_header(i)
+
+    @t.rule(guard=lambda i: means(i) == "platform")
+    def PlatformInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, drop, "platform-include", "the header belongs to the source platform")
+
+    @t.rule(guard=lambda i: means(i) == "missing")
+    def MissingInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, unsupported, "posix-include", "the target has no such header")
+
+    @t.rule(guard=lambda i: means(i) == "unknown")
+    def UnknownInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, unsupported, "unknown-include", "nothing is known of this header")
+
+    @t.rule(guard=lambda i: means(i) == "in header")
+    def StandardIncludeInHeader(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "standard-include-in-place", "a standard header that the target has")
+
+    @t.rule(guard=lambda i: means(i) == "conditional")
+    def ConditionalInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "conditional-include", "a standard header, kept where it is under a condition")
+
+    @t.rule(guard=lambda i: means(i) == "there")
+    def StandardInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, retain, "standard-include", "a standard header that the target has")
+
+    return t
+
+
+def file_of(include: ccode.Include) -> ccode.SourceUnit:
+    """The unit that an include stands in."""
+    unit = include.eContainer()
+    assert isinstance(unit, ccode.SourceUnit)
+    return unit
+
+
+def own_header(include: ccode.Include) -> str:
+    """File name of the program's own header that an include means, empty where it was not carried over."""
+    wanted = str(include.header.replace("\\", "/").rpartition("/")[2])
+    program = file_of(include).program
+    return next(
+        (wanted for u in (program.units if program is not None else ()) if is_header(u) and u.path.rpartition("/")[2] == wanted),
+        "",
+    )
+
+
+def conditional(include: ccode.Include) -> bool:
+    """Whether an include stands under a condition."""
+    depth = 0
+    for directive in file_of(include).conditionals:
+        if directive.startOffset > include.startOffset:
+            break
+        depth += directive.directive in ("if", "ifdef", "ifndef")
+        depth -= directive.directive == "endif"
+    return depth > 0
+
+
+def at_top(element: ccode.Located) -> bool:
+    """Whether an element stands directly in a file of the program."""
+    return isinstance(element.eContainer(), ccode.SourceUnit)
+
+
+def declarations() -> ETL:
+    """Macros and what is declared at the top of a file."""
+    t = ETL()
+
+    @t.rule
+    def OwnMacro(m: ccode.Macro, d: Disposition) -> None:
+        decide(d, m, retain, "own-macro", "a macro of the program's own")
+
+    @t.rule(guard=lambda f: at_top(f) and f.definition and f.name != "main")
+    def OwnFunction(f: ccode.Function, d: Disposition) -> None:
+        decide(d, f, retain, "own-function", "a function of the program's own")
+
+    @t.rule(guard=lambda f: at_top(f) and not f.definition and f.name != "main")
+    def OwnPrototype(f: ccode.Function, d: Disposition) -> None:
+        decide(d, f, retain, "own-prototype", "a prototype of the program's own")
+
+    @t.rule(guard=lambda f: at_top(f) and not f.definition and f.name == "main")
+    def MainPrototype(f: ccode.Function, d: Disposition) -> None:
+        decide(d, f, drop, "main-prototype", "the sketch has no main")
+
+    @t.rule(greedy=True, guard=lambda x: at_top(x) and not isinstance(x, ccode.Function))
+    def OwnDeclaration(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, retain, "own-declaration", "a declaration of the program's own")
+
+    return t
+
+
+def mains(divisions: Collection[Division]) -> ETL:
+    """main itself, its statements, what leaves it and what moves out of it."""
+    t = ETL()
+    reasons = {v.main: v.reason for v in divisions}
+    leaving = {s for v in divisions for s in (*v.returns, *v.continues)}
+    hoisted = {x for v in divisions for x in v.hoisted}
+    split = {x for v in divisions for x in v.split}
+    moved = {x.eContainer() for x in hoisted}
+    once = {s for v in divisions for s in v.before} - leaving - moved
+    loops = {v.loop for v in divisions}
+    repeated = {s for v in divisions for s in statements_of(v.loop)} - leaving
+    unreachable = {s for v in divisions for s in v.unreachable}
+
+    @t.rule(guard=lambda f: f in reasons)
+    def Main(f: ccode.Function, d: Disposition) -> None:
+        decide(d, f, rewrite, "main", reasons[f])
+
+    @t.rule(greedy=True, guard=lambda s: s in once)
+    def MainOnce(s: ccode.Statement, d: Disposition) -> None:
+        decide(d, s, retain, "main-once", "runs once, in setup")
+
+    @t.rule(guard=lambda v: v in hoisted and v not in split)
+    def HoistedLocal(v: ccode.Variable, d: Disposition) -> None:
+        decide(d, v, hoist, "hoist-local", "declared before the loop and used in it")
+
+    @t.rule(guard=lambda v: v in split)
+    def SplitLocal(v: ccode.Variable, d: Disposition) -> None:
+        decide(d, v, hoist, "hoist-local-split", "declared before the loop and used in it")
+
+    @t.rule(greedy=True, guard=lambda s: s in loops)
+    def MainLoop(s: ccode.Loop, d: Disposition) -> None:
+        decide(d, s, rewrite, "main-loop", "its body is repeated, in loop")
+
+    @t.rule(greedy=True, guard=lambda s: s in repeated)
+    def MainRepeated(s: ccode.Statement, d: Disposition) -> None:
+        decide(d, s, retain, "main-repeated", "repeated, in loop")
+        d.inLoop = True
+
+    @t.rule(greedy=True, guard=lambda s: s in unreachable)
+    def Unreachable(s: ccode.Statement, d: Disposition) -> None:
+        decide(d, s, drop, "unreachable", "nothing leads behind the endless loop")
+
+    @t.rule(guard=lambda s: s in leaving and not within(s, unreachable))
+    def ReturnFromSetup(s: ccode.Return, d: Disposition) -> None:
+        called = s.value is not None and all_of_kind(s.value, ccode.Call)
+        decide(d, s, rewrite, "return-value-from-setup" if called else "return-from-setup", "setup has no value")
+
+    @t.rule(guard=lambda s: s in leaving)
+    def ContinueMainLoop(s: ccode.Continue, d: Disposition) -> None:
+        decide(d, s, rewrite, "continue-main-loop", "the loop is a function now")
+
+    return t
+
+
+def statements_of(loop: ccode.Loop | None) -> list[ccode.Statement]:
+    """What a loop repeats."""
+    body = loop.body if loop is not None else None
+    return list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
+
+
+def within(element: object, others: Collection[object]) -> bool:
+    """Whether an element is one of these, or stands in one."""
+    while isinstance(element, ccode.Located):
+        if element in others:
+            return True
+        element = element.eContainer()
+    return False
+
+
+def externals(program: ccode.Program, known: Known) -> ETL:
+    """What the program uses and does not declare: adapted, given a placeholder, or there on the target as it is."""
+    t = ETL()
+    own = {m.name for u in program.units for m in u.macros} | {d.name for u in program.units for d in u.declarations}
+
+    def means(x: ccode.Declaration) -> str:
+        if x.eContainer() is not program:
+            return ""
+        if x.name in known.adapted:
+            return "function"
+        return "symbol" if x.name in known.placed else "own" if x.name in own else "target"
+
+    @t.rule(greedy=True, guard=lambda x: means(x) == "function")
+    def PlatformFunction(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, adapt, "platform-function", "an adapter with its signature takes its place")
+
+    @t.rule(greedy=True, guard=lambda x: means(x) == "symbol")
+    def PlatformSymbol(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, adapt, "platform-symbol", "a placeholder takes its place")
+
+    @t.rule(greedy=True, guard=lambda x: means(x) == "own")
+    def OwnName(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, retain, "own-name", "another file of the program has it")
+
+    @t.rule(greedy=True, guard=lambda x: means(x) == "target")
+    def TargetName(x: ccode.Declaration, d: Disposition) -> None:
+        decide(d, x, retain, "target-name", "the target has it")
+
+    return t

@@ -1,0 +1,255 @@
+"""In what type another machine computes an expression: widths and signedness of C's numbers there, by C's own conversions.
+
+A `Machine` is a platform's integer model; `Numbers` reads a program as that machine's compiler does. Nothing is executed; an
+expression whose type the model does not say has none. Which values there are is in `ranges`. Source: ISO/IEC 9899:1999, 6.3.1,
+6.4.4.1; widths are data of the platforms.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from robosmi.metamodels import ccode, platform
+from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use, type_of
+
+_FIXED = re.compile(r"(u?)int(?:_least|_fast)?(8|16|32|64)_t")
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_CONSTANT = re.compile(r"(?<![\w.])(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uUlL]*)(?![\w.])")
+_REAL = frozenset(["float", "double"])
+COMPARISONS = frozenset(["<", ">", "<=", ">=", "==", "!="])
+_TRUTHS = COMPARISONS | {"&&", "||"}
+
+
+class Number(NamedTuple):
+    """A type of numbers: its bits, whether it is signed, whether it is a floating one, whether its width is the same anywhere."""
+
+    bits: int
+    signed: bool
+    real: bool = False
+    fixed: bool = False
+
+    @property
+    def least(self) -> int:
+        """The least value of an integer type."""
+        return -(1 << (self.bits - 1)) if self.signed else 0
+
+    @property
+    def most(self) -> int:
+        """The greatest value of an integer type."""
+        return (1 << (self.bits - self.signed)) - 1
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What a platform computes in: bits of int, long and pointers, and whether plain char is signed."""
+
+    int_bits: int
+    long_bits: int
+    pointer_bits: int
+    char_signed: bool
+
+    @staticmethod
+    def of(model: platform.Platform) -> Machine:
+        """The machine of a platform."""
+        return Machine(int(model.intBits), int(model.longBits), int(model.pointerBits), bool(model.charSigned))
+
+    @property
+    def integer(self) -> Number:
+        """The type int."""
+        return Number(self.int_bits, True)
+
+    def number(self, base: str) -> Number | None:
+        """The number type that a type's name means, None for any other type."""
+        return _number(self, base)
+
+    def promoted(self, number: Number) -> Number:
+        """What arithmetic makes of one operand."""
+        return self.integer if not number.real and number.bits < self.int_bits else number
+
+    def common(self, left: Number, right: Number) -> Number:
+        """The type in which arithmetic on two operands is done."""
+        if left.real or right.real:
+            return max((x for x in (left, right) if x.real), key=lambda x: x.bits)
+        left, right = self.promoted(left), self.promoted(right)
+        if left.bits == right.bits:
+            return Number(left.bits, left.signed and right.signed)
+        wide = max(left, right, key=lambda x: x.bits)
+        return Number(wide.bits, wide.signed)
+
+
+@lru_cache(maxsize=512)
+def _number(machine: Machine, base: str) -> Number | None:
+    fixed = _FIXED.fullmatch(base)
+    if fixed:
+        return Number(int(fixed[2]), not fixed[1], fixed=True)
+    if base in ("size_t", "uintptr_t"):
+        return Number(machine.pointer_bits, False)
+    if base in ("bool", "_Bool"):
+        return Number(8, False, fixed=True)
+    words = base.split()
+    if not words or not set(words) <= {"unsigned", "signed", "char", "short", "int", "long", "float", "double"}:
+        return None
+    if _REAL & set(words):
+        return Number(32, True, real=True)
+    if "char" in words:
+        signed = "signed" in words or (machine.char_signed and "unsigned" not in words)
+        return Number(8, signed, fixed=True)
+    signed = "unsigned" not in words
+    if "short" in words:
+        return Number(16, signed, fixed=True)
+    longs = words.count("long")
+    return Number(machine.int_bits if not longs else machine.long_bits if longs == 1 else 64, signed, fixed=longs > 0)
+
+
+class Numbers:
+    """The types of a program's expressions on a machine.
+
+    Args:
+        machine: the machine.
+        functions: what functions that the program does not define give and take there.
+        symbols: name that the program does not declare -> its type there.
+        macros: macro of the program without parameters -> its text.
+    """
+
+    def __init__(
+        self,
+        machine: Machine,
+        functions: Mapping[str, FunctionType],
+        symbols: Mapping[str, str],
+        macros: Mapping[str, str],
+    ) -> None:
+        self.machine = machine
+        self.macros = macros
+        self.functions = functions
+        self.symbols = symbols
+        self._known: dict[int, Number | None] = {}
+
+    def of(self, expression: Any) -> Number | None:
+        """The type of an expression, None where the model does not say it or where it is no number."""
+        pending = [expression]
+        while pending:  # operands first; no recursion, for expressions nest
+            one = pending[-1]
+            missing = [x for x in _operands(one) if x is not None and id(x) not in self._known]
+            if missing:
+                pending += missing
+                continue
+            pending.pop()
+            if id(one) not in self._known:
+                self._known[id(one)] = self._rule(one)
+        return self._known[id(expression)]
+
+    def _rule(self, expression: Any) -> Number | None:
+        rule = _RULES.get(type(expression).__name__)
+        return rule(self, expression) if rule is not None else self.typed(type_of(expression, self.functions))
+
+    def typed(self, kind: ValueType | None) -> Number | None:
+        """The number that a type is on this machine; an enumeration is an int."""
+        if kind is None or kind.depth or kind.function:
+            return None
+        if isinstance(kind.declaration, ccode.Enumeration):
+            return self.machine.integer
+        return self.machine.number(kind.base)
+
+    def declared(self, use: ccode.TypeUse | None) -> Number | None:
+        """The number that a declaration says, of an array its elements'."""
+        kind = of_use(use)
+        return self.machine.number(kind.base) if kind is not None and (kind.array or not kind.depth) else None
+
+    def _given(self, operand: Any) -> Number | None:
+        return self._known.get(id(operand)) if operand is not None else None
+
+    def _literal(self, literal: Any) -> Number | None:
+        text = str(literal.text).lower()
+        return self._constant(int(literal.value), text[len(text.rstrip("ul")) :], decimal=literal.radix == 10)
+
+    def _constant(self, value: int, suffix: str, *, decimal: bool) -> Number:
+        unsigned = "u" in suffix
+        for bits in [64] if "ll" in suffix else [self.machine.int_bits, self.machine.long_bits, 64]:
+            if "l" in suffix and bits < self.machine.long_bits:
+                continue
+            if not unsigned and value < 1 << (bits - 1):
+                return Number(bits, True)
+            if (unsigned or not decimal) and value < 1 << bits:
+                return Number(bits, False)
+        return Number(64, False)
+
+    def _binary(self, binary: Any) -> Number | None:
+        operator, left, right = str(binary.operator), self._given(binary.left), self._given(binary.right)
+        if operator in _TRUTHS:
+            return self.machine.integer
+        if operator == ",":
+            return right
+        if operator in ("<<", ">>"):
+            return self.machine.promoted(left) if left is not None and not left.real else None
+        return self.machine.common(left, right) if left is not None and right is not None else None
+
+    def _unary(self, unary: Any) -> Number | None:
+        operator, operand = str(unary.operator), self._given(unary.operand)
+        if operator == "!":
+            return self.machine.integer
+        if operator in ("+", "-", "~"):
+            return self.machine.promoted(operand) if operand is not None else None
+        return operand if operator in ("++", "--") else self.typed(type_of(unary, self.functions))
+
+    def _conditional(self, choice: Any) -> Number | None:
+        left, right = self._given(choice.whenTrue), self._given(choice.whenFalse)
+        return self.machine.common(left, right) if left is not None and right is not None else None
+
+    def _name(self, reference: Any) -> Number | None:
+        target = reference.target
+        if isinstance(target, ccode.EnumerationLiteral):
+            value = int(target.value)
+            return self.machine.integer if -(1 << 15) <= value < 1 << (self.machine.int_bits - 1) else Number(32, True)
+        if target is None and reference.name in self.macros:
+            return self._macro(str(reference.name))
+        if target is None or isinstance(target, ccode.ExternalSymbol):
+            return self.machine.number(self.symbols.get(str(reference.name), ""))
+        return self.typed(type_of(reference, self.functions))
+
+    def _macro(self, name: str) -> Number | None:
+        """The type of a macro that stands for whole numbers: the widest of those in its text; None for any other."""
+        pending, seen, found = [name], set[str](), self.machine.integer
+        while pending:
+            one = pending.pop()
+            if one in seen:
+                continue
+            seen.add(one)
+            text = self.macros.get(one)
+            if text is None or any(c in text for c in "\"'.?[{&="):
+                return None
+            constants = _CONSTANT.findall(text)
+            for digits, suffix in constants:
+                base = 16 if digits[:2].lower() == "0x" else 2 if digits[:2].lower() == "0b" else 8 if digits[0] == "0" else 10
+                value = int(digits, 10 if digits.strip("0") == "" else base)
+                found = self.machine.common(found, self._constant(value, suffix.lower(), decimal=base == 10))
+            pending += _WORD.findall(_CONSTANT.sub(" ", text))
+        return found
+
+
+def _operands(expression: Any) -> tuple[Any, ...]:
+    """What an expression's type depends on."""
+    kind = type(expression)
+    if kind is ccode.Binary:
+        return (expression.left, expression.right)
+    if kind is ccode.Unary:
+        return (expression.operand,) if expression.operator != "*" else ()
+    if kind is ccode.Assignment:
+        return (expression.left,)
+    return (expression.whenTrue, expression.whenFalse) if kind is ccode.ConditionalExpression else ()
+
+
+_RULES: dict[str, Callable[[Numbers, Any], Number | None]] = {
+    "IntegerLiteral": Numbers._literal,
+    "CharacterLiteral": lambda self, _: self.machine.integer,
+    "FloatingLiteral": lambda self, _: Number(32, True, real=True),
+    "SizeOf": lambda self, _: Number(self.machine.pointer_bits, False),
+    "Binary": Numbers._binary,
+    "Unary": Numbers._unary,
+    "Assignment": lambda self, assignment: self._given(assignment.left),
+    "ConditionalExpression": Numbers._conditional,
+    "NameReference": Numbers._name,
+}

@@ -1,0 +1,63 @@
+"""One spelling for what a library's API declares: parameters, types, names; and which defined values are literals.
+
+Facts that come from elsewhere and facts that are read from headers here are put into it, so that both can be compared:
+`(const char *name, uint8_t *data, bool fast=true) const`. What is declared is found by `library_declarations`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from itertools import zip_longest
+
+from robosmi.transformations.t2m.c_source.lexer import tokens
+
+_WORDS = ("name", "number", "string", "char")
+_LITERAL = re.compile(
+    r"""(?:\(\s*u?int(?:8|16|32|64)_t\s*\)\s*)?[-+~]?\s*(?:
+        (?:0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)[uUlL]*|\d*\.\d+(?:[eE][-+]?\d+)?[fFlL]?|\d+\.(?:[eE][-+]?\d+)?[fFlL]?|\d+[eE][-+]?\d+[fFlL]?
+        |B[01]{1,8}|A\d{1,2}|NULL|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'|true|false)""",
+    re.VERBOSE,
+)
+
+
+def spelled(text: str) -> str:
+    """A type, name or list of parameters in the one spelling; comments are left out."""
+    return joined((kind, word) for kind, _, _, word in tokens(text.encode("utf-8")))
+
+
+def joined(parts: Iterable[tuple[str, str]]) -> str:
+    """Tokens (kind, text) in the one spelling.
+
+    A blank stands between words, behind a comma and before what makes a pointer or a reference; nowhere else.
+    """
+    listed = [part for part in parts if part[0] not in ("comment", "directive")]
+    written: list[str] = []
+    before = ""
+    for (kind, word), (_, following) in zip_longest(listed, listed[1:], fillvalue=("", "")):
+        now = "word" if kind in _WORDS else word
+        if before and _apart(before, now, following):
+            written.append(" ")
+        written.append(word)
+        before = now
+    return "".join(written).encode("latin-1").decode("utf-8", "replace")
+
+
+def _apart(before: str, now: str, following: str) -> bool:
+    if before == ",":
+        return True
+    if now == "word":
+        return before in ("word", ")", ">", ">>", "]")
+    return before in ("word", ">", ">>") and (now in ("*", "&", "&&", "*=", "&=") or (now == "(" and following in ("*", "&")))
+
+
+def literal(text: str) -> str | None:
+    """The value of a `#define` if it is a literal, perhaps with a sign, a cast to a fixed width or in brackets; else None."""
+    value = text.strip()
+    value = value if '"' in value or "'" in value else " ".join(value.split())
+    inner = value
+    while inner.startswith("(") and inner.endswith(")") and "(" not in inner[1:-1]:
+        inner = inner[1:-1].strip()
+    if inner.startswith("((") and inner.endswith(")"):
+        inner = inner[1:-1].strip()
+    return value if _LITERAL.fullmatch(inner) else None
