@@ -62,6 +62,7 @@ class Context:
         for expansion in sorted(parsed.expansions, key=lambda e: (e.start, -e.end)):
             self._expansions.append(expansion)
             self._expansion_starts.append(expansion.start)
+        self._header_names: dict[str, str] = {}
         self.argument_types: dict[tuple[int, int | None, int | None], str] = {}
         self.canonical: dict[int, tuple[str, int, bool, bool]] = {}
         self.attribute_macros: frozenset[str] = frozenset(
@@ -168,14 +169,12 @@ class Context:
             between = self.source.parsed[end : node.start]
             if not between.strip() and between.count(b"\n") <= 1 and self._first_on_line(start):
                 return self.source.text(start, end)
+        number = bisect_left(self._comment_starts, node.end)
         if number < len(self._comments):
-            later = next((c for c in self._comments[number:] if c[1] >= node.end), None)
-            if (
-                later
-                and b"\n" not in self.source.parsed[node.end : later[1]]
-                and not self.source.parsed[node.end : later[1]].strip(b" \t;")
-            ):
-                return self.source.text(later[1], later[2])
+            _, start, end, _ = self._comments[number]
+            between = self.source.parsed[node.end : start]
+            if b"\n" not in between and not between.strip(b" \t;"):
+                return self.source.text(start, end)
         return None
 
     def _first_on_line(self, offset: int) -> bool:
@@ -183,7 +182,12 @@ class Context:
 
     def header_name(self, path: str) -> str:
         """The name of a header's file as an include of this file would give it."""
-        path = os.path.abspath(path)
+        known = self._header_names.get(path)
+        if known is None:
+            known = self._header_names[path] = self._header_name(os.path.abspath(path))
+        return known
+
+    def _header_name(self, path: str) -> str:
         for folder in (os.path.dirname(os.path.abspath(self.source.path)), *self.include_dirs):
             if path.startswith(folder + os.sep):
                 return path[len(folder) + 1 :].replace(os.sep, "/")

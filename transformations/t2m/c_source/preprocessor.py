@@ -72,10 +72,13 @@ class _Headers:
         own = os.path.dirname(os.path.abspath(context.source.path))
         self._folders = (own, *context.include_dirs)
         self._read = {os.path.abspath(p): p for p in context.parsed.inclusions[1:] if not p.startswith(HEADERS)}
+        self._names = {os.path.basename(p) for p in self._read}
 
     def path(self, name: str) -> str | None:
         """The path of the file that was read for a name, None when none was."""
-        if not self._read:
+        if os.path.basename(name) not in self._names:
             return None
-        candidates = (os.path.abspath(os.path.join(folder, name)) for folder in self._folders)
+        plain = not any(part in ("", ".", "..") for part in name.split("/"))
+        places = (os.path.join(folder, name) for folder in self._folders)
+        candidates = places if plain else map(os.path.abspath, places)
         return next((self._read[c] for c in candidates if c in self._read), None)

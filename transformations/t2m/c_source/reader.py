@@ -59,22 +59,23 @@ def read_program(
     folders = [os.fspath(d) for d in include_dirs]
     contexts: list[Context] = []
     files = source_files(given, folders, defines)
-    try:
-        with collector_at_rest():
+    with collector_at_rest():
+        try:
             units, left_out = _units(files, api, contexts)
             externals = Linker(contexts, [list(unit.declarations) for unit in units]).run()
-    finally:
-        for context in contexts:
-            context.parsed.close()
-    program = ccode.Program(
-        name=os.path.splitext(os.path.basename(units[0].path))[0],
-        languages=list(dict.fromkeys(str(u.language) for u in units)),
-        includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
-        defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
-        units=units,
-        externals=externals,
-    )
-    return program, [*left_out, *(finding for context in contexts for finding in context.findings)]
+        finally:
+            _close(contexts)
+        program = ccode.Program(
+            name=os.path.splitext(os.path.basename(units[0].path))[0],
+            languages=list(dict.fromkeys(str(u.language) for u in units)),
+            includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
+            defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
+            units=units,
+            externals=externals,
+        )
+        findings = [*left_out, *(finding for context in contexts for finding in context.findings)]
+        contexts.clear()  # so that the collector has not to go through tokens and cursors that nobody needs any more
+    return program, findings
 
 
 def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[Context]) -> tuple[list[ccode.SourceUnit], list[Finding]]:
@@ -91,12 +92,17 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[Context]) ->
         except SourceError as error:
             if file.given or (file is files[-1] and not units):
                 raise
-            for context in contexts[len(units) :]:
-                context.parsed.close()
+            _close(contexts[len(units) :])
             del contexts[len(units) :]
             place = error.location or Location(file.path)
             left_out.append(Finding("RS112", Severity.warning, f"left out: {error.message}", place, fix=error.fix))
     return units, left_out
+
+
+def _close(contexts: Iterable[Context]) -> None:
+    """Free the parser's memory."""
+    for context in contexts:
+        context.parsed.close()
 
 
 def read_unit(
@@ -112,8 +118,7 @@ def read_unit(
     try:
         unit = _unit(path, api, [os.fspath(d) for d in include_dirs], defines, contexts)
     finally:
-        for context in contexts:
-            context.parsed.close()
+        _close(contexts)
     return unit, [finding for context in contexts for finding in context.findings]
 
 
