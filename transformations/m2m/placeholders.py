@@ -18,7 +18,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import type_names
-from robosmi.transformations.t2m.c_source.prelude import STANDARD_NAMES
+from robosmi.transformations.t2m.c_source.standard_names import STANDARD_NAMES
 from robosmi.transformations.t2m.target_platform import TargetFacts
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
