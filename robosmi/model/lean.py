@@ -15,7 +15,7 @@ from typing import Any
 
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral
 from pyecore.innerutils import InternalSet
-from pyecore.valuecontainer import ECollection, EOrderedSet, EValue
+from pyecore.valuecontainer import EBag, ECollection, EList, EOrderedSet, EValue
 
 from robosmi.model import datatypes
 from robosmi.model.strict import Element, resource_of
@@ -94,27 +94,29 @@ def collection(owner: Any, feature: Any) -> Any:
     """An empty collection of the class that pyecore would take for that feature, which is not derived."""
     form = feature.__dict__.get("_robosmi_form", _NOTHING)
     if form is _NOTHING:
-        if not (feature.unique and feature.ordered):
+        if feature.unique and not feature.ordered:
             form = None
         else:
             is_ref = feature.is_reference
             is_cont = is_ref and feature.containment
-            form = is_ref, is_cont, is_cont and feature.eOpposite is None
+            kind = EOrderedSet if feature.unique else EList if feature.ordered else EBag
+            form = kind, is_ref, is_cont, is_cont and feature.eOpposite is None
         if issubclass(owner.__class__, Element):  # the features of other classes may change yet
             feature.__dict__["_robosmi_form"] = form
     if form is None:
         made = ECollection.create(owner, feature)
         made.birth = None
         return made
-    made = _new(EOrderedSet)
+    made = form[0].__new__(form[0])
     made.owner = owner
     made.feature = feature
-    made.is_ref, made.is_cont, is_born = form
+    _, made.is_ref, made.is_cont, is_born = form
     made.generic_type = None
-    made._orderedset_update = False
-    made.items = []
-    made.map = {}
-    made.birth = (owner, feature) if is_born else None
+    if form[0] is EOrderedSet:
+        made._orderedset_update = False
+        made.items = []
+        made.map = {}
+    made.birth = (owner, feature) if is_born and form[0] is EOrderedSet else None
     return made
 
 

@@ -7,6 +7,7 @@ is drawn.
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -22,8 +23,6 @@ from robosmi.resources import folders
 
 PIN_TABLE = "pin table"
 """The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
-
-_FOLDER = "*/boards/*.toml"
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +136,14 @@ _BUS_WORDS = frozenset({"RX", "TX", "SDA", "SCL", "MOSI", "MISO", "SCK", "SS", "
 
 def _files(project: Path | None) -> Iterator[Path]:
     for folder in folders("platform_repo", project):
-        yield from sorted(folder.glob(_FOLDER))
+        for platform_folder in sorted(entry.path for entry in os.scandir(folder) if entry.is_dir()):
+            if os.path.isdir(place := f"{platform_folder}/boards"):
+                yield from _listed(place, os.stat(place).st_mtime_ns)
+
+
+@cache
+def _listed(folder: str, changed: int) -> tuple[Path, ...]:  # `changed` keys the cache: a file more or less is noticed
+    return tuple(sorted(Path(folder).glob("*.toml")))
 
 
 def _board(table: Mapping[str, Any], path: str) -> platform.Board:
