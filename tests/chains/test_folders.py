@@ -29,6 +29,9 @@ def test_compile_commands_give_include_folders_and_macros(tmp_path: Path) -> Non
     outcome = run("migrate", tmp_path / "compile_commands.json", "-o", tmp_path / "out", "--json")
     assert outcome.code == 0
     assert (tmp_path / "out" / "main" / "pins.h").is_file()
+    assert 'resolvedPath="source/pins.h"' in (tmp_path / "out" / "models" / "code.xmi").read_text()
+    made = [path for path in (tmp_path / "out").rglob("*") if path.is_file()]
+    assert not [path for path in made if str(tmp_path) in path.read_text()], "a model knows where it was made"
     assert not [f for f in outcome.document["findings"] if "pins.h" in f["message"] or "OFFSET" in f["message"]]
 
 

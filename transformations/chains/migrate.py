@@ -6,6 +6,7 @@ flag, project file, history, rule above the limit; what is left stays open.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -217,8 +218,16 @@ def _the_main(program: ccode.Program) -> ccode.Function:
 
 
 def _store_units(program: ccode.Program) -> dict[str, str]:
-    """Give units the paths of their copies; path as given -> path of the copy."""
+    """Give units, and includes of them, the paths of their copies; path as given -> path of the copy.
+
+    Include folders are then as seen from the first unit. A header that was found and is not copied, a platform's, keeps the name
+    by which it is included.
+    """
     places: dict[str, str] = {}
+    beside = os.path.dirname(os.path.realpath(program.units[0].path))
+    folders = [os.path.relpath(os.path.realpath(folder), beside) for folder in program.includeFolders]
+    program.includeFolders.clear()
+    program.includeFolders.extend(folders)
     for unit in program.units:
         name = Path(unit.path).name
         stem, number = name, 1
@@ -227,6 +236,9 @@ def _store_units(program: ccode.Program) -> dict[str, str]:
             name = f"{number}_{stem}"
         places[unit.path] = f"source/{name}"
         unit.path = places[unit.path]
+    copies = {os.path.realpath(path): place for path, place in places.items()}
+    for include in (i for unit in program.units for i in unit.includes if i.resolvedPath):
+        include.resolvedPath = copies.get(os.path.realpath(include.resolvedPath), include.header)
     return places
 
 
