@@ -5,7 +5,6 @@ What the numbers in it mean is said in `index`; where the facts come from is the
 
 from __future__ import annotations
 
-import os
 import struct
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robosmi.errors import PlatformDataError, UsageError
+from robosmi.model.sqlite_files import writing
 from robosmi.recommend.index import APPLICATION, FIELDS, FORMAT, is_named_like
 from robosmi.recommend.library_api import packed
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, used_by
@@ -20,7 +20,6 @@ from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, used_b
 if TYPE_CHECKING:
     import sqlite3
 
-_PAGE = 4096  # the smallest file of the sizes tried
 _SCHEMA = f"""
 CREATE TABLE library(id INTEGER PRIMARY KEY, name TEXT NOT NULL, version TEXT, author TEXT, category TEXT, architectures TEXT,
   depends TEXT, url TEXT, license TEXT, origin TEXT, main TEXT NOT NULL, copies INTEGER, in_registry INTEGER, installed INTEGER);
@@ -49,28 +48,13 @@ def write_index(target: Path, libraries: Iterable[LibraryRecord]) -> tuple[int, 
         UsageError: a name comes twice.
         PlatformDataError: more headers or a higher count than 16 bits hold.
     """
-    import sqlite3
-
     rows = sorted(libraries, key=lambda row: (row.name.casefold(), row.name))
     for before, row in pairwise(rows):
         if before.name == row.name:
             raise UsageError(f"the library '{row.name}' is there twice", fix="leave one of them out")
     headers = [(number, header) for number, row in enumerate(rows) for header in row.headers]
-    part = target.with_name(f"{target.name}.part-{os.getpid()}")
-    part.unlink(missing_ok=True)
-    try:
-        db = sqlite3.connect(part, isolation_level=None)
-        try:
-            db.executescript(f"PRAGMA page_size={_PAGE}; PRAGMA journal_mode=OFF; PRAGMA encoding='UTF-8'; BEGIN; {_SCHEMA}")
-            _fill(db, rows, headers)
-            for last in ("COMMIT", f"PRAGMA application_id={APPLICATION}", f"PRAGMA user_version={FORMAT}", "VACUUM"):
-                db.execute(last)
-        finally:
-            db.close()
-        _forget_the_writer(part)
-        part.replace(target)
-    finally:
-        part.unlink(missing_ok=True)
+    with writing(target, _SCHEMA, APPLICATION, FORMAT) as db:
+        _fill(db, rows, headers)
     return len(rows), len(headers)
 
 
@@ -131,15 +115,6 @@ def _fill_facts(db: sqlite3.Connection, fields: Sequence[tuple[dict[str, int], .
 
 def _gaps(numbers: Sequence[int]) -> list[int]:
     return [number - before for before, number in zip([0, *numbers], numbers, strict=False)]
-
-
-def _forget_the_writer(path: Path) -> None:
-    """Level what depends on the writing program, not on the content: change counters and SQLite's own version."""
-    with path.open("r+b") as file:
-        file.seek(24)
-        file.write(struct.pack(">I", 1))  # SQLite file format, section 1.3: file change counter
-        file.seek(92)
-        file.write(struct.pack(">II", 1, 3_040_000))  # version-valid-for (equals the counter), version number
 
 
 def _pack(numbers: Sequence[int], wide: int = 1) -> bytes:

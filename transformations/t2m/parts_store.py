@@ -7,8 +7,6 @@ properties, and the word counts of the description. Only facts: no drawings and 
 from __future__ import annotations
 
 import json
-import os
-import struct
 import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -16,6 +14,7 @@ from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
+from robosmi.model.sqlite_files import writing
 from robosmi.transformations.t2m.part_names import Names, connector_kind
 from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector
 
@@ -31,7 +30,6 @@ CREATE TABLE part(id TEXT PRIMARY KEY, title TEXT, family TEXT, tags TEXT, role 
 """
 _COLUMNS = "id, title, family, tags, role, driver, evidence, source, facts"
 _FIX = "import the parts again, or install robosmi again"
-_PAGE = 4096
 _COMMON = (  # what many pieces begin with: it makes short ones half as long (zlib's preset dictionary)
     b'"],["connector6","connector5","connector4","P$1","wiper","Pin 2","Pin 1","anode","cathode","GND","VCC","5V","pin 1"'
     b'"connector3","connector2","connector1","bus1":["{"package":"THT","variant":"variant 1","part number":"","chip":"",'
@@ -138,24 +136,9 @@ def write_parts(target: Path, parts: Iterable[tuple[Part, Mapping[str, int]]]) -
         target: the file. Its folder must exist.
         parts: each part with the word counts of its description, in any order; identities are unique.
     """
-    import sqlite3
-
-    part_file = target.with_name(f"{target.name}.part-{os.getpid()}")
-    part_file.unlink(missing_ok=True)
-    try:
-        db = sqlite3.connect(part_file, isolation_level=None)
-        try:
-            db.executescript(f"PRAGMA page_size={_PAGE}; PRAGMA journal_mode=OFF; PRAGMA encoding='UTF-8'; BEGIN; {_SCHEMA}")
-            rows = (_row(part, words) for part, words in sorted(parts, key=lambda one: one[0].id))
-            db.executemany(f"INSERT INTO part VALUES ({', '.join('?' * 10)})", rows)
-            for last in ("COMMIT", f"PRAGMA application_id={APPLICATION}", f"PRAGMA user_version={FORMAT}", "VACUUM"):
-                db.execute(last)
-        finally:
-            db.close()
-        _forget_the_writer(part_file)
-        part_file.replace(target)
-    finally:
-        part_file.unlink(missing_ok=True)
+    with writing(target, _SCHEMA, APPLICATION, FORMAT) as db:
+        rows = (_row(part, words) for part, words in sorted(parts, key=lambda one: one[0].id))
+        db.executemany(f"INSERT INTO part VALUES ({', '.join('?' * 10)})", rows)
 
 
 def _row(part: Part, words: Mapping[str, int]) -> tuple[object, ...]:
@@ -170,12 +153,3 @@ def _packed(value: object) -> bytes:
     packer = zlib.compressobj(9, zdict=_COMMON)
     text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
     return packer.compress(text.encode()) + packer.flush()
-
-
-def _forget_the_writer(path: Path) -> None:
-    """Level what depends on the writing program, not on the content: change counters and SQLite's own version."""
-    with path.open("r+b") as file:
-        file.seek(24)
-        file.write(struct.pack(">I", 1))  # SQLite file format, section 1.3: file change counter
-        file.seek(92)
-        file.write(struct.pack(">II", 1, 3_040_000))  # version-valid-for (equals the counter), version number
