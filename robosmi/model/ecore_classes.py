@@ -18,6 +18,7 @@ from robosmi.errors import ModelError
 from robosmi.model.datatypes import default, literal_text
 from robosmi.model.ecore_description import XML_TYPES, Class, Classifier, DataType, Enumeration, Feature, Package
 from robosmi.model.ecore_details import Details
+from robosmi.model.ordering import post_order
 from robosmi.model.python_names import MEMBER, python_name
 from robosmi.model.strict import Element
 
@@ -56,22 +57,8 @@ class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
         try:
             return type.mro(cls)
         except TypeError:
-            return list(_linear(cls))
-
-
-def _linear(cls: type) -> list[type]:
-    done: list[type] = []
-    seen: set[type] = set()
-    pending: list[tuple[type, bool]] = [(cls, False)]
-    while pending:
-        one, ready = pending.pop()
-        if ready:
-            done.append(one)
-        elif one not in seen:
-            seen.add(one)
-            pending.append((one, True))
-            pending.extend((base, False) for base in one.__bases__)
-    return done[::-1]
+            start: list[type] = [cls]
+            return list(post_order(start, lambda one: one.__bases__[::-1]))[::-1]
 
 
 class _Maker:
@@ -170,21 +157,13 @@ class _Maker:
 
 def _supertypes_first(classes: list[Class]) -> Iterator[Class]:
     """The classes, each after its supertypes."""
-    wanted, done, open_ = set(classes), set[Class](), set[Class]()
-    for start in classes:
-        pending = [(start, False)]
-        while pending:
-            cls, ready = pending.pop()
-            if ready:
-                open_.discard(cls)
-                done.add(cls)
-                yield cls
-            elif cls in open_:
-                raise ModelError(f"the class '{cls.path}' is its own supertype", location=cls.location, fix="remove the cycle")
-            elif cls not in done:
-                open_.add(cls)
-                pending.append((cls, True))
-                pending.extend((base, False) for base in cls.supertypes if base in wanted and base not in done)
+    wanted = set(classes)
+
+    def refuse(circle: list[Class]) -> None:
+        cls = circle[0]
+        raise ModelError(f"the class '{cls.path}' is its own supertype", location=cls.location, fix="remove the cycle")
+
+    return post_order(classes, lambda cls: [base for base in reversed(cls.supertypes) if base in wanted], refuse)
 
 
 def _datatype(described: Classifier) -> Any:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Location
+from robosmi.model.ordering import post_order
 
 ECORE_URI = "http://www.eclipse.org/emf/2002/Ecore"
 XML_TYPE_URI = "http://www.eclipse.org/emf/2003/XMLType"
@@ -182,18 +183,7 @@ class Class(Classifier):
 
     def ancestors(self) -> list[Class]:
         """All supertypes, direct and indirect, each once, farthest first in Ecore's order."""
-        found: dict[Class, None] = {}
-        stack: list[tuple[Class, bool]] = [(base, False) for base in reversed(self.supertypes)]
-        started: set[Class] = {self}
-        while stack:
-            cls, done = stack.pop()
-            if done:
-                found[cls] = None
-            elif cls not in started:
-                started.add(cls)
-                stack.append((cls, True))
-                stack.extend((base, False) for base in reversed(cls.supertypes))
-        return list(found)
+        return [cls for cls in post_order([self], lambda cls: cls.supertypes) if cls is not self]
 
     def all_features(self) -> list[Feature]:
         """Features with those of the supertypes first, in Ecore's order."""

@@ -11,6 +11,7 @@ from typing import Any
 from pyecore import ecore
 
 from robosmi.model.datatypes import is_data_type, real
+from robosmi.model.ordering import post_order
 
 
 def eclass_of(kind: Any) -> Any:
@@ -32,24 +33,9 @@ def supertypes(eclass: Any) -> list[Any]:
 def all_features(eclass: Any) -> list[Any]:
     """All structural features in Ecore's order: those of supertypes first, each once."""
     found: dict[Any, None] = {}
-    for one in _bottom_up(eclass):
+    for one in post_order([eclass], supertypes):
         found.update(dict.fromkeys(one.eStructuralFeatures))
     return list(found)
-
-
-def _bottom_up(eclass: Any) -> list[Any]:
-    ordered: list[Any] = []
-    seen: set[Any] = set()
-    pending = [(eclass, False)]
-    while pending:
-        one, ready = pending.pop()
-        if ready:
-            ordered.append(one)
-        elif one not in seen:
-            seen.add(one)
-            pending.append((one, True))
-            pending.extend((base, False) for base in reversed(supertypes(one)))
-    return ordered
 
 
 def declared_type(feature: Any) -> Any:

@@ -10,27 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.model.ecore_description import Class
+from robosmi.model.ordering import post_order
 
 
 def topological(classes: Sequence[Class]) -> tuple[list[Class], list[Class]]:
     """The classes and all their ancestors, supertypes first, and those that inherit from themselves."""
-    ordered: dict[Class, None] = {}
-    open_now: set[Class] = set()
     cyclic: list[Class] = []
-    for cls in classes:
-        stack = [(cls, False)]
-        while stack:
-            current, done = stack.pop()
-            if done:
-                open_now.discard(current)
-                ordered[current] = None
-            elif current in open_now:
-                cyclic.append(current)
-            elif current not in ordered:
-                open_now.add(current)
-                stack.append((current, True))
-                stack.extend((base, False) for base in reversed(current.supertypes))
-    return list(ordered), cyclic
+    ordered = list(post_order(classes, lambda cls: cls.supertypes, lambda circle: cyclic.append(circle[0])))
+    return ordered, cyclic
 
 
 def bases(classes: Sequence[Class]) -> dict[Class, list[Class]]:

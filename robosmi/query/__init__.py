@@ -8,9 +8,10 @@ anything are functions in the modules of these names. Nothing here knows a metam
 from __future__ import annotations
 
 from robosmi.model.driver import UnknownTypeError
+from robosmi.model.structure import root_of
 from robosmi.query import anything, numbers, operators, strings
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
-from robosmi.query.extents import all_contents, all_of_kind, all_of_type, ancestor_of_kind, root_of
+from robosmi.query.extents import all_contents, all_of_kind, all_of_type, ancestor_of_kind
 from robosmi.query.lazy import Lazy
 from robosmi.query.maps import Map, Tuple
 from robosmi.query.models import (

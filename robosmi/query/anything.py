@@ -297,7 +297,7 @@ e_containment_feature = e_containing_feature
 
 def e_root_container(element: Any) -> Any:
     """The outermost container, or the element itself."""
-    from robosmi.query.extents import root_of
+    from robosmi.model.structure import root_of
 
     return root_of(element)
 

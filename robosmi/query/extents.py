@@ -64,13 +64,6 @@ def ancestor_of_kind(element: Any, kind: type[T]) -> T | None:
     return container
 
 
-def root_of(element: Any) -> Any:
-    """The outermost container of the element, or the element itself."""
-    while (container := element.eContainer()) is not None:
-        element = container
-    return element
-
-
 def contents(element: Any) -> list[Any]:
     """What the element contains directly, features of supertypes first."""
     return contents_of(element)

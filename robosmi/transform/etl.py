@@ -11,6 +11,7 @@ from typing import Any, TypeVar, overload
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.driver import Model
+from robosmi.model.ordering import post_order
 from robosmi.query.collections import Q
 from robosmi.query.erl import Blocks, as_model, run_over
 from robosmi.query.values import collection_kind
@@ -118,18 +119,7 @@ class ETL:
 
     def modules(self) -> list[ETL]:
         """The included modules, those that they include before them, and this one last; each once."""
-        found: dict[ETL, None] = {}
-        seen: set[ETL] = set()
-        pending = [(self, False)]
-        while pending:
-            module, ready = pending.pop()
-            if ready:
-                found[module] = None
-            elif module not in seen:
-                seen.add(module)
-                pending.append((module, True))
-                pending.extend((m, False) for m in reversed(module._included))
-        return list(found)
+        return list(post_order([self], lambda module: module._included))
 
     def run(self, *models: Any) -> Trace:
         """Transform: pre blocks, rules, post blocks.

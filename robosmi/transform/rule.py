@@ -17,6 +17,7 @@ from typing import Any
 
 from robosmi.errors import RuleError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
+from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, failed, place_of, type_name
 
 
@@ -283,19 +284,8 @@ def bind(rules: Sequence[Rule], models: list[Model]) -> list[BoundRule]:
 
 def _chain(rule: BoundRule) -> list[BoundRule]:
     """All rules that a rule extends, directly or not, each once before those that extend it, and the rule itself."""
-    ordered: dict[BoundRule, None] = {}
-    open_rules: list[BoundRule] = []
-    pending: list[tuple[BoundRule, bool]] = [(rule, False)]
-    while pending:
-        one, ready = pending.pop()
-        if ready:
-            open_rules.remove(one)
-            ordered[one] = None
-        elif one in open_rules:
-            circle = " extends ".join(r.name for r in [*open_rules[open_rules.index(one) :], one])
-            raise one.rule.wrong(f"extends itself: {circle}", "remove one of these")
-        elif one not in ordered:
-            open_rules.append(one)
-            pending.append((one, True))
-            pending.extend((base, False) for base in reversed(one.own_bases))
-    return list(ordered)
+
+    def refuse(circle: list[BoundRule]) -> None:
+        raise circle[-1].rule.wrong(f"extends itself: {' extends '.join(r.name for r in circle)}", "remove one of these")
+
+    return list(post_order([rule], lambda one: one.own_bases, refuse))

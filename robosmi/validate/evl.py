@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Any, overload
 
 from robosmi.model.driver import Model
+from robosmi.model.ordering import post_order
 from robosmi.query.erl import Blocks, as_model, run_over
 from robosmi.validate.constraint import Context, F
 from robosmi.validate.evaluation import Evaluation
@@ -77,18 +78,7 @@ class EVL:
 
     def modules(self) -> list[EVL]:
         """The included modules, those that they include before them, and this one last; each once."""
-        found: dict[EVL, None] = {}
-        pending = [(self, False)]
-        seen: set[EVL] = set()
-        while pending:
-            module, ready = pending.pop()
-            if ready:
-                found[module] = None
-            elif module not in seen:
-                seen.add(module)
-                pending.append((module, True))
-                pending.extend((m, False) for m in reversed(module._included))
-        return list(found)
+        return list(post_order([self], lambda module: module._included))
 
     def run(self, *models: Any, fix: str | Callable[[Unsatisfied], OfferedFix | None] | None = None) -> Validation:
         """Validate: pre blocks, all checks, fixes if wanted, post blocks.

@@ -16,6 +16,7 @@ from functools import lru_cache
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.model.ordering import post_order
 from robosmi.transformations.t2m.c_source.lexer import Token, definition_parts, directive_parts
 from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
 from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
@@ -295,21 +296,7 @@ def _macro_weights(tokens: Sequence[Token]) -> dict[str, tuple[int, int]]:
 
 def _inner_first(bodies: dict[str, tuple[list[str], list[str] | None]]) -> Iterator[str]:
     """The macros, each after those that its body uses; a ring is entered anywhere, since C expands no macro within itself."""
-    done: set[str] = set()
-    for start in bodies:
-        pending = [(start, False)]
-        entered: set[str] = set()
-        while pending:
-            name, ready = pending.pop()
-            if name in done:
-                continue
-            if ready:
-                done.add(name)
-                yield name
-            elif name not in entered:
-                entered.add(name)
-                pending.append((name, True))
-                pending += [(w, False) for w in bodies[name][0] if w in bodies and w not in done and w not in entered]
+    return post_order(bodies, lambda name: [word for word in reversed(bodies[name][0]) if word in bodies])
 
 
 def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, tuple[int, int]]) -> tuple[int, int]:

@@ -16,6 +16,7 @@ from robosmi.errors import ModelError, SourceError
 from robosmi.metamodels import ccode
 from robosmi.model.features import all_features
 from robosmi.model.on_demand import Promise, settle, stand_in
+from robosmi.model.ordering import post_order
 from robosmi.model.structure import contents
 from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import Context
@@ -183,22 +184,19 @@ def in_building_order(unit: Unit) -> None:
     In three kinds of element that is not the metamodel's order: `do` and `for` are built as the text has them, and in a list of
     initial values the value comes before its designator.
     """
-    rank: dict[int, int] = {}
-    pending: list[tuple[Any, bool]] = [(unit.element, False)]
-    while pending:
-        element, done = pending.pop()
-        if done:
-            rank[id(element)] = len(rank)
-            continue
-        parts = contents(element)
-        if isinstance(element, ccode.DoWhile):
-            parts = [element.body, element.condition]
-        elif isinstance(element, ccode.For):
-            parts = [element.initial, element.condition, element.step, element.body]
-        elif isinstance(element, ccode.Assignment) and isinstance(element.eContainer(), ccode.InitializerList):
-            parts = [element.right, element.left]
-        pending.append((element, True))
-        pending.extend((part, False) for part in reversed(parts) if part is not None)
+    rank = {id(element): place for place, element in enumerate(post_order([unit.element], _parts))}
     context = unit.context
     context.calls.sort(key=lambda entry: rank.get(id(entry[0]), -1))
     context.references.sort(key=lambda entry: rank.get(id(entry[0]), -1))
+
+
+def _parts(element: Any) -> list[Any]:
+    """What an element contains, in the order in which it is built."""
+    parts = contents(element)
+    if isinstance(element, ccode.DoWhile):
+        parts = [element.body, element.condition]
+    elif isinstance(element, ccode.For):
+        parts = [element.initial, element.condition, element.step, element.body]
+    elif isinstance(element, ccode.Assignment) and isinstance(element.eContainer(), ccode.InitializerList):
+        parts = [element.right, element.left]
+    return [part for part in parts if part is not None]
