@@ -16,14 +16,22 @@ _STRING = r'"(?:\\(?:\r?\n|.)|[^"\\\n])*"?'
 _CHAR = r"'(?:\\(?:\r?\n|.)|[^'\\\n])*'?"
 _BLOCK = r"/\*.*?(?:\*/|\Z)"
 _LINE = r"//(?:\\\r?\n|[^\n])*"
-_TOKEN = re.compile(
-    rf"(?P<space>(?:[ \t\r\n\f\v]|\\\r?\n|\xef\xbb\xbf)+)|(?P<comment>{_BLOCK}|{_LINE})"
-    r"|(?P<name>[A-Za-z_$\x80-\xff][\w$\x80-\xff]*)"
-    rf"|(?P<number>\.?[0-9](?:[eEpP][+-]|[\w.])*)|(?P<string>(?:L|u8?|U)?{_STRING})|(?P<char>{_CHAR})"
-    rf"|(?P<directive>\#(?:\\\r?\n|{_BLOCK}|//[^\n]*|{_STRING}|[^\n\\/\"]|\\|/)*)"
-    r"|(?P<punct>>>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|.)",
-    re.DOTALL | re.ASCII,
+_SPACE = r"(?:[ \t\r\n\f\v]|\\\r?\n|\xef\xbb\xbf)+"
+_WORD = r"[A-Za-z_$\x80-\xff][\w$\x80-\xff]*|\.?[0-9](?:[eEpP][+-]|[\w.])*"
+_BEFORE = rf"{_SPACE}|{_BLOCK}|{_LINE}|{_WORD}|{_STRING}|{_CHAR}"
+_DIRECTIVE = rf"\#(?:\\\r?\n|{_BLOCK}|//[^\n]*|{_STRING}|[^\n\\/\"]|\\|/)*"
+_BEHIND = r">>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|."
+_PIECES = re.compile(f"{_BEFORE}|{_DIRECTIVE}|{_BEHIND}", re.DOTALL | re.ASCII)
+_PIECES_OF_A_LINE = re.compile(f"{_BEFORE}|{_BEHIND}", re.DOTALL | re.ASCII)
+_KINDS = (
+    dict.fromkeys("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_$", "name")
+    | dict.fromkeys(map(chr, range(0x80, 0x100)), "name")
+    | dict.fromkeys("0123456789", "number")
+    | dict.fromkeys(" \t\r\n\f\v", "space")
+    | {'"': "string", "'": "char", "#": "directive"}
 )
+"""Kinds of pieces by their first character, punctuation left out; some need a second look."""
+_SECOND_LOOK = frozenset("/\\.\xef")
 
 KEYWORDS = frozenset(
     [
@@ -109,26 +117,47 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     text = data.decode("latin-1")
     found: list[Token] = []
     end = 0
-    while end < len(text):
-        fresh = True  # only at the start of a line does a hash open a directive
-        for match in _TOKEN.finditer(text, end):
-            kind = match.lastgroup
-            end = match.end()
-            if kind == "space":
-                fresh = fresh or "\n" in match.group()
-                if len(found) > limit:
-                    break
-                continue
-            if kind == "directive" and not fresh:
-                end = match.start() + 1
-                found.append(("punct", match.start(), end, "#"))
-                break
-            found.append((kind or "punct", match.start(), end, match.group()))
+    fresh = True  # only at the start of a line does a hash open a directive
+    for piece in _PIECES.findall(text):  # they leave nothing out, so their lengths give their places
+        start, end = end, end + len(piece)
+        first = piece[0]
+        kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
+        if kind == "space":
+            fresh = fresh or "\n" in piece
+            continue
+        if kind == "directive" and not fresh:
+            found += _in_line(piece, start)
+        else:
+            found.append((kind, start, end, piece))
             if kind != "comment":
                 fresh = kind == "directive"
         if len(found) > limit:
             break
     return found
+
+
+def _in_line(text: str, place: int) -> list[Token]:
+    """The tokens from a hash within a line to the line's end."""
+    found: list[Token] = []
+    for piece in _PIECES_OF_A_LINE.findall(text):
+        first = piece[0]
+        kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
+        if kind != "space":
+            found.append(("punct" if kind == "directive" else kind, place, place + len(piece), piece))
+        place += len(piece)
+    return found
+
+
+def _second_look(piece: str) -> str:
+    """The kind of a piece whose first character does not tell it."""
+    first, second = piece[0], piece[1:2]
+    if first == "/":
+        return "comment" if second == "/" or piece.startswith("/*") else "punct"
+    if first == "\\":
+        return "space" if second else "punct"
+    if first == ".":
+        return "number" if "0" <= second <= "9" else "punct"
+    return "space" if piece.startswith("\xef\xbb\xbf") else "name"
 
 
 _PARTS = re.compile(r"#\s*(?P<word>\w*)\s*(?P<rest>.*)", re.DOTALL)
