@@ -36,9 +36,14 @@ def built_in(kind: str) -> Path:
 
 def user_data() -> Path:
     """The user's own data folder (XDG base directory specification; `ROBOSMI_HOME` overrides it). It need not exist."""
+    return Path(_user_data())
+
+
+def _user_data() -> str:
     if own := os.environ.get("ROBOSMI_HOME"):
-        return Path(own)
-    return Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share") / "robosmi"
+        return own
+    data = os.environ.get("XDG_DATA_HOME") or os.path.join(os.path.expanduser("~"), ".local", "share")
+    return os.path.join(data, "robosmi")
 
 
 def cache_dir() -> Path:
@@ -53,15 +58,20 @@ def folders(kind: str, project: Path | None = None) -> Iterator[Path]:
         kind: one of `KINDS`.
         project: the project folder; the current folder if None.
     """
+    return map(Path, _folders(kind, project))
+
+
+def _folders(kind: str, project: Path | None) -> Iterator[str]:
+    """As texts, since a migration asks some seventy times."""
     if kind not in KINDS:
         raise ValueError(f"no kind of data is called '{kind}'")
     own = [os.path.join(project or os.getcwd(), ".robosmi")]
     own += [place for place in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if place]
-    own.append(str(user_data()))
-    for root in own:  # texts, since a migration asks some seventy times
+    own.append(_user_data())
+    for root in own:
         if os.path.isdir(folder := os.path.join(root, kind)):
-            yield Path(folder)
-    yield built_in(kind)
+            yield folder
+    yield str(built_in(kind))
 
 
 def find(kind: str, name: str, project: Path | None = None) -> Path:
@@ -70,7 +80,7 @@ def find(kind: str, name: str, project: Path | None = None) -> Path:
     Raises:
         PlatformDataError: there is none.
     """
-    for folder in folders(kind, project):
-        if (folder / name).exists():
-            return folder / name
+    for folder in _folders(kind, project):
+        if os.path.exists(place := os.path.join(folder, name)):
+            return Path(place)
     raise PlatformDataError(f"there is no '{name}' among the {kind}", fix="check its name, or the folders in ROBOSMI_PATH")

@@ -17,10 +17,24 @@ from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFe
 from robosmi.model import lean, strict
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder, note_link
 
-Plan = tuple[Any, str, Any, Any, Any]
+Entry = tuple[Any, str, Any, Any, Any]
 """Class of the values that go in bare, key of the slot, feature, how to put other values in, what that needs to know."""
+
+
+class Plan(dict[str, Entry]):
+    """How the features of a class are set, by name.
+
+    Attributes:
+        bare: class of the values that go in bare, for those whose slot has the feature's name.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.bare: dict[str, type] = {}
+
+
 _PYTHON = {ecore.EString: str, ecore.EInt: int, ecore.ELong: int, ecore.EBoolean: bool, ecore.EDouble: float}
-_PLANS: dict[type, dict[str, Plan]] = {}
+_PLANS: dict[type, Plan] = {}
 
 
 def initialise(element: Any, features: dict[str, Any]) -> None:
@@ -33,7 +47,11 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
     cls = element.__class__
     plan = _PLANS.get(cls) or _plan(cls)
     slots = element.__dict__
+    bare_class = plan.bare.get
     for name, value in features.items():
+        if value.__class__ is bare_class(name):  # two of three: places and names
+            slots[name] = value
+            continue
         if value is None:
             continue
         entry = plan.get(name)
@@ -96,8 +114,8 @@ class _Known:
         return True
 
 
-def _plan(cls: type) -> dict[str, Plan]:
-    plan: dict[str, Plan] = {}
+def _plan(cls: type) -> Plan:
+    plan = Plan()
     for base in reversed(cls.__mro__):
         for name, feature in base.__dict__.items():
             if not isinstance(feature, EStructuralFeature):
@@ -125,6 +143,8 @@ def _plan(cls: type) -> dict[str, Plan]:
                 else:
                     put = None
             plan[name] = (bare, feature._name, feature, put, kind)
+            if bare is not None and feature._name == name:
+                plan.bare[name] = bare
     _PLANS[cls] = plan
     return plan
 
