@@ -160,20 +160,21 @@ def growth(lines: int) -> list[tuple[int, float, float]]:
     return found
 
 
-def _one(job: tuple[str, Path]) -> None:
+def _one(job: tuple[str, Path, Sequence[str]]) -> None:
     from robosmi.errors import RobosmiError
 
+    stage, path, folders = job
     with suppress(RobosmiError):
-        STAGES[job[0]](job[1], ())
+        STAGES[stage](path, folders)
 
 
-def pooled(stage: str, paths: Sequence[Path]) -> float:
+def pooled(stage: str, paths: Sequence[Path], folders: Sequence[str]) -> float:
     """Seconds of a stage over all files in a pool of processes, with a progress bar on a terminal."""
     context: Any = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
-        list(pool.map(_one, [(stage, paths[0])] * 8))  # so that every process has loaded what it needs
+        list(pool.map(_one, [(stage, paths[0], folders)] * 8))  # so that every process has loaded what it needs
         start = time.perf_counter()
-        for done, _ in enumerate(pool.map(_one, [(stage, path) for path in paths], chunksize=8), 1):
+        for done, _ in enumerate(pool.map(_one, [(stage, path, folders) for path in paths], chunksize=8), 1):
             if sys.stderr.isatty() and (done % 20 == 0 or done == len(paths)):
                 bar = "#" * (40 * done // len(paths))
                 print(f"\r{stage:12} [{bar:40}] {done}/{len(paths)}", end="\n" if done == len(paths) else "", file=sys.stderr)
@@ -211,10 +212,13 @@ def main() -> int:
         good &= rows[-1][2] <= MEGABYTES and rows[-1][1] / rows[-1][0] <= 2 * rows[0][1] / rows[0][0]
     if not arguments.no_pool:
         whole = sorted(arguments.pool_corpus.rglob("*.c")) if arguments.pool_corpus else paths
-        times = {stage: pooled(stage, whole) for stage in ("bare parse", "everything")}
-        ratio = times["everything"] / times["bare parse"]
-        good &= ratio <= POOL
-        print(f"  pool, {len(whole)} programs: {times['everything']:.1f} s, {ratio:.2f} x bare parses (bound {POOL})")
+        for folders in [[], headers()] if headers() else [[]]:
+            times = {stage: pooled(stage, whole, folders) for stage in STAGES}
+            for stage in ("partition", "everything"):
+                ratio = times[stage] / times["bare parse"]
+                good &= ratio <= POOL
+                what = f"pool, {len(whole)} programs {'with' if folders else 'without'} headers, {stage}"
+                print(f"  {what}: {times[stage]:.1f} s, {ratio:.2f} x bare parses (bound {POOL})")
     return 0 if good else 1
 
 

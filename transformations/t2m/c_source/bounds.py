@@ -7,19 +7,15 @@ the rest of the file is read. Real programs are far below the limits. How a copy
 
 from __future__ import annotations
 
-import os
 import re
-import stat
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
-from functools import lru_cache
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.ordering import post_order
 from robosmi.transformations.t2m.c_source.lexer import Token, definition_parts, directive_parts
 from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
-from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
+from robosmi.transformations.t2m.c_source.mending import Edit
 
 MAX_BRACKETS = 180
 """Brackets within brackets; libclang gives up the file at 256."""
@@ -29,11 +25,9 @@ MAX_BRANCHES = 1000
 """`else` after `else` of one chain."""
 MAX_EXPANDED = 4_000_000
 """Tokens of a file after its macros are expanded."""
-MAX_HEADERS = 1000
 LARGEST = 8_000_000
 """Bytes of a source file or header; none of a microcontroller's program is that large."""
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
-_INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
 _BRACKETS = re.compile(rb"[()\[\]{}]")
 _PREFIX = re.compile(rb"[;{}]")
 
@@ -69,78 +63,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
     return scan.edits
 
 
-def harmless_headers(path: str, data: bytes, folders: Sequence[str]) -> dict[str, bytes]:
-    """The headers that a text reaches beside it and in folders and that nest too deep, without what does; mostly none.
-
-    A header that cannot be read, or whose macros are without bound, becomes an empty one.
-    """
-    found: dict[str, bytes] = {}
-    own = os.path.dirname(os.path.abspath(path))
-    holding = _holding(tuple(_stamped(os.path.abspath(folder)) for folder in folders))
-    pending = [(own, name) for name in _INCLUDED.findall(data)]
-    seen: set[str] = set()
-    while pending and len(seen) < MAX_HEADERS:
-        beside, raw = pending.pop()
-        name = raw.decode("latin-1")
-        first = name.partition("/")[0]
-        for folder in (beside, *holding.get(first if first not in _UP else "", ())):
-            place = os.path.join(folder, name)
-            if place in seen:
-                break
-            try:
-                state = os.stat(place)
-            except (OSError, ValueError):
-                continue
-            seen.add(place)
-            if stat.S_ISREG(state.st_mode):
-                text, included = _harmless(place, state.st_mtime_ns, state.st_size)
-                if text is not None:
-                    found[place] = text
-                pending += [(os.path.dirname(place), inner) for inner in included]
-                break
-    return found
-
-
-_UP = frozenset(["", ".", ".."])
-
-
-def _stamped(folder: str) -> tuple[str, int]:
-    """A folder and when an entry of it was last made, renamed or removed; 0 for no folder."""
-    try:
-        return folder, os.stat(folder).st_mtime_ns
-    except (OSError, ValueError):
-        return folder, 0
-
-
-@lru_cache(maxsize=100)
-def _holding(folders: tuple[tuple[str, int], ...]) -> dict[str, list[str]]:
-    """For each name the folders that have an entry of that name, in order; all of them for the empty name."""
-    found: dict[str, list[str]] = {"": [folder for folder, _ in folders]}
-    for folder, changed in folders:
-        with suppress(OSError):  # a file, or a folder that may not be read
-            for name in os.listdir(folder) if changed else ():
-                found.setdefault(name, []).append(folder)
-    return found
-
-
-@lru_cache(maxsize=2000)
-def _harmless(path: str, changed: int, size: int) -> tuple[bytes | None, tuple[bytes, ...]]:
-    """A header's text where it must be another than the file's, and the names of what it includes."""
-    if size > LARGEST:
-        return b"", ()
-    try:
-        with open(path, "rb") as stream:
-            data = stream.read()
-        included = tuple(_INCLUDED.findall(data))
-        if _shallow(data):
-            return None, included
-        edits = cuts(path, data, tokenise(data))
-    except (OSError, SourceError):
-        return b"", ()
-    return (Scratch(data, edits).data if edits else None), included
-
-
-def _shallow(data: bytes) -> bool:
+def shallow(data: bytes) -> bool:
     """Whether the bytes alone show that nothing nests too deep."""
     depth = 0
     for bracket in _BRACKETS.findall(data) if sum(map(data.count, (b"(", b"[", b"{"))) >= MAX_BRACKETS else ():

@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, c_longlong, c_uint, c_ulong, c_void_p, pointer
+from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, c_longlong, c_uint, c_ulong, c_void_p
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,8 +19,12 @@ from typing import Any
 
 from robosmi.errors import MissingToolError
 
-DETAILED_RECORD = 0x01
-KEEP_GOING = 0x200
+WHOLE = 0x01 | 0x200
+"""Options of a parse: with a record of the preprocessor's work, and on after a header that is not there."""
+FOR_SERIALIZATION = 0x02 | 0x10
+"""Options of a header that is to be precompiled: it is no whole program, and is saved."""
+ERROR, FATAL = 3, 4
+"""Severities of complaints."""
 
 
 class Cursor(Structure):
@@ -74,6 +78,7 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
         [c_void_p, c_char_p, POINTER(c_char_p), c_int, POINTER(UnsavedFile), c_uint, c_uint, POINTER(c_void_p)], c_int,
     ),
     "disposeTranslationUnit": ([c_void_p], None),
+    "saveTranslationUnit": ([c_void_p, c_char_p, c_uint], c_int),
     "getTranslationUnitCursor": ([c_void_p], Cursor),
     "visitChildren": ([Cursor, VISITOR, c_void_p], c_uint),
     "getCursorExtent": ([Cursor], SourceRange),
@@ -133,6 +138,7 @@ class Library:
             function.restype = result
             setattr(self, name, function)
         self.index = self.createIndex(0, 0)
+        self.own_index = self.createIndex(1, 0)
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
@@ -146,7 +152,7 @@ class Library:
 
 @cache
 def library() -> Library:
-    """The library of this process, loaded at the first call, with its one index.
+    """The library of this process, loaded at the first call, with its indexes.
 
     Raises:
         MissingToolError: the package `libclang` is not installed or has no library for this system.
@@ -166,16 +172,23 @@ def unsaved(files: dict[str, bytes]) -> list[UnsavedFile]:
 
 
 def parse(
-    path: str, arguments: Sequence[str], files: Sequence[UnsavedFile], options: int = DETAILED_RECORD | KEEP_GOING
+    path: str, arguments: Sequence[str], files: Sequence[UnsavedFile], options: int = WHOLE, own_only: bool = False
 ) -> int | None:
-    """A translation unit's handle, or None when the parser gave up. The caller gives it back with `disposeTranslationUnit`."""
+    """A translation unit's handle, or None when the parser gave up. The caller gives it back with `disposeTranslationUnit`.
+
+    Args:
+        path: of the main file.
+        arguments: as for a compiler.
+        files: virtual ones.
+        options: CXTranslationUnit_Flags.
+        own_only: leave out of the tree what a precompiled header has.
+    """
     lib = library()
     flags = (c_char_p * len(arguments))(*[os.fsencode(a) for a in arguments])
     virtual = (UnsavedFile * len(files))(*files)
     unit = c_void_p()
-    code = lib.parseTranslationUnit2(
-        lib.index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit)
-    )
+    index = lib.own_index if own_only else lib.index
+    code = lib.parseTranslationUnit2(index, os.fsencode(path), flags, len(arguments), virtual, len(files), options, byref(unit))
     return unit.value if code == 0 and unit.value else None
 
 
@@ -202,8 +215,8 @@ def raising() -> Iterator[list[BaseException]]:
 
 def file_offset(location: SourceLocation) -> tuple[int | None, int]:
     """The file (a handle) and the byte offset of a place; a place in a macro's expansion counts where the text has it."""
-    file, line, column, offset = c_void_p(), c_uint(), c_uint(), c_uint()
-    library().getFileLocation(location, byref(file), pointer(line), pointer(column), byref(offset))
+    file, offset = c_void_p(), c_uint()
+    library().getFileLocation(location, byref(file), None, None, byref(offset))
     return file.value, offset.value
 
 
@@ -226,6 +239,16 @@ def fix_its(diagnostic: int) -> list[tuple[SourceLocation, SourceLocation, str]]
 def file_name(file: int | None) -> str:
     """The name of a file by its handle, empty for none."""
     return library().text(library().getFileName(file)) if file else ""
+
+
+def severities(unit: int) -> list[int]:
+    """How bad the complaints about a unit are, one number each."""
+    found = []
+    for number in range(library().getNumDiagnostics(unit)):
+        handle = library().getDiagnostic(unit, number)
+        found.append(library().getDiagnosticSeverity(handle))
+        library().disposeDiagnostic(handle)
+    return found
 
 
 def inclusions(unit: int) -> list[str]:

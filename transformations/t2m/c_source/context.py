@@ -14,6 +14,7 @@ from typing import Any
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL
 from robosmi.transformations.t2m.c_source.lexer import Token
 from robosmi.transformations.t2m.c_source.parsing import Parsed
 from robosmi.transformations.t2m.c_source.source import SourceText
@@ -62,7 +63,7 @@ class Context:
         for expansion in sorted(parsed.expansions, key=lambda e: (e.start, -e.end)):
             self._expansions.append(expansion)
             self._expansion_starts.append(expansion.start)
-        self._header_names: dict[str, str] = {}
+        self._header_names: dict[int | None, str] = {}
         self.argument_types: dict[tuple[int, int | None, int | None], str] = {}
         self.canonical: dict[int, tuple[str, int, bool, bool]] = {}
         self.attribute_macros: frozenset[str] = frozenset(
@@ -180,14 +181,19 @@ class Context:
     def _first_on_line(self, offset: int) -> bool:
         return not self.source.parsed[self.source.parsed.rfind(b"\n", 0, offset) + 1 : offset].strip()
 
-    def header_name(self, path: str) -> str:
-        """The name of a header's file as an include of this file would give it."""
-        known = self._header_names.get(path)
+    def header_of_file(self, file: int | None) -> str:
+        """How an include of this file would name a file of the parser's; empty for our prelude."""
+        known = self._header_names.get(file)
         if known is None:
-            known = self._header_names[path] = self._header_name(os.path.abspath(path))
+            known = self._header_names[file] = self._header_name(clang.file_name(file))
         return known
 
     def _header_name(self, path: str) -> str:
+        if path.startswith(HEADERS + "/"):
+            return path[len(HEADERS) + 1 :]
+        if not path or path.startswith(VIRTUAL + "/"):
+            return ""
+        path = os.path.abspath(path)
         for folder in (os.path.dirname(os.path.abspath(self.source.path)), *self.include_dirs):
             if path.startswith(folder + os.sep):
                 return path[len(folder) + 1 :].replace(os.sep, "/")

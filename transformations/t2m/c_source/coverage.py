@@ -13,7 +13,6 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.lexer import KEYWORDS
-from robosmi.transformations.t2m.c_source.parsing import about_missing
 
 _NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
 _NO_CALL_OF_CXX = frozenset(["catch", "operator", "decltype", "noexcept", "alignas", "new", "delete", "throw"])
@@ -61,7 +60,7 @@ def problems(context: Context) -> list[ccode.SyntaxProblem]:
     said: set[tuple[int, str]] = set()  # the same of two braces that are missing at the end
     for diagnostic in context.parsed.diagnostics:
         start = diagnostic.offset
-        if start < 0 or about_missing(diagnostic) or (start, diagnostic.message) in said:
+        if start < 0 or diagnostic.about_missing or (start, diagnostic.message) in said:
             continue
         said.add((start, diagnostic.message))
         place = context.source.place(start, start)

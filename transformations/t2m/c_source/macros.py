@@ -126,16 +126,9 @@ def uses(context: Context) -> list[ccode.MacroUse]:
 
 def header_of(context: Context, cursor: Any) -> str | None:
     """The header that a declaration stands in, as it is included; empty for our prelude, None for the file itself."""
-    from robosmi.transformations.t2m.c_source.parsing import HEADERS, PRELUDE
-
     if cursor is None:
         return None
     file, _ = clang.file_offset(context.lib.getCursorLocation(cursor))
     if file == context.parsed.reader.file:
         return None
-    name = clang.file_name(file)
-    if not name or name == PRELUDE:
-        return ""
-    if name.startswith(HEADERS + "/"):
-        return name[len(HEADERS) + 1 :]
-    return context.header_name(name)
+    return context.header_of_file(file)

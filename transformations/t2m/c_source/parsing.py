@@ -12,19 +12,18 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache
 
 from robosmi.transformations.t2m.c_source import clang, tree
-from robosmi.transformations.t2m.c_source.bounds import cuts, harmless_headers
+from robosmi.transformations.t2m.c_source.bounds import cuts
 from robosmi.transformations.t2m.c_source.foresight import foresee
+from robosmi.transformations.t2m.c_source.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.invocation import PRELUDE, arguments, included, names_in, standard_headers, unsaved
 from robosmi.transformations.t2m.c_source.mending import MAX_ROUNDS, Edit, Scratch, closed_strings, guess, opening
+from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
 from robosmi.transformations.t2m.platform_api import ApiIndex
 
-VIRTUAL = "/robosmi.virtual"
-HEADERS = f"{VIRTUAL}/include"
-PRELUDE = f"{VIRTUAL}/prelude.h"
 MAX_PARSES = 3
 _MISSING_DECLARATIONS = (
     "use of undeclared identifier", "unknown type name", "use of unknown builtin", "call to undeclared", "conflicting types for",
@@ -58,6 +57,11 @@ class Diagnostic:
             )
         ) or (" expected" in m and "argument" not in m and "type" not in m)
 
+    @property
+    def about_missing(self) -> bool:
+        """Whether it is about a declaration that is not there, so that it says nothing against the text."""
+        return self.message.startswith(_MISSING_DECLARATIONS) or self.message.endswith("file not found")
+
 
 @dataclass
 class Parsed:
@@ -83,91 +87,27 @@ class Parsed:
             self.unit = 0
 
 
-_INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
-
-
-_NAME = re.compile(rb"[A-Za-z_]\w*")
-
-
-def _virtual_files(
-    api: ApiIndex, source: SourceText, include_dirs: Sequence[str]
-) -> tuple[list[clang.UnsavedFile], frozenset[str] | None]:
-    """The standard headers that the text can reach, and all names in them; no names where it reaches real headers too.
-
-    Each header that is given costs time even where it is not read.
-    """
-    headers = api.virtual_headers()
-    wanted = {name.decode("latin-1") for name in _INCLUDED.findall(source.parsed)}
-    folder = os.path.dirname(os.path.abspath(source.path))
-    local: dict[str, bytes] = {}
-    own = not include_dirs and not any(os.path.isfile(os.path.join(folder, name)) for name in wanted)
-    if not own:
-        reached = set(headers)  # real headers may include any of them
-        local = harmless_headers(source.path, source.parsed, include_dirs)
-    else:
-        reached, pending = set(), [*wanted, "stdarg.h"]
-        while pending:
-            name = pending.pop()
-            if name in headers and name not in reached:
-                reached.add(name)
-                pending += [n.decode("latin-1") for n in _INCLUDED.findall(headers[name])]
-    files = {f"{HEADERS}/{name}": headers[name] for name in sorted(reached)}
-    names = frozenset[str]().union(*(_names(headers[name]) for name in reached)) if own else None
-    return clang.unsaved(files | local), names
-
-
-@cache
-def _names(header: bytes) -> frozenset[str]:
-    """All names in a header of our own."""
-    return frozenset(name.decode() for name in _NAME.findall(header))
-
-
-def arguments(api: ApiIndex, language: str, include_dirs: Sequence[str], defines: Sequence[str]) -> list[str]:
-    """The parser's arguments (research note on libclang, section 8)."""
-    settings = api.settings["parser"]
-    cxx = language == "C++"
-    result = [
-        "-x",
-        "c++" if cxx else "c",
-        "-std=gnu++14" if cxx else f"-std={settings['standard']}",
-        "-nostdinc",
-        "-target",
-        settings["target"],
-    ]
-    result += [
-        "-ferror-limit=0",
-        "-Wno-everything",
-        "-Wno-implicit-function-declaration",
-        "-Wno-int-conversion",
-        "-Wno-implicit-int",
-    ]
-    result += ["-Wno-incompatible-function-pointer-types", "-Wno-return-type", "-fno-spell-checking"]
-    result += [f"-D{d}" for d in settings.get("defines", ())] + [f"-D{d}" for d in defines]
-    result += [f"-I{os.path.abspath(d)}" for d in include_dirs]
-    return [*result, "-isystem", HEADERS, "-include", PRELUDE]
-
-
 def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> Parsed | None:
     """Parse a text, again with declarations for what it does not declare; None when the parser gave up."""
-    settings = api.settings["parser"]
-    given = arguments(api, source.language, include_dirs, defines)
-    path = os.path.abspath(source.path)
-    fixed, names = _virtual_files(api, source, include_dirs)
+    call = _Call(source, api, include_dirs, defines)
     first: list[Diagnostic] = []
     taken_out = cuts(source.path, source.parsed, source.tokens)
     attempt = _Attempt(source, taken_out)
     prelude = _prelude(source, api)
-    foreseen = names is not None and not taken_out and _foresee(prelude, source, names, defines)
+    foreseen = call.names is not None and not taken_out and _foresee(prelude, source, call.names, defines)
     number = 0
     while True:
         number += 1
-        text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
         scratch = attempt.scratch
-        unit = clang.parse(path, given, [*fixed, *clang.unsaved({path: scratch.data, PRELUDE: text.encode()})])
+        unit = call.parse(scratch, prelude)
         if unit is None:
             return None
-        reader = tree.TreeReader(unit, path, scratch)
+        reader = tree.TreeReader(unit, call.path, scratch)
         diagnostics = _diagnostics(unit, reader)
+        if call.outdated(diagnostics):
+            number -= 1
+            clang.library().disposeTranslationUnit(unit)
+            continue
         if foreseen:
             foreseen = False
             if not _as_foreseen(diagnostics, prelude):
@@ -178,7 +118,7 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
             first = list(diagnostics)
         else:  # a type that only comes to light when the text is mended is as unknown
             first += [d for d in diagnostics if d.message.startswith("unknown type name")]
-        messages = [d.message for d in diagnostics if d.severity >= 3]
+        messages = [d.message for d in diagnostics if d.severity >= clang.ERROR]
         if attempt.names_left and messages and prelude.collect(messages, source.tokens, reader.own_names):
             attempt.names_left -= 1
         elif not attempt.next(diagnostics):
@@ -192,7 +132,7 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         nodes,
         reader.expansions,
         reader.skipped(),
-        clang.inclusions(unit),
+        call.inclusions(unit),
         [*attempt.mended, *diagnostics],
         first,
         prelude,
@@ -200,6 +140,76 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         reader,
         reader.cut,
     )
+
+
+class _Call:
+    """The calls of the parser for one text: what stays the same from one to the next.
+
+    Attributes:
+        path: the text's, absolute.
+        names: all names in the headers that the text reaches; None where it reaches others than our own.
+    """
+
+    def __init__(self, source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> None:
+        self.path = os.path.abspath(source.path)
+        self._source, self._api = source, api
+        self._given = arguments(api, source.language, include_dirs, defines)
+        self._folders = Folders(include_dirs)
+        self._files: list[clang.UnsavedFile] = []
+        self._beginning = beginning(source, api, self._given, self._folders)
+        self.names: frozenset[str] | None = None
+        own = os.path.dirname(self.path)
+        if not include_dirs and not any(os.path.isfile(os.path.join(own, name)) for name in included(source.parsed)):
+            reached = standard_headers(api, source.parsed)
+            self.names = frozenset[str]().union(*map(names_in, reached.values()))
+            self._files = unsaved(reached)
+
+    def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
+        """A unit of a copy of the text; None when the parser gave up."""
+        if scratch.edits:  # which may lie in what is parsed already
+            self._leave()
+        settings = self._api.settings["parser"]
+        given, data, start = self._given, scratch.data, self._beginning
+        if start is not None:
+            given, data = [*given, "-include-pch", start.file], start.blank(data)
+        text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ())).encode()
+        files = [*self._others(), *clang.unsaved({self.path: data, PRELUDE: text})]
+        unit = clang.parse(self.path, [*given, "-include", PRELUDE], files, own_only=start is not None)
+        return self.parse(scratch, prelude) if unit is None and self._forget() else unit
+
+    def _others(self) -> list[clang.UnsavedFile]:
+        """The headers that the parser is given."""
+        if not self._files:
+            start, text = self._beginning, self._source.parsed
+            rest = text if start is None else text[start.end :]
+            headers = standard_headers(self._api, None)  # real headers may include any of them
+            if start is not None and not included(rest) and b"va_arg" not in text:
+                headers = {name: headers[name] for name in start.standard()}
+            known = frozenset(start.inclusions if start is not None else ())
+            harmful = reached(self.path, rest, self._folders, known)
+            self._files = unsaved(headers, [(header.path, header.text) for header in harmful if header.text is not None])
+        return self._files
+
+    def outdated(self, diagnostics: list[Diagnostic]) -> bool:
+        """Whether the text's headers were changed after they were precompiled; then the next call reads them again."""
+        return any(d.severity >= clang.FATAL and not d.about_missing for d in diagnostics) and self._forget()
+
+    def _forget(self) -> bool:
+        """Call without a precompiled header from now on; whether there was one."""
+        start = self._beginning
+        if start is not None:
+            forget(start)
+            self._leave()
+        return start is not None
+
+    def _leave(self) -> None:
+        if self._beginning is not None:
+            self._beginning, self._files = None, []
+
+    def inclusions(self, unit: int) -> list[str]:
+        """The paths of all files that were read, the text's own first."""
+        own, *others = clang.inclusions(unit)
+        return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
 
 
 def _prelude(source: SourceText, api: ApiIndex) -> Prelude:
@@ -253,7 +263,7 @@ class _Attempt:
 
     def next(self, diagnostics: list[Diagnostic]) -> bool:
         """Whether another copy is to be parsed, after the complaints about this one."""
-        errors = [d for d in diagnostics if d.offset >= 0 and not about_missing(d)]
+        errors = [d for d in diagnostics if d.offset >= 0 and not d.about_missing]
         if not errors and self._best is None:
             return False
         score = _score(errors)
@@ -309,7 +319,7 @@ def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:
     for i in range(lib.getNumDiagnostics(unit)):
         handle = lib.getDiagnostic(unit, i)
         severity = lib.getDiagnosticSeverity(handle)
-        if severity >= 3:
+        if severity >= clang.ERROR:
             offset = reader.offset(lib.getDiagnosticLocation(handle))
             found.append(Diagnostic(offset, lib.text(lib.getDiagnosticSpelling(handle)), severity))
             for begin, end, text in clang.fix_its(handle) if offset >= 0 else ():
@@ -318,8 +328,3 @@ def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:
                     found[-1].edits.append(Edit(start, stop - start, text.encode()))
         lib.disposeDiagnostic(handle)
     return found
-
-
-def about_missing(diagnostic: Diagnostic) -> bool:
-    """Whether a complaint is about a declaration that is not there, so that it says nothing against the text."""
-    return diagnostic.message.startswith(_MISSING_DECLARATIONS) or diagnostic.message.endswith("file not found")

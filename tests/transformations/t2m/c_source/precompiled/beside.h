@@ -1,0 +1,2 @@
+#define BESIDE 12
+int own_function(int pin);

@@ -1,0 +1,2 @@
+void twice(int pin);
+#define TWICE 2

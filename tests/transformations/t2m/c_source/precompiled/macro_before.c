@@ -1,0 +1,3 @@
+#define SPEED 3
+#include "board.h"
+int main() { return get_input(SPEED); }
