@@ -23,6 +23,8 @@ WHOLE = 0x01 | 0x200
 """Options of a parse: with a record of the preprocessor's work, and on after a header that is not there."""
 FOR_SERIALIZATION = 0x02 | 0x10
 """Options of a header that is to be precompiled: it is no whole program, and is saved."""
+MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 501, 502, 503
+"""Kinds of the preprocessor's cursors."""
 ERROR, FATAL = 3, 4
 """Severities of complaints."""
 
@@ -239,6 +241,19 @@ def fix_its(diagnostic: int) -> list[tuple[SourceLocation, SourceLocation, str]]
 def file_name(file: int | None) -> str:
     """The name of a file by its handle, empty for none."""
     return library().text(library().getFileName(file)) if file else ""
+
+
+def macro_names(unit: int) -> set[str]:
+    """The names of all macros that are defined anywhere in a unit."""
+    found: set[str] = set()
+
+    def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+        if cursor.kind == MACRO_DEFINITION:
+            found.add(library().text(library().getCursorSpelling(cursor)))
+        return 1
+
+    visit(library().getTranslationUnitCursor(unit), visitor)
+    return found
 
 
 def severities(unit: int) -> list[int]:

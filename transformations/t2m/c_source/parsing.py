@@ -8,18 +8,15 @@ more of a copy that is mended step by step (`mending`); the complaints stay, off
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from robosmi.transformations.t2m.c_source import clang, tree
 from robosmi.transformations.t2m.c_source.bounds import cuts
+from robosmi.transformations.t2m.c_source.call import Call
 from robosmi.transformations.t2m.c_source.foresight import foresee
-from robosmi.transformations.t2m.c_source.headers import Folders, reached
-from robosmi.transformations.t2m.c_source.invocation import PRELUDE, arguments, included, names_in, standard_headers, unsaved
 from robosmi.transformations.t2m.c_source.mending import MAX_ROUNDS, Edit, Scratch, closed_strings, guess, opening
-from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
 from robosmi.transformations.t2m.platform_api import ApiIndex
@@ -89,7 +86,7 @@ class Parsed:
 
 def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> Parsed | None:
     """Parse a text, again with declarations for what it does not declare; None when the parser gave up."""
-    call = _Call(source, api, include_dirs, defines)
+    call = Call(source, api, include_dirs, defines)
     first: list[Diagnostic] = []
     taken_out = cuts(source.path, source.parsed, source.tokens)
     attempt = _Attempt(source, taken_out)
@@ -104,7 +101,7 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
             return None
         reader = tree.TreeReader(unit, call.path, scratch)
         diagnostics = _diagnostics(unit, reader)
-        if call.outdated(diagnostics):
+        if any(d.severity >= clang.FATAL and not d.about_missing for d in diagnostics) and call.forget():
             number -= 1
             clang.library().disposeTranslationUnit(unit)
             continue
@@ -140,76 +137,6 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
         reader,
         reader.cut,
     )
-
-
-class _Call:
-    """The calls of the parser for one text: what stays the same from one to the next.
-
-    Attributes:
-        path: the text's, absolute.
-        names: all names in the headers that the text reaches; None where it reaches others than our own.
-    """
-
-    def __init__(self, source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> None:
-        self.path = os.path.abspath(source.path)
-        self._source, self._api = source, api
-        self._given = arguments(api, source.language, include_dirs, defines)
-        self._folders = Folders(include_dirs)
-        self._files: list[clang.UnsavedFile] = []
-        self._beginning = beginning(source, api, self._given, self._folders)
-        self.names: frozenset[str] | None = None
-        own = os.path.dirname(self.path)
-        if not include_dirs and not any(os.path.isfile(os.path.join(own, name)) for name in included(source.parsed)):
-            reached = standard_headers(api, source.parsed)
-            self.names = frozenset[str]().union(*map(names_in, reached.values()))
-            self._files = unsaved(reached)
-
-    def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
-        """A unit of a copy of the text; None when the parser gave up."""
-        if scratch.edits:  # which may lie in what is parsed already
-            self._leave()
-        settings = self._api.settings["parser"]
-        given, data, start = self._given, scratch.data, self._beginning
-        if start is not None:
-            given, data = [*given, "-include-pch", start.file], start.blank(data)
-        text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ())).encode()
-        files = [*self._others(), *clang.unsaved({self.path: data, PRELUDE: text})]
-        unit = clang.parse(self.path, [*given, "-include", PRELUDE], files, own_only=start is not None)
-        return self.parse(scratch, prelude) if unit is None and self._forget() else unit
-
-    def _others(self) -> list[clang.UnsavedFile]:
-        """The headers that the parser is given."""
-        if not self._files:
-            start, text = self._beginning, self._source.parsed
-            rest = text if start is None else text[start.end :]
-            headers = standard_headers(self._api, None)  # real headers may include any of them
-            if start is not None and not included(rest) and b"va_arg" not in text:
-                headers = {name: headers[name] for name in start.standard()}
-            known = frozenset(start.inclusions if start is not None else ())
-            harmful = reached(self.path, rest, self._folders, known)
-            self._files = unsaved(headers, [(header.path, header.text) for header in harmful if header.text is not None])
-        return self._files
-
-    def outdated(self, diagnostics: list[Diagnostic]) -> bool:
-        """Whether the text's headers were changed after they were precompiled; then the next call reads them again."""
-        return any(d.severity >= clang.FATAL and not d.about_missing for d in diagnostics) and self._forget()
-
-    def _forget(self) -> bool:
-        """Call without a precompiled header from now on; whether there was one."""
-        start = self._beginning
-        if start is not None:
-            forget(start)
-            self._leave()
-        return start is not None
-
-    def _leave(self) -> None:
-        if self._beginning is not None:
-            self._beginning, self._files = None, []
-
-    def inclusions(self, unit: int) -> list[str]:
-        """The paths of all files that were read, the text's own first."""
-        own, *others = clang.inclusions(unit)
-        return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
 
 
 def _prelude(source: SourceText, api: ApiIndex) -> Prelude:

@@ -11,12 +11,11 @@ import os
 from typing import Any
 
 from robosmi.transformations.t2m.c_source import clang
-from robosmi.transformations.t2m.c_source.clang import Cursor
+from robosmi.transformations.t2m.c_source.clang import INCLUSION, MACRO_DEFINITION, MACRO_EXPANSION, Cursor
 from robosmi.transformations.t2m.c_source.mending import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
-MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 501, 502, 503
 FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = 8, 9, 20, 2, 3, 4, 5, 7
 _NOT_READ = frozenset((MACRO_DEFINITION, INCLUSION))
 _TAGGED = frozenset((STRUCT, UNION, CLASS, ENUM))

@@ -1,0 +1,124 @@
+"""The calls of the parser for one text: what stays the same from one to the next, and what makes them cheap.
+
+Headers that were parsed before are taken from there (`precompiled`). The parser's own macros, some four hundred, are left out
+where nothing that is parsed has one of their names. Which calls are made is said in `parsing`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from functools import cache
+
+from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.invocation import PRELUDE, arguments, included, names_in, standard_headers, unsaved
+from robosmi.transformations.t2m.c_source.mending import Scratch
+from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
+from robosmi.transformations.t2m.c_source.prelude import Prelude
+from robosmi.transformations.t2m.c_source.source import SourceText
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_WITHOUT_OWN_MACROS = "-undef"
+_NOTHING = "/robosmi.virtual/nothing.c"
+
+
+class Call:
+    """The calls for a text.
+
+    Args:
+        source: the text.
+        api: its platform.
+        include_dirs: folders with headers.
+        defines: macros from outside.
+
+    Attributes:
+        path: the text's, absolute.
+        names: all names in the headers that the text reaches; None where it reaches others than our own.
+    """
+
+    def __init__(self, source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> None:
+        self.path = os.path.abspath(source.path)
+        self._source, self._api = source, api
+        self._given = arguments(api, source.language, include_dirs, defines)
+        self._folders = Folders(include_dirs)
+        self._files: list[clang.UnsavedFile] = []
+        self._beginning = beginning(source, api, self._given, self._folders)
+        self.names: frozenset[str] | None = None
+        own = os.path.dirname(self.path)
+        if not include_dirs and not any(os.path.isfile(os.path.join(own, name)) for name in included(source.parsed)):
+            headers = standard_headers(api, source.parsed)
+            self.names = frozenset[str]().union(*map(names_in, headers.values()))
+            self._files = unsaved(headers)
+        self._plain = self.names is not None and self._has_no_macro_of_the_parser(self.names)
+
+    def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
+        """A unit of a copy of the text; None when the parser gave up."""
+        if scratch.edits:  # which may lie in what is parsed already
+            self._leave()
+        settings = self._api.settings["parser"]
+        text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
+        given, data, start = [*self._given, "-include", PRELUDE], scratch.data, self._beginning
+        if start is not None:
+            given, data = [*given, "-include-pch", start.file], start.blank(data)
+        elif self._plain and own_macros(tuple(self._given)).isdisjoint(_WORD.findall(text)):
+            given.append(_WITHOUT_OWN_MACROS)
+        files = [*self._others(), *clang.unsaved({self.path: data, PRELUDE: text.encode()})]
+        unit = clang.parse(self.path, given, files, own_only=start is not None)
+        return self.parse(scratch, prelude) if unit is None and self.forget() else unit
+
+    def forget(self) -> bool:
+        """Call without a precompiled header from now on, as it is none of these headers any more; whether there was one."""
+        start = self._beginning
+        if start is not None:
+            forget(start)
+            self._leave()
+        return start is not None
+
+    def inclusions(self, unit: int) -> list[str]:
+        """The paths of all files that were read, the text's own first."""
+        own, *others = clang.inclusions(unit)
+        return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
+
+    def _leave(self) -> None:
+        if self._beginning is not None:
+            self._beginning, self._files = None, []
+
+    def _others(self) -> list[clang.UnsavedFile]:
+        """The headers that the parser is given."""
+        if not self._files:
+            start, text = self._beginning, self._source.parsed
+            rest = text if start is None else text[start.end :]
+            headers = standard_headers(self._api, None)  # real headers may include any of them
+            if start is not None and not included(rest) and b"va_arg" not in text:
+                headers = {name: headers[name] for name in start.standard()}
+            known = frozenset(start.inclusions if start is not None else ())
+            harmful = reached(self.path, rest, self._folders, known)
+            self._files = unsaved(headers, [(header.path, header.text) for header in harmful if header.text is not None])
+        return self._files
+
+    def _has_no_macro_of_the_parser(self, names: frozenset[str]) -> bool:
+        """Whether neither the text nor the arguments have a name of the parser's own macros, nor headers with these names."""
+        if b"##" in self._source.parsed:  # which makes names
+            return False
+        own = own_macros(tuple(self._given))
+        words = {text for kind, _, _, text in self._source.tokens if kind == "name"}
+        for kind, _, _, text in self._source.tokens:
+            if kind == "directive":
+                words.update(_WORD.findall(text))
+        words.update(word for argument in self._given if argument.startswith("-D") for word in _WORD.findall(argument[2:]))
+        return bool(own) and own.isdisjoint(words) and own.isdisjoint(names)
+
+
+@cache
+def own_macros(given: tuple[str, ...]) -> frozenset[str]:
+    """The names of the macros that the parser has by itself when it is called with these arguments; none where it gave up."""
+    library = clang.library()
+    unit = clang.parse(_NOTHING, [a for a in given if not a.startswith("-D")], clang.unsaved({_NOTHING: b""}))
+    if unit is None:
+        return frozenset()
+    found = clang.macro_names(unit)
+    library.disposeTranslationUnit(unit)
+    return frozenset(found)
