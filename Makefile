@@ -47,6 +47,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.hardware
 	$(BIN)/python -m tests.fuzz.xmi
 	$(BIN)/python -m tests.fuzz.c_source
+	$(BIN)/python -m tests.fuzz.precompiled
 
 wheel:
 	@sh .ci/wheel

@@ -56,35 +56,38 @@ class Call:
 
     def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
         """A unit of a copy of the text; None when the parser gave up."""
-        if scratch.edits:  # which may lie in what is parsed already
-            self._leave()
         settings = self._api.settings["parser"]
         text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
+        words = frozenset(_WORD.findall(text))
+        if scratch.edits or (self._beginning is not None and not self._beginning.macros.isdisjoint(words)):
+            self.leave()  # an edit may lie in what is parsed already, and a macro would change what is declared
         given, data, start = [*self._given, "-include", PRELUDE], scratch.data, self._beginning
         if start is not None:
             given, data = [*given, "-include-pch", start.file], start.blank(data)
-        elif self._plain and own_macros(tuple(self._given)).isdisjoint(_WORD.findall(text)):
+        elif self._plain and own_macros(tuple(self._given)).isdisjoint(words):
             given.append(_WITHOUT_OWN_MACROS)
         files = [*self._others(), *clang.unsaved({self.path: data, PRELUDE: text.encode()})]
         unit = clang.parse(self.path, given, files, own_only=start is not None)
-        return self.parse(scratch, prelude) if unit is None and self.forget() else unit
+        return self.parse(scratch, prelude) if unit is None and self.leave(outdated=True) else unit
 
-    def forget(self) -> bool:
-        """Call without a precompiled header from now on, as it is none of these headers any more; whether there was one."""
-        start = self._beginning
-        if start is not None:
+    def leave(self, outdated: bool = False) -> bool:
+        """Call without a precompiled header from now on; whether there was one.
+
+        Args:
+            outdated: it is none of these headers any more, for no other text either.
+        """
+        start, self._beginning = self._beginning, None
+        if start is None:
+            return False
+        self._files = []
+        if outdated:
             forget(start)
-            self._leave()
-        return start is not None
+        return True
 
     def inclusions(self, unit: int) -> list[str]:
         """The paths of all files that were read, the text's own first."""
         own, *others = clang.inclusions(unit)
         return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
-
-    def _leave(self) -> None:
-        if self._beginning is not None:
-            self._beginning, self._files = None, []
 
     def _others(self) -> list[clang.UnsavedFile]:
         """The headers that the parser is given."""

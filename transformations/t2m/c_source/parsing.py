@@ -86,7 +86,10 @@ class Parsed:
 
 def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> Parsed | None:
     """Parse a text, again with declarations for what it does not declare; None when the parser gave up."""
-    call = Call(source, api, include_dirs, defines)
+    return _parse(source, api, defines, Call(source, api, include_dirs, defines))
+
+
+def _parse(source: SourceText, api: ApiIndex, defines: Sequence[str], call: Call) -> Parsed | None:
     first: list[Diagnostic] = []
     taken_out = cuts(source.path, source.parsed, source.tokens)
     attempt = _Attempt(source, taken_out)
@@ -101,10 +104,10 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
             return None
         reader = tree.TreeReader(unit, call.path, scratch)
         diagnostics = _diagnostics(unit, reader)
-        if any(d.severity >= clang.FATAL and not d.about_missing for d in diagnostics) and call.forget():
-            number -= 1
+        elsewhere = [d for d in diagnostics if d.offset < 0 and not d.message.endswith("file not found")]
+        if elsewhere and call.leave(outdated=any(d.severity >= clang.FATAL for d in elsewhere)):
             clang.library().disposeTranslationUnit(unit)
-            continue
+            return _parse(source, api, defines, call)
         if foreseen:
             foreseen = False
             if not _as_foreseen(diagnostics, prelude):

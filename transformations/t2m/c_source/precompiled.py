@@ -64,12 +64,14 @@ class Beginning:
         end: offset behind the last include that it stands for.
         file: path of the precompiled header.
         inclusions: paths of the headers in it, standard ones too.
+        macros: names of the macros that are defined behind it, those of the prelude left out.
         states: of these and of their folders, when they were read.
     """
 
     end: int
     file: str
     inclusions: tuple[str, ...]
+    macros: frozenset[str] = frozenset()
     states: tuple[_State, ...] = ()
 
     def blank(self, text: bytes) -> bytes:
@@ -206,7 +208,9 @@ class _Kept:
                 return None
             read = [name for name in clang.inclusions(unit) if name not in (BASE, _BEGINNING)]
             real = {path for path in read if not path.startswith(VIRTUAL)}
-            return Beginning(0, file, tuple(read), tuple(map(_state, sorted(real | {os.path.dirname(path) for path in real}))))
+            places = sorted(real | {os.path.dirname(path) for path in real})
+            macros = clang.macro_names(unit) - set(settings.get("attribute_macros", ()))
+            return Beginning(0, file, tuple(read), frozenset(macros), tuple(map(_state, places)))
         finally:
             library.disposeTranslationUnit(unit)
 

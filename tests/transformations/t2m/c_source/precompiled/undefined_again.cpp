@@ -1,0 +1,4 @@
+#include "board.h"
+#undef LED
+struct Robot { void stop(); };
+int main() { Robot robot(LED); robot.stop(); }
