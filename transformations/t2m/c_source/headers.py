@@ -71,7 +71,7 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
     seen: set[str] = set()
     while pending and len(seen) < MOST:
         beside, raw = pending.pop()
-        for place in folders.places(raw.decode("latin-1"), beside):
+        for place in folders.places(os.fsdecode(raw), beside):
             if place in seen or place in known:
                 break
             try:

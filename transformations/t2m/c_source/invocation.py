@@ -64,7 +64,7 @@ def standard_headers(api: ApiIndex, text: bytes | None) -> dict[str, bytes]:
 
 def included(text: bytes) -> set[str]:
     """The names of the headers that a text includes, whatever its conditions."""
-    return {name.decode("latin-1") for name in INCLUDED.findall(text)}
+    return {os.fsdecode(name) for name in INCLUDED.findall(text)}
 
 
 def unsaved(headers: dict[str, bytes], others: Iterable[tuple[str, bytes]] = ()) -> list[clang.UnsavedFile]:

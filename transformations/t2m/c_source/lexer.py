@@ -177,7 +177,9 @@ def directive_comments(text: str) -> list[tuple[int, int]]:
     return [m.span() for m in _COMMENTS.finditer(text) if m["keep"] is None] if "/" in text else []
 
 
-_DEFINITION = re.compile(r"(?P<name>[A-Za-z_$][\w$]*)(?:\((?P<parameters>[^)]*)\))?\s*(?P<body>.*)", re.DOTALL)
+_DEFINITION = re.compile(
+    r"(?P<name>[A-Za-z_$\x80-\U0010ffff][\w$\x80-\U0010ffff]*)(?:\((?P<parameters>[^)]*)\))?\s*(?P<body>.*)", re.DOTALL
+)
 
 
 def definition_parts(rest: str) -> tuple[str, list[str] | None, str]:

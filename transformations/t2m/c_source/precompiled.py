@@ -125,7 +125,7 @@ def _leading(source: SourceText, api: ApiIndex, folders: Folders) -> list[_Inclu
         match = _NAMED.fullmatch(rest) if word == "include" else None
         if match is None:
             break
-        name = match[1] or match[2]
+        name = os.fsdecode((match[1] or match[2]).encode("latin-1"))  # tokens have a character for each byte
         place = next(filter(os.path.isfile, folders.places(name, own if match[1] else None)), "")
         if '"' in place or not (place or name in api.virtual_headers()):
             break
@@ -184,7 +184,9 @@ class _Kept:
 
     def _make(self, run: Sequence[_Include], api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
         """A precompiled header; None for headers that are too small for it, complain, or must not be read as they are."""
-        text = "".join(f'#include "{place}"\n' if place else f"#include {written}\n" for written, place, _ in run).encode()
+        text = b"".join(
+            b'#include "%s"\n' % os.fsencode(i.place) if i.place else b"#include %s\n" % i.written.encode() for i in run
+        )
         headers = reached(_BEGINNING, text, folders)
         if sum(header.size for header in headers) < LEAST or any(header.text is not None for header in headers):
             return None

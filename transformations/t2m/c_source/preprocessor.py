@@ -34,7 +34,7 @@ def read(
         if kind != "directive":
             continue
         last = end = start + len(text.rstrip())
-        word, rest = directive_parts(text)
+        word, rest = directive_parts(context.source.text(start, start + len(text)))  # a token has a character for each byte
         inner = [(start + first, start + behind) for first, behind in directive_comments(text)]
         comments += [ccode.Comment(text=context.source.text(*span), **place(*span)) for span in inner]
         for first, behind in reversed(inner):  # a comment at its end is no part of a directive

@@ -37,7 +37,7 @@ class SourceText:
         encoding: name of the encoding of the file.
         digest: SHA-256 of the file, hexadecimal.
         size: length of the file in bytes.
-        tokens: tokens, comments and directives in text order.
+        tokens: tokens, comments and directives in text order; but for names, one character is one byte.
     """
 
     path: str
@@ -102,12 +102,20 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
         source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
     source._lines = [0, *(match.end() for match in _LINE_END.finditer(data))]
     source.tokens = tokens(source.parsed, MOST_TOKENS)
+    if not source.parsed.isascii():
+        source.tokens = [_spelt(token, source) for token in source.tokens]
     if len(source.tokens) > MOST_TOKENS:
         raise SourceError(f"the file has more than {MOST_TOKENS:,} tokens", location=place, fix=_SPLIT)
     if all(token[0] == "comment" for token in source.tokens):
         what = "holds nothing but comments" if source.tokens else "is empty"
         raise SourceError(f"the file {what}", location=place, fix="give a C source file with declarations")
     return source
+
+
+def _spelt(token: Token, source: SourceText) -> Token:
+    """A name as it is written, not with a character for each byte."""
+    kind, start, end, text = token
+    return token if kind != "name" or text.isascii() else (kind, start, end, source.text(start, end))
 
 
 def _bytes(name: str) -> bytes:

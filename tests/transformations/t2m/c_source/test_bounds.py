@@ -18,6 +18,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.bounds import cuts
+from robosmi.transformations.t2m.c_source.headers import Folders, reached
 from robosmi.transformations.t2m.c_source.lexer import tokens
 from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
 
@@ -81,6 +82,17 @@ def test_long_lists_are_no_nesting(tmp_path: Path) -> None:
     program, findings = read_program(path)
     assert findings == []
     assert sum(1 for _ in all_of_kind(program, ccode.IntegerLiteral)) == 10_000
+
+
+@pytest.mark.parametrize("name", ["deep.h", "größe.h", "two words.h"])
+def test_a_header_is_looked_through_whatever_its_name(name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(f"int deep(int a) {{ return {'!' * 20_000}a; }}\n")
+    text = f'#include "{name}"\n'.encode()
+    for path, folders in ((tmp_path / "program.c", []), (Path("elsewhere.c"), [str(tmp_path)])):
+        found = reached(str(path), text, Folders(folders))
+        assert [header.path for header in found] == [str(tmp_path / name)]
+        assert found[0].text is not None
+        assert len(found[0].text) < 1000
 
 
 def test_a_header_beside_the_file_is_no_trap_either(tmp_path: Path) -> None:

@@ -144,6 +144,30 @@ def test_encodings_keep_byte_offsets(name: str, encoding: str) -> None:
     assert text in ('"ü\\n"', '"°C"')
 
 
+def test_names_and_texts_are_as_they_are_written_in_any_language() -> None:
+    program, findings = read_program(HERE / "umlauts.c")
+    unit = program.units[0]
+    assert [str(i.header) for i in unit.includes] == ["größenwahn.h"]
+    assert {str(m.name): (list(m.parameters), str(m.body)) for m in unit.macros} == {
+        "MASS": ([], '"Länge in µm"'),
+        "größe": ([], "3"),
+        "fläche": (["länge"], "((länge) * größe)"),
+    }
+    assert all(use.macro is not None for use in unit.macroUses)
+    names = {str(d.name) for d in unit.declarations}
+    assert {"fühler", "fühler_t", "zustände", "häufig"} <= names
+    assert {str(d.name) for d in program.externals} >= {"müll", "ungültig", "größe_t"}
+    assert {f.message.split()[2] for f in findings if f.rule == "RS103"} == {"größenwahn.h"}
+    assert unit.callsInText == unit.callsInModel
+
+
+def test_a_macro_of_a_file_in_latin1_is_read_in_latin1() -> None:
+    program, _ = read_program(HERE / "latin1_macro.c")
+    unit = program.units[0]
+    assert [str(m.body) for m in unit.macros] == ['"20 °C"']
+    assert [str(c.text) for c in unit.comments] == ["/* Wärme */"]
+
+
 def test_reading_twice_gives_the_same() -> None:
     def shape(path: Path) -> list[str]:
         return [repr(e) for e in all_contents(read_program(path)[0])]

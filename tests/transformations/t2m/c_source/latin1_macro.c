@@ -1,0 +1,2 @@
+#define WARM "20 °C" /* Wärme */
+int main() { print(WARM); }
