@@ -19,7 +19,8 @@ from robosmi.model.xmi_writer import to_xmi
 from robosmi.transformations.t2m.c_source import precompiled, read_program
 from tests.fuzz.c_source import mutated
 
-PROGRAMS = Path(__file__).resolve().parents[1] / "transformations" / "t2m" / "c_source" / "precompiled"
+SOURCES = Path(__file__).resolve().parents[1] / "transformations" / "t2m" / "c_source"
+PROGRAMS = SOURCES / "precompiled"
 _ODD = (
     *(
         b"#endif\n",
@@ -41,9 +42,15 @@ _ODD = (
 )
 
 
+def others() -> list[tuple[str, bytes]]:
+    """The names and texts of the other programs of the tests, with a header."""
+    found = [path for path in sorted(SOURCES.rglob("*")) if path.suffix in (".c", ".cpp", ".ino") and path.parent != PROGRAMS]
+    return [(path.name, b'#include "board.h"\n' + path.read_bytes()) for path in found if path.stat().st_size < 20_000]
+
+
 def damaged(folder: Path, chance: random.Random) -> Path:
     """Damage headers and a program of a folder; the program."""
-    sources = [*sorted(folder.glob("*.c")), *sorted(folder.glob("*.cpp"))]
+    sources = sorted(path for path in folder.iterdir() if path.suffix in (".c", ".cpp", ".ino"))
     program = chance.choice(sources)
     headers = [*sorted((folder / "include").iterdir()), folder / "beside.h"]
     for path in (*(header for header in headers if chance.random() < 0.5), program):
@@ -78,10 +85,13 @@ def main() -> int:
     chance = random.Random(arguments.seed)
     precompiled.LEAST = 0
     done = different = 0
+    programs = others()
     begun = time.monotonic()
     with tempfile.TemporaryDirectory() as scratch:
         while done < arguments.inputs and not (arguments.seconds and time.monotonic() - begun > arguments.seconds):
             folder = Path(shutil.copytree(PROGRAMS, Path(scratch) / str(done)))
+            for name, text in chance.sample(programs, 10):
+                (folder / name).write_bytes(text)
             program = damaged(folder, chance)
             plain = read(program, sys.maxsize)
             if any(read(program, 1) != plain for _ in range(2)):

@@ -104,8 +104,7 @@ def _parse(source: SourceText, api: ApiIndex, defines: Sequence[str], call: Call
             return None
         reader = tree.TreeReader(unit, call.path, scratch)
         diagnostics = _diagnostics(unit, reader)
-        elsewhere = [d for d in diagnostics if d.offset < 0 and not d.message.endswith("file not found")]
-        if elsewhere and call.leave(outdated=any(d.severity >= clang.FATAL for d in elsewhere)):
+        if (doubt := _doubt(diagnostics)) and call.leave(outdated=any(d.severity >= clang.FATAL for d in doubt)):
             clang.library().disposeTranslationUnit(unit)
             return _parse(source, api, defines, call)
         if foreseen:
@@ -140,6 +139,19 @@ def _parse(source: SourceText, api: ApiIndex, defines: Sequence[str], call: Call
         reader,
         reader.cut,
     )
+
+
+def _doubt(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+    """Complaints by which a tree with a precompiled header may be another than one without.
+
+    They are about made-up declarations, which come before headers or behind them, about headers that were changed, or about
+    a declaration that the parser takes into its tree but not into the list of the file's own.
+    """
+    return [
+        d
+        for d in diagnostics
+        if (d.offset < 0 and not d.message.endswith("file not found")) or d.message.startswith("redefinition of")
+    ]
 
 
 def _prelude(source: SourceText, api: ApiIndex) -> Prelude:

@@ -9,6 +9,7 @@ which something was put that an include might mean now.
 
 from __future__ import annotations
 
+import codecs
 import os
 import re
 import tempfile
@@ -91,13 +92,15 @@ class Beginning:
 def beginning(source: SourceText, api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
     """The precompiled header for what a text begins with; None where there is none, or it would not pay.
 
+    There is none for C++: the list of a file's own declarations has instances of templates there, and leaves out others.
+
     Args:
         source: the text.
         api: its platform.
         given: the parser's arguments.
         folders: with headers.
     """
-    run = _leading(source, api, folders)
+    run = _leading(source, api, folders) if source.language == "C" else []
     return _kept(os.getpid()).find(run, api, given, folders) if any(include.place for include in run) else None
 
 
@@ -123,7 +126,7 @@ def _leading(source: SourceText, api: ApiIndex, folders: Folders) -> list[_Inclu
             continue
         word, rest = directive_parts(text) if kind == "directive" else ("", "")
         match = _NAMED.fullmatch(rest) if word == "include" else None
-        if match is None:
+        if match is None or source.parsed.find(codecs.BOM_UTF8, 1, end) > 0:
             break
         name = os.fsdecode((match[1] or match[2]).encode("latin-1"))  # tokens have a character for each byte
         place = next(filter(os.path.isfile, folders.places(name, own if match[1] else None)), "")
@@ -195,9 +198,9 @@ class _Kept:
         except OSError:  # no place to keep anything
             return None
         settings = api.settings["parser"]
-        base = Prelude(api, given[1] == "c++").text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
+        base = Prelude(api).text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
         files = unsaved(standard_headers(api, None), [(BASE, base.encode()), (_BEGINNING, text)])
-        arguments = ["-x", f"{given[1]}-header", *given[2:], "-include", BASE]
+        arguments = ["-x", "c-header", *given[2:], "-include", BASE]
         unit = clang.parse(_BEGINNING, arguments, files, clang.WHOLE | clang.FOR_SERIALIZATION, own_only=True)
         if unit is None:
             return None
