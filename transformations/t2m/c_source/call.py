@@ -12,9 +12,10 @@ from collections.abc import Sequence
 from functools import cache
 
 from robosmi.transformations.t2m.c_source import clang
-from robosmi.transformations.t2m.c_source.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.headers import Folders, Reached, reached
 from robosmi.transformations.t2m.c_source.invocation import PRELUDE, arguments, included, names_in, standard_headers, unsaved
-from robosmi.transformations.t2m.c_source.mending import Scratch
+from robosmi.transformations.t2m.c_source.lexer import directive_parts
+from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
@@ -45,6 +46,7 @@ class Call:
         self._given = arguments(api, source.language, include_dirs, defines)
         self._folders = Folders(include_dirs)
         self._files: list[clang.UnsavedFile] = []
+        self._reached: Reached | None = None
         self._beginning = beginning(source, api, self._given, self._folders)
         self.names: frozenset[str] | None = None
         own = os.path.dirname(self.path)
@@ -79,7 +81,7 @@ class Call:
         start, self._beginning = self._beginning, None
         if start is None:
             return False
-        self._files = []
+        self._files, self._reached = [], None
         if outdated:
             forget(start)
         return True
@@ -89,17 +91,34 @@ class Call:
         own, *others = clang.inclusions(unit)
         return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
 
+    def own_includes(self) -> list[Edit]:
+        """Edits that take out all includes of a text that comes to include itself without end; none for all but made-up ones."""
+        if self.names is not None or not self._headers().itself:
+            return []
+        tokens = self._source.tokens
+        return [
+            Edit(start, end - start, b"")
+            for kind, start, end, text in tokens
+            if kind == "directive" and directive_parts(text)[0].startswith("include")
+        ]
+
+    def _headers(self) -> Reached:
+        """The real headers that the text reaches, but for the precompiled ones."""
+        if self._reached is None:
+            start, text = self._beginning, self._source.parsed
+            known = frozenset(start.inclusions if start is not None else ())
+            self._reached = reached(self.path, text if start is None else text[start.end :], self._folders, known)
+        return self._reached
+
     def _others(self) -> list[clang.UnsavedFile]:
         """The headers that the parser is given."""
         if not self._files:
             start, text = self._beginning, self._source.parsed
-            rest = text if start is None else text[start.end :]
             headers = standard_headers(self._api, None)  # real headers may include any of them
-            if start is not None and not included(rest) and b"va_arg" not in text:
+            if start is not None and not included(text[start.end :]) and b"va_arg" not in text:
                 headers = {name: headers[name] for name in start.standard()}
-            known = frozenset(start.inclusions if start is not None else ())
-            harmful = reached(self.path, rest, self._folders, known)
-            self._files = unsaved(headers, [(header.path, header.text) for header in harmful if header.text is not None])
+            real = [(header.path, header.text) for header in self._headers().headers if header.text is not None]
+            self._files = unsaved(headers, real)
         return self._files
 
     def _has_no_macro_of_the_parser(self, names: frozenset[str]) -> bool:

@@ -9,9 +9,11 @@ from __future__ import annotations
 import os
 import re
 import stat
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from functools import lru_cache
+from pathlib import Path
 from typing import NamedTuple
 
 from robosmi.errors import SourceError
@@ -22,6 +24,14 @@ from robosmi.transformations.t2m.c_source.mending import Scratch
 MOST = 1000
 """Headers of one file that are looked through."""
 INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
+INCLUDE_LINE = re.compile(rb"^[ \t]*#[ \t]*include\b[^\n]*", re.MULTILINE)
+MOST_ENTERED, MOST_READ, OFTEN = 20_000, 200_000_000, 60
+"""Headers and bytes that one text may come to read; when it is more, those entered so often may include nothing."""
+DEEPEST = 200
+"""Includes within includes; the parser's own limit."""
+_GUARD = re.compile(rb"^[ \t]*#[ \t]*(?:ifndef[ \t]+|if[ \t]*![ \t]*defined[ \t(]+)(\w+)", re.MULTILINE)
+_FIRST = re.compile(rb"^[ \t]*#", re.MULTILINE)
+_ONCE = re.compile(rb"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
 _UP = frozenset(["", ".", ".."])
 
 
@@ -53,11 +63,18 @@ class Header(NamedTuple):
     text: bytes | None
 
 
-def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = ()) -> list[Header]:
+class Reached(NamedTuple):
+    """What a text includes, directly or not: the headers, and whether it comes to include itself without end."""
+
+    headers: list[Header]
+    itself: bool = False
+
+
+def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = ()) -> Reached:
     """The headers that a text reaches beside it and in folders, whatever the conditions of its includes.
 
-    What nests too deep is taken out of a header's text; one that cannot be read, or whose macros are without bound, becomes
-    an empty one. Hardly any is like that.
+    What nests too deep is taken out of a header's text, and the includes of one that comes back to itself again and again;
+    one that cannot be read, or whose macros are without bound, becomes an empty one. Hardly any is like that.
 
     Args:
         path: of the file with the text.
@@ -65,26 +82,86 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
         folders: with headers, searched after the file's own.
         known: headers that were looked through before, with all that they include.
     """
-    found: list[Header] = []
-    own = os.path.dirname(os.path.abspath(path))
-    pending = [(own, name) for name in INCLUDED.findall(data)]
-    seen: set[str] = set()
-    while pending and len(seen) < MOST:
-        beside, raw = pending.pop()
-        for place in folders.places(os.fsdecode(raw), beside):
-            if place in seen or place in known:
+    root = os.path.abspath(path)
+    files = {root: _File(root, len(data), _Content(data, tuple(INCLUDED.findall(data)), _guarded(data)))}
+    keys: dict[str, str] = {}  # of places, which `..` spells in many ways
+    pending = [root]
+    while pending:
+        file = files[pending.pop()]
+        beside = os.path.dirname(file.path)
+        for raw in file.content.included:
+            for place in folders.places(os.fsdecode(raw), beside):
+                if place in known:
+                    break
+                key = keys.get(place) or keys.setdefault(place, os.path.normpath(place))
+                if key not in files:
+                    try:
+                        state = os.stat(place)
+                    except (OSError, ValueError):
+                        continue
+                    if not stat.S_ISREG(state.st_mode) or len(files) > MOST:
+                        continue
+                    files[key] = _File(place, state.st_size, _content(place, state.st_mtime_ns, state.st_size))
+                    pending.append(key)
+                file.inner.append(key)
                 break
-            try:
-                state = os.stat(place)
-            except (OSError, ValueError):
-                continue
-            seen.add(place)
-            if stat.S_ISREG(state.st_mode):
-                text, included = _harmless(place, state.st_mtime_ns, state.st_size)
-                found.append(Header(place, state.st_size, text))
-                pending += [(os.path.dirname(place), inner) for inner in included]
-                break
-    return found
+    itself = _bound(files, root)
+    del files[root]
+    return Reached([Header(file.path, file.size, file.text) for file in files.values()], itself)
+
+
+class _Content(NamedTuple):
+    """What matters of a header: its text where it must be another, what it includes, whether it can be read only once."""
+
+    text: bytes | None
+    included: tuple[bytes, ...]
+    guarded: bool
+
+
+class _File:
+    """A header, or the text itself, while its includes are followed: `inner` are the files that these mean."""
+
+    def __init__(self, path: str, size: int, content: _Content) -> None:
+        self.path, self.size, self.content = path, size, content
+        self.text = content.text
+        self.inner: list[str] = []
+
+
+def _bound(files: dict[str, _File], root: str) -> bool:
+    """Take the includes out of headers that are entered again and again; whether the text itself is one of these."""
+    itself = False
+    while (often := _entered_too_often(files, root)) is not None:
+        itself |= root in often
+        for key in often:
+            file = files[key]
+            file.inner.clear()
+            if key != root and file.text != b"":
+                with suppress(OSError):
+                    text = file.text if file.text is not None else Path(file.path).read_bytes()
+                    file.text = INCLUDE_LINE.sub(b"", text)
+    return itself
+
+
+def _entered_too_often(files: dict[str, _File], root: str) -> list[str] | None:
+    """The files by whose includes all that is read grows without bound; None where it does not."""
+    entered: Counter[str] = Counter([root])
+    size = files[root].size
+    ways = [iter(files[root].inner)]
+    while ways:
+        key = next(ways[-1], None)
+        if key is None:
+            ways.pop()
+            continue
+        file = files[key]
+        if file.content.guarded and entered[key]:
+            continue
+        entered[key] += 1
+        size += file.size
+        if size > MOST_READ or entered.total() > MOST_ENTERED:
+            return [key for key, times in entered.items() if times > OFTEN and files[key].inner] or None
+        if len(ways) < DEEPEST and file.inner:
+            ways.append(iter(file.inner))
+    return None
 
 
 def _stamped(folder: str) -> tuple[str, int]:
@@ -106,17 +183,28 @@ def _holding(folders: tuple[tuple[str, int], ...]) -> dict[str, list[str]]:
 
 
 @lru_cache(maxsize=2000)
-def _harmless(path: str, changed: int, size: int) -> tuple[bytes | None, tuple[bytes, ...]]:
-    """A header's text where it must be another than the file's, and the names of what it includes."""
+def _content(path: str, changed: int, size: int) -> _Content:
     if size > LARGEST:
-        return b"", ()
+        return _Content(b"", (), True)
     try:
         with open(path, "rb") as stream:
             data = stream.read()
-        included = tuple(INCLUDED.findall(data))
+        included, guarded = tuple(INCLUDED.findall(data)), _guarded(data)
         if shallow(data):
-            return None, included
+            return _Content(None, included, guarded)
         edits = cuts(path, data, tokens(data))
     except (OSError, SourceError):
-        return b"", ()
-    return (Scratch(data, edits).data if edits else None), included
+        return _Content(b"", (), True)
+    return _Content(Scratch(data, edits).data if edits else None, included, guarded)
+
+
+def _guarded(data: bytes) -> bool:
+    """Whether a header says that it is to be read once, by its first directive or by `#pragma once`."""
+    match = _GUARD.search(data)
+    if match is None or _FIRST.search(data, 0, match.start()):
+        return _ONCE.search(data) is not None
+    name = re.escape(match[1])
+    return (
+        re.search(rb"#[ \t]*define[ \t]+%s\b" % name, data) is not None
+        and re.search(rb"#[ \t]*undef[ \t]+%s\b" % name, data) is None
+    )

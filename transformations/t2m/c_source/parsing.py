@@ -91,7 +91,7 @@ def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], define
 
 def _parse(source: SourceText, api: ApiIndex, defines: Sequence[str], call: Call) -> Parsed | None:
     first: list[Diagnostic] = []
-    taken_out = cuts(source.path, source.parsed, source.tokens)
+    taken_out = [*cuts(source.path, source.parsed, source.tokens), *call.own_includes()]
     attempt = _Attempt(source, taken_out)
     prelude = _prelude(source, api)
     foreseen = call.names is not None and not taken_out and _foresee(prelude, source, call.names, defines)

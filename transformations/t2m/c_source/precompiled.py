@@ -190,7 +190,7 @@ class _Kept:
         text = b"".join(
             b'#include "%s"\n' % os.fsencode(i.place) if i.place else b"#include %s\n" % i.written.encode() for i in run
         )
-        headers = reached(_BEGINNING, text, folders)
+        headers = reached(_BEGINNING, text, folders).headers
         if sum(header.size for header in headers) < LEAST or any(header.text is not None for header in headers):
             return None
         try:

@@ -89,7 +89,7 @@ def test_a_header_is_looked_through_whatever_its_name(name: str, tmp_path: Path)
     (tmp_path / name).write_text(f"int deep(int a) {{ return {'!' * 20_000}a; }}\n")
     text = f'#include "{name}"\n'.encode()
     for path, folders in ((tmp_path / "program.c", []), (Path("elsewhere.c"), [str(tmp_path)])):
-        found = reached(str(path), text, Folders(folders))
+        found = reached(str(path), text, Folders(folders)).headers
         assert [header.path for header in found] == [str(tmp_path / name)]
         assert found[0].text is not None
         assert len(found[0].text) < 1000
@@ -102,6 +102,58 @@ def test_a_header_beside_the_file_is_no_trap_either(tmp_path: Path) -> None:
     path.write_text('#include "ring.h"\n#include "main.c"\nint main() { shallow(); high(1); }\n')
     program, _ = read_program(path)
     assert {str(c.calleeName) for c in all_of_kind(program, ccode.Call)} == {"shallow", "high"}
+
+
+TWICE = '#include "ring.h"\n#include "ring.h"\n'
+RINGS = {
+    "a header that includes itself twice": ({"ring.h": f"int ring;\n{TWICE}"}, '#include "ring.h"\n'),
+    "a guard that guards nothing": ({"ring.h": f"#ifndef RING\n{TWICE}int ring;\n#endif\n"}, '#include "ring.h"\n'),
+    "a guard that is taken away": (
+        {"ring.h": f"#ifndef RING\n#define RING\n#undef RING\n{TWICE}int ring;\n#endif\n"},
+        '#include "ring.h"\n',
+    ),
+    "two headers that include each other": (
+        {"ring.h": 'int ring;\n#include "other.h"\n#include "other.h"\n', "other.h": f"int other;\n{TWICE}"},
+        '#include "ring.h"\n',
+    ),
+    "headers that double": (
+        {f"d{i}.h": f'#include "d{i + 1}.h"\n#include "d{i + 1}.h"\n' for i in range(40)} | {"d40.h": "int ring;\n"},
+        '#include "d0.h"\n',
+    ),
+    "ways that are spelled anew": (
+        {"in/ring.h": '#include "../in/ring.h"\n#include "../in/ring.h"\nint ring;\n'},
+        '#include "in/ring.h"\n',
+    ),
+    "a text that includes itself twice": ({}, '#include "main.c"\n#include "main.c"\n'),
+    "a text that a header includes": ({"ring.h": '#include "main.c"\n#include "main.c"\n'}, '#include "ring.h"\n'),
+}
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_includes_that_grow_without_bound_are_cut(name: str, tmp_path: Path) -> None:
+    files, includes = RINGS[name]
+    for file, text in files.items():
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_text(text)
+    (tmp_path / "main.c").write_text(f"{includes}int tail(void) {{ return high(2); }}\n")
+    script = (
+        "import sys; from robosmi.transformations.t2m.c_source import read_program;"
+        "program, _ = read_program(sys.argv[1]); print([str(d.name) for d in program.units[0].declarations])"
+    )
+    command = [sys.executable, "-c", script, str(tmp_path / "main.c")]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=SECONDS, check=True)
+    assert done.stdout == "['tail']\n"
+
+
+def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
+    (tmp_path / "pin.def").write_text("PIN(1)\n")
+    (tmp_path / "guarded.h").write_text('#ifndef G\n#define G\n#include "guarded.h"\n#include "guarded.h"\n#endif\n')
+    (tmp_path / "once.h").write_text('#pragma once\n#include "once.h"\n#include "once.h"\n')
+    text = ('#include "pin.def"\n' * 500 + '#include "guarded.h"\n#include "once.h"\n' * 50).encode()
+    found = reached(str(tmp_path / "main.c"), text, Folders([]))
+    assert sorted(Path(header.path).name for header in found.headers) == ["guarded.h", "once.h", "pin.def"]
+    assert all(header.text is None for header in found.headers)
+    assert not found.itself
 
 
 @pytest.mark.parametrize(
