@@ -24,7 +24,7 @@ from robosmi.transformations.t2m.c_source.mending import Scratch
 MOST = 1000
 """Headers of one file that are looked through."""
 INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
-INCLUDE_LINE = re.compile(rb"^[ \t]*#[ \t]*include\b[^\n]*", re.MULTILINE)
+_INCLUDE_LINE = re.compile(rb"^[ \t]*#[ \t]*include\b[^\n]*", re.MULTILINE)
 MOST_ENTERED, MOST_READ, OFTEN = 20_000, 200_000_000, 60
 """Headers and bytes that one text may come to read; when it is more, those entered so often may include nothing."""
 DEEPEST = 200
@@ -138,7 +138,7 @@ def _bound(files: dict[str, _File], root: str) -> bool:
             if key != root and file.text != b"":
                 with suppress(OSError):
                     text = file.text if file.text is not None else Path(file.path).read_bytes()
-                    file.text = INCLUDE_LINE.sub(b"", text)
+                    file.text = _INCLUDE_LINE.sub(b"", text)
     return itself
 
 

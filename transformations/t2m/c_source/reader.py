@@ -1,7 +1,7 @@
 """Reads C programs: files in, a code model and findings out.
 
 The order of the steps is here, the steps are in the other modules of this package: bytes and tokens (`source`, `lexer`),
-parsing (`parsing`, `prelude`, `tree`), elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`,
+parsing (`parsing`, `call`, `prelude`, `tree`), elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`,
 `macros`), links (`linking`), coverage and findings (`coverage`, `checks`).
 """
 
