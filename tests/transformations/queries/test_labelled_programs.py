@@ -16,21 +16,24 @@ import pytest
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.platform_api import ApiIndex
+from tests.bench.c_source import headers
 
 LEAST_RIGHT = 1.0
 
 
-def test_labelled_programs(shared: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("with_headers", [False, True])
+def test_labelled_programs(with_headers: bool, shared: Path, tmp_path: Path) -> None:
     corpus = os.environ.get("ROBOSMI_CORPUS")
     if not corpus:
         pytest.skip("ROBOSMI_CORPUS does not name a folder with the labelled programs")
     api = ApiIndex.load("propeller")
+    folders = headers() if with_headers else []
     ids = []
     for label in sorted((shared / "propeller" / "programs").glob("*.json")):
         facts = json.loads(label.read_text())
         source = Path(corpus) / facts["repo"] / facts["path"]
         if source.is_file():
-            program, findings = read_program(source)
+            program, findings = read_program(source, include_dirs=folders)
             (tmp_path / label.name).write_text(json.dumps({"result": analysis(program, findings, api)}))
             ids.append(label.stem)
     assert ids
