@@ -12,6 +12,7 @@ from __future__ import annotations
 import codecs
 import os
 import re
+import sys
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
@@ -192,13 +193,11 @@ class _Kept:
         text = b"".join(
             b'#include "%s"\n' % os.fsencode(i.place) if i.place else b"#include %s\n" % i.written.encode() for i in run
         )
-        import tempfile  # 3 ms, wanted only here
-
         headers = reached(_BEGINNING, text, folders).headers
         if sum(header.size for header in headers) < LEAST or any(header.text is not None for header in headers):
             return None
         try:
-            self._folder = self._folder or tempfile.TemporaryDirectory(prefix="robosmi-")
+            self._folder = self._folder or _passing_folder()
         except OSError:  # no place to keep anything
             return None
         settings = api.settings["parser"]
@@ -222,6 +221,22 @@ class _Kept:
             return Beginning(0, file, tuple(read), frozenset(macros), tuple(map(_state, places)))
         finally:
             library.disposeTranslationUnit(unit)
+
+
+def _passing_folder() -> tempfile.TemporaryDirectory[str]:
+    """A folder that goes with the process.
+
+    Raises:
+        OSError: there is no place for it.
+    """
+    import tempfile  # 3 ms, wanted only here
+
+    folder = tempfile.TemporaryDirectory(prefix="robosmi-")
+    if "multiprocessing" in sys.modules:  # a worker that was forked off ends without what others do at their end
+        from multiprocessing.util import Finalize
+
+        Finalize(folder, folder.cleanup, exitpriority=0)
+    return folder
 
 
 @cache

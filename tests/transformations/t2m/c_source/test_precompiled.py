@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import shutil
 import tempfile
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -216,6 +217,24 @@ def test_threads_share_what_is_kept(folder: Path) -> None:
     first = read(folder / "plain.c", folder / "include")
     with ThreadPoolExecutor(4) as pool:
         assert list(pool.map(lambda _: read(folder / "plain.c", folder / "include"), range(40))) == [first] * 40
+
+
+def _read_often(folder: Path) -> list[str]:
+    for _ in range(3):
+        read(folder / "plain.c", folder / "include")
+    found = kept(folder / "plain.c", folder / "include")
+    return [found.file] if found is not None else []
+
+
+@pytest.mark.parametrize("method", [m for m in ("spawn", "fork") if m in multiprocessing.get_all_start_methods()])
+def test_a_worker_leaves_nothing_behind(method: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with (folder / "include" / "motor.h").open("a") as header:
+        header.write("int unused;\n" * 10_000)  # so that it is kept in a process that knows nothing of this one's settings
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context(method)) as pool:
+        (file,) = pool.submit(_read_often, folder).result()
+        assert Path(file).exists()
+    assert not Path(file).exists()
+    assert not Path(file).parent.exists()
 
 
 def test_no_more_than_so_many_are_kept(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
