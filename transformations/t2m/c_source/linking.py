@@ -72,14 +72,15 @@ class Linker:
             self._sites.setdefault(name, []).append(CallSite(context, call, nodes.get(id(call))))
 
     def _own(self, number: int, name: str) -> ccode.Function | None:
-        """The program's own function of that name: in the unit, or with external linkage in another."""
-        if name in self.own_functions[number]:
-            return self.own_functions[number][name]
+        """The program's own function of that name: the definition in the unit or one that others see, else a prototype."""
+        own = self.own_functions[number].get(name)
+        if own is not None and own.definition:
+            return own
         for functions in self.own_functions:
             function = functions.get(name)
             if function is not None and function.definition and function.storage.name != "staticStorage":
                 return function
-        return None
+        return own
 
     @staticmethod
     def _declared_signature(context: Context, cursor: Any, name: str) -> str:

@@ -10,7 +10,10 @@ import pytest
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
+from robosmi.transformations.queries import code
 from robosmi.transformations.t2m.c_source import read_program
+from robosmi.transformations.t2m.c_source.on_demand import open_program
+from robosmi.transformations.t2m.platform_api import ApiIndex
 
 HERE = Path(__file__).parent
 
@@ -183,3 +186,22 @@ def test_units_are_linked_with_each_other(tmp_path: Path) -> None:
     assert blink.callee is named(program.units[1], ccode.Function, "blink")
     assert hidden.callee is not None
     assert hidden.callee.linkage is ccode.Linkage.inferred
+
+
+def test_a_prototype_stands_for_the_definition_in_another_unit(tmp_path: Path) -> None:
+    (tmp_path / "main.c").write_text(
+        "void blink(int pin);\nvoid hidden(int x);\nint main() { blink(3); hidden(1); void (*p)(int) = blink; }\n"
+    )
+    (tmp_path / "blink.c").write_text("void blink(int pin) { high(pin); }\nstatic void hidden(int x) { }\n")
+    paths = [tmp_path / "main.c", tmp_path / "blink.c"]
+    program, _ = read_program(paths)
+    blink, hidden = all_of_kind(program.units[0], ccode.Call)
+    assert blink.callee is named(program.units[1], ccode.Function, "blink")
+    assert hidden.callee is named(program.units[0], ccode.Function, "hidden"), "what is static elsewhere is another"
+    reference = next(r for r in all_of_kind(program.units[0], ccode.NameReference) if r.name == "blink")
+    assert reference.target is blink.callee
+    model = open_program(paths)
+    on_demand = next(call for call in model.all_of_kind("Call") if call.calleeName == "blink")
+    assert on_demand.callee.definition
+    unknown = [function.name for view in code.views(program, ApiIndex.load("propeller")) for function in view.unknown()]
+    assert unknown == ["hidden"]
