@@ -147,11 +147,13 @@ def _doubt(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
     They are about made-up declarations, which come before headers or behind them, about headers that were changed, or about
     a declaration that the parser takes into its tree but not into the list of the file's own.
     """
-    return [
-        d
-        for d in diagnostics
-        if (d.offset < 0 and not d.message.endswith("file not found")) or d.message.startswith("redefinition of")
-    ]
+    return [d for d in diagnostics if _doubtful(d)]
+
+
+def _doubtful(diagnostic: Diagnostic) -> bool:
+    if diagnostic.message.endswith("file not found"):
+        return False
+    return diagnostic.offset < 0 or not diagnostic.about_missing or diagnostic.message.startswith("redefinition of")
 
 
 def _prelude(source: SourceText, api: ApiIndex) -> Prelude:

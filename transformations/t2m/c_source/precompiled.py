@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import Folders, reached
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL, standard_headers, unsaved
-from robosmi.transformations.t2m.c_source.lexer import directive_parts
+from robosmi.transformations.t2m.c_source.lexer import directive_comments, directive_parts
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
 from robosmi.transformations.t2m.platform_api import ApiIndex
@@ -129,7 +129,7 @@ def _leading(source: SourceText, api: ApiIndex, folders: Folders) -> list[_Inclu
             continue
         word, rest = directive_parts(text) if kind == "directive" else ("", "")
         match = _NAMED.fullmatch(rest) if word == "include" else None
-        if match is None or source.parsed.find(codecs.BOM_UTF8, 1, end) > 0:
+        if match is None or _left_open(text) or source.parsed.find(codecs.BOM_UTF8, 1, end) > 0:
             break
         name = os.fsdecode((match[1] or match[2]).encode("latin-1"))  # tokens have a character for each byte
         place = next(filter(os.path.isfile, folders.places(name, own if match[1] else None)), "")
@@ -137,6 +137,12 @@ def _leading(source: SourceText, api: ApiIndex, folders: Folders) -> list[_Inclu
             break
         run.append(_Include(f"<{name}>", place, end))
     return run
+
+
+def _left_open(directive: str) -> bool:
+    """Whether a comment that begins in a directive never ends; the parser complains of it."""
+    comments = [directive[start:end] for start, end in directive_comments(directive)]
+    return any(text.startswith("/*") and (len(text) < 4 or not text.endswith("*/")) for text in comments)
 
 
 class _Kept:
