@@ -113,6 +113,15 @@ def test_headers_that_mean_something_else_elsewhere_are_not_kept(name: str, fold
     assert [kept(folder / name, folder / "include") for _ in range(TIMES)] == [None] * TIMES
 
 
+@pytest.mark.parametrize("comment", ["/* never closed", "/*/"])
+def test_an_include_with_a_comment_that_never_ends_is_not_kept(comment: str, folder: Path) -> None:
+    path = folder / "open_comment.c"
+    path.write_text(f'#include "board.h" {comment}\nint main() {{ return get_input(LED); }}\n')
+    first = read(path, folder / "include")
+    assert [read(path, folder / "include") for _ in range(3)] == [first] * 3
+    assert kept(path, folder / "include") is None
+
+
 def test_programs_with_the_same_beginning_share_it(folder: Path) -> None:
     for name in ("plain.c", "damaged.c"):
         read(folder / name, folder / "include")

@@ -1,2 +1,0 @@
-#include "board.h" /* never closed
-int main() { return get_input(LED); }
