@@ -69,6 +69,7 @@ def parses(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 def test_a_program_without_headers_is_parsed_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     path = tmp_path / "robot.c"
     path.write_text('#include "simpletools.h"\nfdserial *bus;\nint main() { bus = fdserial_open(31, 30, 0, BAUD); OUTA = CNT; }')
+    read_program(path)  # the first of a process asks the parser for its own macros
     done = parses(monkeypatch)
     program, findings = read_program(path)
     assert len(done) == 1
