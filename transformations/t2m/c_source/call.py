@@ -13,7 +13,15 @@ from functools import cache
 
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import Folders, Reached, reached
-from robosmi.transformations.t2m.c_source.invocation import PRELUDE, arguments, included, names_in, standard_headers, unsaved
+from robosmi.transformations.t2m.c_source.invocation import (
+    PRELUDE,
+    VIRTUAL,
+    arguments,
+    included,
+    names_in,
+    standard_headers,
+    unsaved,
+)
 from robosmi.transformations.t2m.c_source.lexer import directive_parts
 from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
@@ -23,7 +31,7 @@ from robosmi.transformations.t2m.platform_api import ApiIndex
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
-_NOTHING = "/robosmi.virtual/nothing.c"
+_NOTHING = f"{VIRTUAL}/nothing.c"
 
 
 class Call:
@@ -50,7 +58,7 @@ class Call:
         self._beginning = beginning(source, api, self._given, self._folders)
         self.names: frozenset[str] | None = None
         own = os.path.dirname(self.path)
-        if not include_dirs and not any(os.path.isfile(os.path.join(own, name)) for name in included(source.parsed)):
+        if not include_dirs and not any(os.path.exists(os.path.join(own, name)) for name in included(source.parsed) if name):
             headers = standard_headers(api, source.parsed)
             self.names = frozenset[str]().union(*map(names_in, headers.values()))
             self._files = unsaved(headers)
@@ -58,8 +66,7 @@ class Call:
 
     def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
         """A unit of a copy of the text; None when the parser gave up."""
-        settings = self._api.settings["parser"]
-        text = prelude.text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
+        text = prelude.text()
         words = frozenset(_WORD.findall(text))
         if scratch.edits or (self._beginning is not None and not self._beginning.macros.isdisjoint(words)):
             self.leave()  # an edit may lie in what is parsed already, and a macro would change what is declared

@@ -197,9 +197,19 @@ def parse(
 def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, Any], int]) -> None:
     """Visit the children of a cursor; the callback answers 0 to stop, 1 to go on, 2 to go into the child first.
 
-    What it raises would be lost in C: it must be `raising`, or raise nothing.
+    Raises:
+        BaseException: what the callback raised; the visit ends with it.
     """
-    library().visitChildren(cursor, VISITOR(callback), None)
+
+    def guarded(cursor: Cursor, parent: Cursor, data: Any) -> int:
+        try:
+            return callback(cursor, parent, data)
+        except BaseException as error:
+            failed.append(error)
+            return 0
+
+    with raising() as failed:
+        library().visitChildren(cursor, VISITOR(guarded), None)
 
 
 @contextmanager

@@ -35,15 +35,19 @@ _ONCE = re.compile(rb"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
 _UP = frozenset(["", ".", ".."])
 
 
+State = tuple[str, int, int]
+"""A path, when what is there was last changed (nanoseconds), and its size in bytes; zeros for nothing."""
+
+
 class Folders:
     """Where headers are searched for, in this order.
 
     Attributes:
-        stamped: each folder with when an entry of it was last made, renamed or removed; 0 for no folder.
+        stamped: how each of them was when this was made.
     """
 
     def __init__(self, folders: Sequence[str]) -> None:
-        self.stamped = tuple(_stamped(os.path.abspath(folder)) for folder in folders)
+        self.stamped = tuple(state_of(os.path.abspath(folder)) for folder in folders)
         self._holding = _holding(self.stamped)
 
     def places(self, name: str, beside: str | None) -> Iterator[str]:
@@ -74,7 +78,8 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
     """The headers that a text reaches beside it and in folders, whatever the conditions of its includes.
 
     What nests too deep is taken out of a header's text, and the includes of one that comes back to itself again and again;
-    one that cannot be read, or whose macros are without bound, becomes an empty one. Hardly any is like that.
+    one that cannot be read or is a pipe or device, or whose macros are without bound, becomes an empty one. Hardly any is like
+    that.
 
     Args:
         path: of the file with the text.
@@ -99,9 +104,11 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
                         state = os.stat(place)
                     except (OSError, ValueError):
                         continue
-                    if not stat.S_ISREG(state.st_mode) or len(files) > MOST:
+                    if stat.S_ISDIR(state.st_mode) or len(files) > MOST:
                         continue
-                    files[key] = _File(place, state.st_size, _content(place, state.st_mtime_ns, state.st_size))
+                    files[key] = _File(
+                        place, state.st_size, _content(place, state.st_mtime_ns, state.st_size, stat.S_ISREG(state.st_mode))
+                    )
                     pending.append(key)
                 file.inner.append(key)
                 break
@@ -164,18 +171,20 @@ def _entered_too_often(files: dict[str, _File], root: str) -> list[str] | None:
     return None
 
 
-def _stamped(folder: str) -> tuple[str, int]:
+def state_of(path: str) -> State:
+    """How a file or folder is now; a folder changes when an entry of it is made, renamed or removed."""
     try:
-        return folder, os.stat(folder).st_mtime_ns
+        found = os.stat(path)
     except (OSError, ValueError):
-        return folder, 0
+        return path, 0, 0
+    return path, found.st_mtime_ns, found.st_size
 
 
 @lru_cache(maxsize=100)
-def _holding(folders: tuple[tuple[str, int], ...]) -> dict[str, list[str]]:
+def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
     """For each name the folders that have an entry of that name, in order; all of them for the empty name."""
-    found: dict[str, list[str]] = {"": [folder for folder, _ in folders]}
-    for folder, changed in folders:
+    found: dict[str, list[str]] = {"": [folder for folder, _, _ in folders]}
+    for folder, changed, _ in folders:
         with suppress(OSError):  # a file, or a folder that may not be read
             for name in os.listdir(folder) if changed else ():
                 found.setdefault(name, []).append(folder)
@@ -183,8 +192,8 @@ def _holding(folders: tuple[tuple[str, int], ...]) -> dict[str, list[str]]:
 
 
 @lru_cache(maxsize=2000)
-def _content(path: str, changed: int, size: int) -> _Content:
-    if size > LARGEST:
+def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
+    if size > LARGEST or not regular:  # a pipe or device may never end
         return _Content(b"", (), True)
     try:
         with open(path, "rb") as stream:

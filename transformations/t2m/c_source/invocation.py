@@ -7,6 +7,7 @@ the research note on libclang, section 8.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Sequence
 from functools import cache
 
@@ -17,6 +18,7 @@ from robosmi.transformations.t2m.platform_api import ApiIndex
 VIRTUAL = "/robosmi.virtual"
 HEADERS = f"{VIRTUAL}/include"
 PRELUDE = f"{VIRTUAL}/prelude.h"
+_NAME = re.compile(rb"[A-Za-z_]\w*")
 _QUIET = [
     "-ferror-limit=0", "-Wno-everything", "-Wno-implicit-function-declaration", "-Wno-int-conversion", "-Wno-implicit-int",
     "-Wno-incompatible-function-pointer-types", "-Wno-return-type", "-fno-spell-checking",
@@ -75,6 +77,4 @@ def unsaved(headers: dict[str, bytes], others: Iterable[tuple[str, bytes]] = ())
 @cache
 def names_in(header: bytes) -> frozenset[str]:
     """All names in a header of our own."""
-    import re
-
-    return frozenset(name.decode() for name in re.findall(rb"[A-Za-z_]\w*", header))
+    return frozenset(name.decode() for name in _NAME.findall(header))

@@ -104,7 +104,7 @@ def _parse(source: SourceText, api: ApiIndex, defines: Sequence[str], call: Call
             return None
         reader = tree.TreeReader(unit, call.path, scratch)
         diagnostics = _diagnostics(unit, reader)
-        if (doubt := _doubt(diagnostics)) and call.leave(outdated=any(d.severity >= clang.FATAL for d in doubt)):
+        if (doubt := _doubt(diagnostics)) and call.leave(outdated=any(d.offset < 0 and d.severity >= clang.FATAL for d in doubt)):
             clang.library().disposeTranslationUnit(unit)
             return _parse(source, api, defines, call)
         if foreseen:

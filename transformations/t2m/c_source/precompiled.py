@@ -23,7 +23,7 @@ from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi.transformations.t2m.c_source import clang
-from robosmi.transformations.t2m.c_source.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.headers import Folders, State, reached, state_of
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL, standard_headers, unsaved
 from robosmi.transformations.t2m.c_source.lexer import directive_comments, directive_parts
 from robosmi.transformations.t2m.c_source.prelude import Prelude
@@ -48,18 +48,6 @@ _NAMED = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
 _BLANK = bytes(byte if byte in b"\r\n" else 32 for byte in range(256))
 
 
-_State = tuple[str, int, int]
-"""A path, when what is there was last changed (nanoseconds), and its size; zeros for nothing."""
-
-
-def _state(path: str) -> _State:
-    try:
-        found = os.stat(path)
-    except OSError:
-        return path, 0, 0
-    return path, found.st_mtime_ns, found.st_size
-
-
 @dataclass(frozen=True)
 class Beginning:
     """A precompiled header for the start of a text.
@@ -76,7 +64,7 @@ class Beginning:
     file: str
     inclusions: tuple[str, ...]
     macros: frozenset[str] = frozenset()
-    states: tuple[_State, ...] = ()
+    states: tuple[State, ...] = ()
 
     def blank(self, text: bytes) -> bytes:
         """The text with nothing but the ends of lines where the includes were."""
@@ -89,7 +77,7 @@ class Beginning:
     @property
     def current(self) -> bool:
         """Whether its headers are as they were."""
-        return all(state == _state(state[0]) for state in self.states)
+        return all(state == state_of(state[0]) for state in self.states)
 
 
 def beginning(source: SourceText, api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
@@ -206,8 +194,7 @@ class _Kept:
             self._folder = self._folder or _passing_folder()
         except OSError:  # no place to keep anything
             return None
-        settings = api.settings["parser"]
-        base = Prelude(api).text(settings.get("builtins", {}), settings.get("attribute_macros", ()))
+        base = Prelude(api).text()
         files = unsaved(standard_headers(api, None), [(BASE, base.encode()), (_BEGINNING, text)])
         arguments = ["-x", "c-header", *given[2:], "-include", BASE]
         unit = clang.parse(_BEGINNING, arguments, files, clang.WHOLE | clang.FOR_SERIALIZATION, own_only=True)
@@ -223,8 +210,8 @@ class _Kept:
             read = [name for name in clang.inclusions(unit) if name not in (BASE, _BEGINNING)]
             real = {path for path in read if not path.startswith(VIRTUAL)}
             places = sorted(real | {os.path.dirname(path) for path in real})
-            macros = clang.macro_names(unit) - set(settings.get("attribute_macros", ()))
-            return Beginning(0, file, tuple(read), frozenset(macros), tuple(map(_state, places)))
+            macros = clang.macro_names(unit) - set(api.settings["parser"].get("attribute_macros", ()))
+            return Beginning(0, file, tuple(read), frozenset(macros), tuple(map(state_of, places)))
         finally:
             library.disposeTranslationUnit(unit)
 

@@ -202,10 +202,12 @@ class Prelude:
     def _number(self) -> int:
         return 1000003 + 7919 * len(self.values)  # different values, so that case labels differ
 
-    def text(self, builtins: dict[str, str], attribute_macros: Iterable[str]) -> str:
+    def text(self) -> str:
         """The prelude as C text."""
-        lines = [f"{kind} {name}({self._any});" for name, kind in sorted(builtins.items())]
-        lines += [f"#ifndef {m}\n#define {m}\n#endif" for m in sorted({*attribute_macros, *self.macros})]
+        settings = self.platform.settings["parser"]
+        lines = [f"{kind} {name}({self._any});" for name, kind in sorted(settings.get("builtins", {}).items())]
+        macros = {*settings.get("attribute_macros", ()), *self.macros}
+        lines += [f"#ifndef {macro}\n#define {macro}\n#endif" for macro in sorted(macros)]
         lines += sorted(self.standard.values())
         lines += self.always
         fields = "".join(f" int {form.format(m)};" for m, form in sorted(self.members.items()))

@@ -135,17 +135,12 @@ class TreeReader:
         found: dict[str, str] = {}
 
         def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
-            try:
-                what = _OWN.get(cursor.kind)
-                if what and self.offset(lib.getCursorLocation(cursor)) >= 0:
-                    found[lib.text(lib.getCursorSpelling(cursor))] = what
-            except BaseException as error:
-                failed.append(error)
-                return 0
+            what = _OWN.get(cursor.kind)
+            if what and self.offset(lib.getCursorLocation(cursor)) >= 0:
+                found[lib.text(lib.getCursorSpelling(cursor))] = what
             return 1
 
-        with clang.raising() as failed:
-            clang.visit(self._root, visitor)
+        clang.visit(self._root, visitor)
         return found
 
     def read(self) -> list[Node]:
@@ -159,23 +154,18 @@ class TreeReader:
             kind = cursor.kind
             if kind in _NOT_READ:  # most cursors by far
                 return 1
-            try:
-                begin = place(cursor).begin
-                if begin > last and begin < MACRO_ID:  # in a header
-                    return 1
-                if kind == MACRO_EXPANSION:
-                    expansion(cursor)
-                    return 1
-                start, end, macro = extent(cursor)
-                if start >= 0:
-                    top.append(Node(kind, start, end, macro, bytes(cursor)))
-            except BaseException as error:
-                failed.append(error)
-                return 0
+            begin = place(cursor).begin
+            if begin > last and begin < MACRO_ID:  # in a header
+                return 1
+            if kind == MACRO_EXPANSION:
+                expansion(cursor)
+                return 1
+            start, end, macro = extent(cursor)
+            if start >= 0:
+                top.append(Node(kind, start, end, macro, bytes(cursor)))
             return 1
 
-        with clang.raising() as failed:
-            clang.visit(self._root, visitor)
+        clang.visit(self._root, visitor)
         self._read_below(top, types)
         return top
 

@@ -104,6 +104,17 @@ def test_a_header_beside_the_file_is_no_trap_either(tmp_path: Path) -> None:
     assert {str(c.calleeName) for c in all_of_kind(program, ccode.Call)} == {"shallow", "high"}
 
 
+def declared(path: Path, *folders: Path) -> str:
+    """What the reader finds declared in a file, asked in a process of its own, which may die or hang."""
+    script = (
+        "import sys; from robosmi.transformations.t2m.c_source import read_program;"
+        "program, _ = read_program(sys.argv[1], include_dirs=sys.argv[2:]);"
+        "print([str(d.name) for d in program.units[0].declarations])"
+    )
+    command = [sys.executable, "-c", script, str(path), *map(str, folders)]
+    return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=SECONDS, check=True).stdout
+
+
 TWICE = '#include "ring.h"\n#include "ring.h"\n'
 RINGS = {
     "a header that includes itself twice": ({"ring.h": f"int ring;\n{TWICE}"}, '#include "ring.h"\n'),
@@ -136,13 +147,18 @@ def test_includes_that_grow_without_bound_are_cut(name: str, tmp_path: Path) -> 
         (tmp_path / file).parent.mkdir(exist_ok=True)
         (tmp_path / file).write_text(text)
     (tmp_path / "main.c").write_text(f"{includes}int tail(void) {{ return high(2); }}\n")
-    script = (
-        "import sys; from robosmi.transformations.t2m.c_source import read_program;"
-        "program, _ = read_program(sys.argv[1]); print([str(d.name) for d in program.units[0].declarations])"
-    )
-    command = [sys.executable, "-c", script, str(tmp_path / "main.c")]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=SECONDS, check=True)
-    assert done.stdout == "['tail']\n"
+    assert declared(tmp_path / "main.c") == "['tail']\n"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+@pytest.mark.parametrize("where", ["beside", "in a folder"])
+def test_a_header_that_is_a_pipe_or_a_device_is_empty(where: str, tmp_path: Path) -> None:
+    folder = tmp_path if where == "beside" else tmp_path / "include"
+    folder.mkdir(exist_ok=True)
+    os.mkfifo(folder / "pipe.h")
+    (folder / "zero.h").symlink_to("/dev/zero")
+    (tmp_path / "main.c").write_text('#include "pipe.h"\n#include "zero.h"\nint tail(void) { return high(2); }\n')
+    assert declared(tmp_path / "main.c", *([folder] if folder != tmp_path else [])) == "['tail']\n"
 
 
 def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
