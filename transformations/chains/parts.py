@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding
+from robosmi.transformations.knowledge.parts_store import write_parts
 from robosmi.transformations.t2m.fritzing.part_library import read_library
-from robosmi.transformations.t2m.parts_store import write_parts
 
 
 @dataclass(frozen=True)

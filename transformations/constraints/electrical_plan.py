@@ -14,7 +14,7 @@ from robosmi.model import EmfModel
 from robosmi.query import ancestor_of_kind, root_of
 from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing, fault, worst_first
-from robosmi.transformations.m2m.library_takes import Takes, library_takes
+from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.queries.circuit import role_on
 from robosmi.transformations.queries.electrical import Role, Wiring, listed, who, wiring
 from robosmi.validate import EVL, Fail

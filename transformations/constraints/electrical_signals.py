@@ -11,8 +11,8 @@ from typing import Any
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
+from robosmi.transformations.knowledge.part_names import name_direction
 from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wiring, listed, who
-from robosmi.transformations.t2m.part_names import name_direction
 from robosmi.validate import EVL
 
 signals = EVL()

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
-from robosmi.transformations.t2m.part_names import Names, conducts_by_bus_only, name_direction, names
+from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, name_direction, names
 
 Role = hardware.Role
 

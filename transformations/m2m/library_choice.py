@@ -16,8 +16,8 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import chosen_from_history
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
+from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.m2m.library_ranking import library_in, library_index
-from robosmi.transformations.m2m.library_takes import Takes, library_takes
 from robosmi.transformations.queries.circuit import component_named
 
 NO_LIBRARY = "none"

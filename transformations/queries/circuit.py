@@ -12,9 +12,9 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration
 from robosmi.query import Q
+from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.m2m.connector_mapping import behind, either_side
 from robosmi.transformations.t2m.boards import pin_literal
-from robosmi.transformations.t2m.part_names import names
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -13,9 +13,9 @@ from typing import Any, NamedTuple, TypeVar
 
 from robosmi.metamodels import hardware, platform
 from robosmi.query.run import ext
+from robosmi.transformations.knowledge.electrical_facts import DeviceFacts, Electrical, electrical
+from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, names
 from robosmi.transformations.t2m.boards import drawn_board, load_board
-from robosmi.transformations.t2m.electrical_facts import DeviceFacts, Electrical, electrical
-from robosmi.transformations.t2m.part_names import Names, conducts_by_bus_only, names
 
 T = TypeVar("T")
 Role = hardware.Role

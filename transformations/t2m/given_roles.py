@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from robosmi.errors import UsageError, did_you_mean
-from robosmi.transformations.t2m.parts_catalogue import ROLES
+from robosmi.transformations.knowledge.part import ROLES
 
 
 def given_roles(roles: Mapping[str, str], titles: Mapping[str, str]) -> dict[str, str]:

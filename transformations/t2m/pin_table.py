@@ -20,11 +20,11 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
 from robosmi.project import defaults
+from robosmi.transformations.knowledge.part import ROLES, Part
+from robosmi.transformations.knowledge.part_names import Names, connector_kind, names
+from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.boards import PIN_TABLE, load_board, normalised_label
 from robosmi.transformations.t2m.given_roles import given_roles
-from robosmi.transformations.t2m.part_names import Names, connector_kind, names
-from robosmi.transformations.t2m.part_roles import classify
-from robosmi.transformations.t2m.parts_catalogue import ROLES, Part
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
 """The columns; the first two must be there."""

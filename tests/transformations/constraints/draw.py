@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
-from robosmi.transformations.t2m.parts_catalogue import Catalogue
+from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 
 FOLDER = Path(__file__).parent / "drawings"
 _END = tuple[str, str]  # model index, connector id

@@ -19,10 +19,10 @@ from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.constraints.electrical import electrical, electrical_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults, together
+from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts
+from robosmi.transformations.knowledge.electrical_facts import electrical as facts
 from robosmi.transformations.queries.electrical import stated_volts, wiring
 from robosmi.transformations.queries.plan import said
-from robosmi.transformations.t2m.electrical_facts import FILE, ElectricalFacts
-from robosmi.transformations.t2m.electrical_facts import electrical as facts
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.validate import Constraint
 from tests.transformations.constraints.draw import drawings

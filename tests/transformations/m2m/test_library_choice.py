@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.library_ranking import library_index
-from robosmi.transformations.m2m.library_takes import Takes, library_takes
 from robosmi.transformations.t2m.boards import load_board
 
 

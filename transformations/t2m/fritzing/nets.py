@@ -11,8 +11,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.t2m.fritzing.document import Instance
-from robosmi.transformations.t2m.parts_catalogue import Part
 
 Node = tuple[str, str]
 """Identity of an instance, and the connector that stands for its bus (empty for a wire)."""

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from lxml import etree
 
+from robosmi.transformations.knowledge.part import Part, PartConnector
+from robosmi.transformations.knowledge.part_names import Names, connector_kind
 from robosmi.transformations.t2m.fritzing.document import parse_xml
-from robosmi.transformations.t2m.part_names import Names, connector_kind
-from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector
 
 
 def parse_part(data: bytes, path: str, name: str, known: Names) -> Part | None:

@@ -17,11 +17,11 @@ from lxml import etree
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
+from robosmi.transformations.knowledge.part import Part
+from robosmi.transformations.knowledge.part_names import names
+from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.fritzing.document import parse_xml
 from robosmi.transformations.t2m.fritzing.part_file import part_of
-from robosmi.transformations.t2m.part_names import names
-from robosmi.transformations.t2m.part_roles import classify
-from robosmi.transformations.t2m.parts_catalogue import Part
 
 MAX_BYTES = 16 * 1024 * 1024
 """Bytes of a definition; the largest public one has under one megabyte."""

@@ -15,17 +15,18 @@ from pathlib import Path
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
+from robosmi.transformations.knowledge.part import Part, PartConnector
+from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, connector_kind, names
+from robosmi.transformations.knowledge.part_roles import classify, classify_drawn, generated_part
+from robosmi.transformations.knowledge.parts_catalogue import Catalogue
+from robosmi.transformations.knowledge.rails import Terminal, rail
 from robosmi.transformations.t2m.boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.t2m.fritzing import nets
 from robosmi.transformations.t2m.fritzing.container import Container, read_container
 from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance, Sketch, natural, parse_sketch
 from robosmi.transformations.t2m.fritzing.part_file import parse_part
-from robosmi.transformations.t2m.fritzing.rails import Terminal, rail
 from robosmi.transformations.t2m.fritzing.views import believed
 from robosmi.transformations.t2m.given_roles import given_roles
-from robosmi.transformations.t2m.part_names import Names, conducts_by_bus_only, connector_kind, names
-from robosmi.transformations.t2m.part_roles import classify, classify_drawn, generated_part
-from robosmi.transformations.t2m.parts_catalogue import Catalogue, Part, PartConnector
 
 TOOL = "fritzing"
 """The drawing tool as board entries name it."""

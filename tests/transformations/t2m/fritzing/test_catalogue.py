@@ -13,11 +13,12 @@ import pytest
 
 from robosmi.cli.main import main
 from robosmi.errors import PlatformDataError, UsageError
+from robosmi.transformations.knowledge.part import Part, PartConnector
+from robosmi.transformations.knowledge.part_names import Phrases, conducts_by_bus_only, connector_kind, name_direction, names
+from robosmi.transformations.knowledge.part_roles import classify, classify_drawn, generated_part
+from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.t2m import boards
 from robosmi.transformations.t2m.fritzing import read_circuit
-from robosmi.transformations.t2m.part_names import Phrases, conducts_by_bus_only, connector_kind, name_direction, names
-from robosmi.transformations.t2m.part_roles import classify, classify_drawn, generated_part
-from robosmi.transformations.t2m.parts_catalogue import Catalogue, Part, PartConnector
 from tests.transformations.t2m.fritzing.support import FIXTURES, SHARED
 
 

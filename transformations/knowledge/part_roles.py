@@ -16,8 +16,8 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
-from robosmi.transformations.t2m.part_names import Names, Phrases, names, read_toml
-from robosmi.transformations.t2m.parts_catalogue import ROLES, Part, PartConnector
+from robosmi.transformations.knowledge.part import ROLES, Part, PartConnector
+from robosmi.transformations.knowledge.part_names import Names, Phrases, names, read_toml
 
 _CHIP_NAMES = ("chip label", "part number", "chip", "part #", "mpn")
 """Properties of a drawn part that name the device behind a general one."""

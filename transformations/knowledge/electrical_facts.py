@@ -18,7 +18,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.resources import folders
-from robosmi.transformations.t2m.part_names import Phrases, read_toml
+from robosmi.transformations.knowledge.part_names import Phrases, read_toml
 
 FILE = "parts/electrical.toml"
 """Place of the table in a folder of data; its head says what the keys mean."""

@@ -15,8 +15,8 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.sqlite_files import writing
-from robosmi.transformations.t2m.part_names import Names, connector_kind
-from robosmi.transformations.t2m.parts_catalogue import Part, PartConnector
+from robosmi.transformations.knowledge.part import Part, PartConnector
+from robosmi.transformations.knowledge.part_names import Names, connector_kind
 
 FORMAT = 1
 """Number of the format: `PRAGMA user_version` of the file."""

@@ -18,9 +18,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
 
-KINDS = ("unknown", "signal", "supply", "ground")
-"""What a connector carries, as the hardware metamodel names it."""
-
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
 _WORD = re.compile(r"[^\W_]+")
 _LONGEST = 4

@@ -7,8 +7,7 @@ What a drawing itself carries (embedded definitions) is read by its own reader, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,52 +15,15 @@ from typing import TYPE_CHECKING, Any
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
-from robosmi.transformations.t2m.part_names import KINDS, names, parse_toml
+from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
+from robosmi.transformations.knowledge.part_names import names, parse_toml
 
 if TYPE_CHECKING:
-    from robosmi.transformations.t2m.parts_store import PartsFile
-
-ROLES = ("Unknown", "Board", "Input", "Output", "Both", "Passive", "Power", "Decoration")
-"""The roles, as the hardware metamodel names them."""
+    from robosmi.transformations.knowledge.parts_store import PartsFile
 
 _HEAD = "[[part]]"
 _NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml")
 _KEYS = "see parts/README.md for the keys"
-
-
-@dataclass(frozen=True, slots=True)
-class PartConnector:
-    """A connector of a part: identity, name, what it carries (one of `KINDS`)."""
-
-    id: str
-    name: str = ""
-    kind: str = "unknown"
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """What is known of a part, from the catalogue or from a definition in the drawing.
-
-    Attributes:
-        id: identity in the drawing tool's catalogue.
-        role: one of `ROLES`; `evidence` says why.
-        driver: whether it drives a load of its own, or is a chip between the board and others.
-        connectors: by identity, in the part's order.
-        buses: connectors that are joined inside the part, by the bus's identity.
-        source: where the facts come from, for messages.
-    """
-
-    id: str
-    title: str = ""
-    family: str = ""
-    tags: tuple[str, ...] = ()
-    role: str = "Unknown"
-    evidence: str = ""
-    driver: bool = False
-    connectors: Mapping[str, PartConnector] = field(default_factory=dict)
-    buses: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    properties: Mapping[str, str] = field(default_factory=dict)
-    source: str = ""
 
 
 class Catalogue:
@@ -118,7 +80,7 @@ def _files(project: Path | None) -> Iterator[Path]:
 
 @cache
 def _opened(path: Path, changed: int) -> PartsFile:  # `changed` keys the cache: a file that is imported anew is opened anew
-    from robosmi.transformations.t2m.parts_store import PartsFile
+    from robosmi.transformations.knowledge.parts_store import PartsFile
 
     return PartsFile(path)
 

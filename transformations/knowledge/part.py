@@ -1,0 +1,51 @@
+"""The description of a part that every drawing tool's reader gives, and the catalogue of parts has: `Part`.
+
+What a part is to the software (its role) is told by `part_roles`, what is known of an id by `parts_catalogue`. Nothing here
+belongs to one tool.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+ROLES = ("Unknown", "Board", "Input", "Output", "Both", "Passive", "Power", "Decoration")
+"""The roles, as the hardware metamodel names them."""
+
+KINDS = ("unknown", "signal", "supply", "ground")
+"""What a connector carries, as the hardware metamodel names it."""
+
+
+@dataclass(frozen=True, slots=True)
+class PartConnector:
+    """A connector of a part: identity, name, what it carries (one of `KINDS`)."""
+
+    id: str
+    name: str = ""
+    kind: str = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """What is known of a part, from the catalogue or from a definition in the drawing.
+
+    Attributes:
+        id: identity in the drawing tool's catalogue.
+        role: one of `ROLES`; `evidence` says why.
+        driver: whether it drives a load of its own, or is a chip between the board and others.
+        connectors: by identity, in the part's order.
+        buses: connectors that are joined inside the part, by the bus's identity.
+        source: where the facts come from, for messages.
+    """
+
+    id: str
+    title: str = ""
+    family: str = ""
+    tags: tuple[str, ...] = ()
+    role: str = "Unknown"
+    evidence: str = ""
+    driver: bool = False
+    connectors: Mapping[str, PartConnector] = field(default_factory=dict)
+    buses: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    properties: Mapping[str, str] = field(default_factory=dict)
+    source: str = ""
