@@ -6,13 +6,13 @@ misspelt choice that is silently ignored is worse than none. What the values mea
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 
@@ -79,8 +79,8 @@ def load_project(folder: Path) -> Project:
     if not path.is_file():
         return Project()
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
+        data = toml_of(inputs.read_text(path, inputs.SETTINGS))
+    except (ValueError, OSError) as error:
         raise SourceError(
             f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)"
         ) from error
@@ -149,8 +149,8 @@ def read_data(path: Path) -> dict[str, Any]:
         PlatformDataError: it cannot be read.
     """
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
+        return toml_of(inputs.read_text(path, inputs.DATA))
+    except (ValueError, OSError) as error:
         raise PlatformDataError(
             f"the entry cannot be read: {error}", location=Location(str(path)), fix="correct the entry"
         ) from error

@@ -42,13 +42,19 @@ def user_data() -> Path:
 def _user_data() -> str:
     if own := os.environ.get("ROBOSMI_HOME"):
         return own
-    data = os.environ.get("XDG_DATA_HOME") or os.path.join(os.path.expanduser("~"), ".local", "share")
+    data = os.environ.get("XDG_DATA_HOME") or os.path.join(_home(), ".local", "share")
     return os.path.join(data, "robosmi")
+
+
+def _home() -> str:
+    """The user's home folder; one that is not there, as system users have, for a user whom the system does not know."""
+    home = os.path.expanduser("~")
+    return home if os.path.isabs(home) else os.path.join(os.sep, "nonexistent")
 
 
 def cache_dir() -> Path:
     """The folder for what can be made again, e.g. compiled cores (XDG base directory specification)."""
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "robosmi"
+    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.join(_home(), ".cache")) / "robosmi"
 
 
 def folders(kind: str, project: Path | None = None) -> Iterator[Path]:

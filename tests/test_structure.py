@@ -23,7 +23,7 @@ import robosmi
 
 ROOT = Path(__file__).parents[1]
 CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
-FOUNDATION = ("errors", "diagnostics", "resources", "plugins", "project")
+FOUNDATION = ("errors", "diagnostics", "resources", "plugins", "project", "inputs", "data_text")
 ABOVE: dict[str, tuple[str, ...]] = {
     "model": FOUNDATION,
     "query": ("model", *FOUNDATION),
@@ -161,6 +161,47 @@ def test_no_module_is_longer_than_400_lines_and_half_have_150_at_most() -> None:
 
 def test_every_module_says_what_lives_in_it() -> None:
     assert [str(path) for path in modules("robosmi", *CONTENT, "tests") if not ast.get_docstring(tree_of(path))] == []
+
+
+OPENS: dict[str, str] = {
+    "robosmi/inputs.py": "it is the place",
+    "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
+    "robosmi/model/commit.py": "writes, and locks a folder",
+    "robosmi/model/files.py": "writes",
+    "robosmi/model/sqlite_files.py": "changes bytes of the file that it has just written",
+    "robosmi/model/zip_archive.py": "reads an archive that is in memory",
+    "transformations/t2m/fritzing/drawing_model.py": "writes an archive in memory",
+}
+"""Modules that may call what opens files, and why; all others ask `robosmi.inputs`."""
+
+
+def opening_calls(path: Path) -> Iterator[str]:
+    """Calls in a module that open a file by its path, whatever they are reached through."""
+    for node in ast.walk(tree_of(path)):
+        if not isinstance(node, ast.Call):
+            continue
+        called = ast.unparse(node.func)
+        own = called in ("reader.open", "self.open")  # a method of ours: it opens a model, and asks `inputs` for the bytes
+        opens = called == "open" or (
+            isinstance(node.func, ast.Attribute) and node.func.attr in OPENING and not called.startswith("inputs.")
+        )
+        if opens and not own:
+            yield f"{path.relative_to(ROOT)}:{node.lineno}: {called}"
+
+
+OPENING = frozenset(["open", "fdopen", "read_bytes", "read_text", "fromfile", "open_binary", "open_text", "ZipFile"])
+
+
+def test_only_one_module_opens_files_for_reading() -> None:
+    found = {path: list(opening_calls(path)) for path in written_by_hand()}
+    calls = {path.relative_to(ROOT).as_posix(): calls for path, calls in found.items() if calls}
+    assert [call for name, of_module in calls.items() if name not in OPENS for call in of_module] == []
+    assert set(OPENS) - set(calls) == set(), "a module that opens nothing needs no leave"
+
+
+def test_the_search_for_opening_calls_finds_them() -> None:
+    module = ROOT / "robosmi" / "inputs.py"
+    assert {call.rpartition(" ")[2] for call in opening_calls(module)} == {"os.open", "os.fdopen"}
 
 
 def is_overload(node: ast.AST) -> bool:

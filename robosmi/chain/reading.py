@@ -6,13 +6,14 @@ import hashlib
 import importlib
 import importlib.util
 import sys
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
 from robosmi.chain.chain import Chain
 from robosmi.chain.steps import KINDS
+from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RuleError, SourceError, did_you_mean
 from robosmi.model.files import read_input
@@ -39,10 +40,10 @@ def read_chain(path: str | Path) -> Chain:
         RuleError: the code of a function cannot be imported.
     """
     file = Path(path)
-    text = read_input(file, "chain")
+    text = read_input(file, "chain", inputs.SETTINGS)
     try:
-        data = tomllib.loads(text.decode("utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        data = toml_of(text.decode("utf-8"))
+    except ValueError as error:
         raise SourceError(f"the chain is no TOML: {error}", location=Location(str(file)), fix="correct it (TOML 1.0)") from error
     place = Location(str(file))
     for key in data:

@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.model.files import digest, write_atomic
@@ -42,7 +44,7 @@ class State:
         self.steps: dict[str, StepState] = {}
         if path.is_file():
             try:
-                data = json.loads(path.read_text(encoding="utf-8"))
+                data = json_of(inputs.read_text(path, inputs.RECORD))
                 if data["schema"] == SCHEMA:
                     self.steps = {str(name): StepState(**entry) for name, entry in data["steps"].items()}
             except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
@@ -56,14 +58,14 @@ class State:
         """Write it, whole or not at all; nothing where nothing changed."""
         steps = {name: vars(entry) for name, entry in self.steps.items()}
         data = (json.dumps({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
-        if self.path.read_bytes() != data if self.path.is_file() else bool(steps):
+        if inputs.read_bytes(self.path, inputs.RECORD) != data if self.path.is_file() else bool(steps):
             write_atomic(self.path, data)
 
 
 def digest_of(path: Path) -> str:
     """The digest of a file, or of all files of a folder with their names; "" where there is nothing."""
     if path.is_file():
-        return digest(path.read_bytes())
+        return digest(inputs.read_bytes(path, inputs.OUTPUT))
     if not path.is_dir():
         return ""
     found = hashlib.sha256()
@@ -72,7 +74,7 @@ def digest_of(path: Path) -> str:
         for name in sorted(files):
             file = Path(folder, name)
             found.update(f"{file.relative_to(path).as_posix()}\0".encode())
-            found.update(digest(file.read_bytes()).encode())
+            found.update(digest(inputs.read_bytes(file, inputs.OUTPUT)).encode())
     return found.hexdigest()
 
 

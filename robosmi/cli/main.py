@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import importlib
-import io
 import json
 import os
 import sys
@@ -16,10 +15,11 @@ import time
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
-from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.cli import streams
+from robosmi.cli.failures import as_error
+from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import (
     CompileError,
-    InternalError,
     MissingToolError,
     ModelError,
     PlatformDataError,
@@ -66,6 +66,10 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         raise UsageError(message, fix=f"see: {self.prog} --help")
 
+    def _print_message(self, message: str, file: Any = None) -> None:
+        if message:  # help and version; errors do not come here
+            streams.say(message.rstrip("\n"))
+
 
 def build_parser(command: str | None = None) -> argparse.ArgumentParser:
     """The parser, with the options of one command only (all others are listed with their summaries).
@@ -99,9 +103,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns:
         The exit code of the contract.
     """
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")  # a file name may hold what the terminal cannot show
+    streams.prepare()
     words = list(sys.argv[1:] if arguments is None else arguments)
     as_json, started = "--json" in words, time.perf_counter()
     name = next((w for w in words if not w.startswith("-")), "")
@@ -112,32 +114,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
             )
         parsed = build_parser(name).parse_args(words)
         return _run(parsed)
-    except RobosmiError as error:
-        return _failed(error, name, as_json, started)
     except KeyboardInterrupt:
-        print("robosmi: interrupted", file=sys.stderr)
+        streams.complain("robosmi: interrupted")
         return 130
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or the interpreter complains at its end
+        streams.let_go(sys.stdout)
         return 0
-    except OSError as error:  # what no reader or writer foresaw: a name too long, a disk that is full
-        if os.environ.get("ROBOSMI_DEBUG"):
-            raise
-        place = Location(str(error.filename)) if error.filename else None
-        refused = SourceError(
-            f"the system refuses: {error.strerror or error}",
-            location=place,
-            fix="check the path, the permissions and the space on the disk",
-        )
-        return _failed(refused, name, as_json, started)
     except Exception as error:
-        if os.environ.get("ROBOSMI_DEBUG"):
+        if os.environ.get("ROBOSMI_DEBUG") and not isinstance(error, RobosmiError):
             raise
-        bug = InternalError(
-            f"{type(error).__name__}: {error}",
-            fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",
-        )
-        return _failed(bug, name, as_json, started)
+        return _failed(as_error(error), name, as_json, started)
 
 
 def _run(parsed: argparse.Namespace) -> int:
@@ -147,8 +133,7 @@ def _run(parsed: argparse.Namespace) -> int:
     if parsed.json:
         _print_json(report.to_json())
     elif text := terminal_text(report):
-        print(text)
-    sys.stdout.flush()
+        streams.say(text)
     return int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
 
 
@@ -160,14 +145,17 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float) ->
             "schema": "robosmi/1", "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
             "artifacts": [], "timings": {"total_s": round(time.perf_counter() - started, 6)},
         }  # fmt: skip
-        _print_json(document)
-    print(f"robosmi: error: {error}", file=sys.stderr)
+        try:
+            _print_json(document)
+        except (SourceError, BrokenPipeError):
+            streams.let_go(sys.stdout)  # the message below has to do
+    streams.complain(f"robosmi: error: {error}")
     return error.exit_code
 
 
 def _print_json(document: dict[str, Any]) -> None:
-    plain = (sys.stdout.encoding or "").lower().replace("-", "") != "utf8"
-    print(json.dumps(document, indent=1, ensure_ascii=plain))
+    plain = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") != "utf8"
+    streams.say(json.dumps(document, indent=1, ensure_ascii=plain))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.report import Report
 
 
@@ -36,7 +37,7 @@ def _export(report: Report, folder: Path) -> None:
 
     written = []
     for source in sorted(built_in("metamodels").glob("*.ecore")):
-        write_atomic(folder / source.name, source.read_bytes())
+        write_atomic(folder / source.name, inputs.read_bytes(source, inputs.MODEL))
         written.append(folder / source.name)
     report.artifacts = [{"path": str(path), "kind": "metamodel"} for path in written]
     report.result = {"written": [str(path) for path in written], "skipped": [], "missing": []}

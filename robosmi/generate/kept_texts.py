@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
 from robosmi.generate.keep import keep
@@ -72,7 +73,7 @@ def _merge(
     folder: Path, record: Record, name: str, text: str, known: str | None, kept: KeptTexts, refused: list[Finding]
 ) -> None:
     path = folder / name
-    there = path.read_bytes() if path.is_file() else None
+    there = inputs.read_bytes(path, inputs.OUTPUT) if path.is_file() else None
     last = record.read(name)
     if last is None and there is not None and digest(there) == known:
         last = there  # made before there was a record, and nobody has changed it
@@ -101,7 +102,7 @@ def _merge(
 
 def _no_longer_made(folder: Path, record: Record, name: str, kept: KeptTexts) -> None:
     path = folder / name
-    there = path.read_bytes() if path.is_file() else None
+    there = inputs.read_bytes(path, inputs.OUTPUT) if path.is_file() else None
     if there is None or there == record.read(name):
         kept.obsolete |= {record.path(name)} | ({name} if there is not None else set())
         return

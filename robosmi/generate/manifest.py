@@ -11,8 +11,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
+from robosmi.inputs import OUTPUT, RECORD, read_bytes, read_text
 from robosmi.model.files import digest, within
 
 NAME = ".robosmi.json"
@@ -42,7 +44,7 @@ class Manifest:
         if not path.is_file():
             return cls()
         try:
-            data = json.loads(path.read_text(encoding="utf-8"))
+            data = json_of(read_text(path, RECORD))
             files = {str(k): str(v) for k, v in data["files"].items()}
             choices = [str(c) for c in data.get("choices", ())]
             if outside := [name for name in files if not within(name)]:
@@ -86,7 +88,7 @@ class Manifest:
             path = folder / name
             if not path.is_file():
                 continue
-            data = path.read_bytes()
+            data = read_bytes(path, OUTPUT)
             if contents.get(name) == data:
                 continue
             if name not in self.files:

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding, Severity
 from robosmi.generate.manifest import NAME, Manifest
 from robosmi.model.codegen import Rendered, render
@@ -73,7 +74,7 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
 
 
 def _has(path: Path, data: bytes) -> bool:
-    return path.is_file() and path.read_bytes() == data
+    return path.is_file() and inputs.read_bytes(path, inputs.OUTPUT) == data
 
 
 def _import_names(rendered: Rendered, folder: Path) -> Iterator[Finding]:

@@ -5,13 +5,11 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.commit import STAGE
 from robosmi.model.files import within
-
-_BLOCK = 1 << 16
-_FLAGS = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0)
 
 
 class Places:
@@ -41,31 +39,21 @@ class Places:
             self._check(name, parent)
             self._parents.add(parent)
         try:
-            handle = os.open(path, _FLAGS)
+            return inputs.read_bytes(path, inputs.OUTPUT, follow=False)
         except FileNotFoundError:
             return None
-        except ValueError as error:  # a null character
-            raise self._refused(name, "is no name of a file") from error
+        except IsADirectoryError as error:
+            raise self._refused(name, "is the name of a folder that is there") from error
         except OSError as error:
             if os.path.islink(path):
                 raise self._refused(name, "is a link, so that writing could change a file elsewhere") from error
             raise self._unreadable(path, error) from error
-        try:
-            data = os.read(handle, _BLOCK)
-            while len(data) % _BLOCK == 0 and (more := os.read(handle, _BLOCK)):
-                data += more
-            return data
-        except IsADirectoryError as error:
-            raise self._refused(name, "is the name of a folder that is there") from error
-        except OSError as error:
-            raise self._unreadable(path, error) from error
-        finally:
-            os.close(handle)
 
     def _unreadable(self, path: str, error: OSError) -> SourceError:
         return SourceError(
-            f"the file that is there cannot be read: {error.strerror}", location=Location(path), fix="check its permissions"
-        )
+            f"the file that is there cannot be read: {error.strerror}", location=Location(path),
+            fix=inputs.fix_of(error, "check its permissions"),
+        )  # fmt: skip
 
     def check_name(self, name: str) -> None:
         """Make sure that a path may be a file's, whatever there is in the folder.

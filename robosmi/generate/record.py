@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.files import within
@@ -35,8 +36,7 @@ class Record:
     def read(self, name: str) -> bytes | None:
         """The text that was made last, None if there is none."""
         try:
-            with open(f"{self._root}/{name}", "rb") as file:
-                return file.read()
+            return inputs.read_bytes(f"{self._root}/{name}", inputs.OUTPUT)
         except (FileNotFoundError, NotADirectoryError):
             return None
 

@@ -16,7 +16,7 @@ from typing import Any
 
 import pyecoregen.ecore as pyecoregen
 
-from robosmi import resources
+from robosmi import inputs, resources
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.model.commit import update
@@ -150,7 +150,7 @@ def _mixins(folder: Path, module: str) -> dict[str, frozenset[str]]:
     if not path.is_file():
         return {}
     try:
-        tree = ast.parse(path.read_bytes())
+        tree = ast.parse(inputs.read_bytes(path, inputs.OUTPUT))
     except (SyntaxError, ValueError) as error:
         raise SourceError(
             f"the file is no Python: {error}", location=Location(str(path), getattr(error, "lineno", None)), fix="correct it"

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import unquote
 
+from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.model.ecore_description import ECORE, KNOWN, XML_TYPES, Package
 from robosmi.model.ecore_xml import Node, read_nodes
@@ -77,7 +78,7 @@ class EcoreFiles:
         place = Path(os.path.realpath(path))
         if place in self._files:
             return self._files[place]
-        root = read_nodes(read_input(path, "metamodel"), path)
+        root = read_nodes(read_input(path, "metamodel", inputs.MODEL), path)
         roots = [n for n in (root.children if root.tag == "XMI" else [root]) if n.tag == "EPackage"]
         if not roots:
             from robosmi.diagnostics import Location
@@ -133,7 +134,7 @@ class EcoreFiles:
             known = self._beside[folder] = {}
             for path in sorted(folder.glob("*.ecore")):
                 try:
-                    root = read_nodes(path.read_bytes(), path)
+                    root = read_nodes(inputs.read_bytes(path, inputs.MODEL), path)
                 except (SourceError, OSError):
                     continue
                 for node in root.walk():

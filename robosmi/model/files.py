@@ -10,6 +10,7 @@ import os
 import tempfile
 from pathlib import Path, PurePosixPath
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
@@ -19,26 +20,28 @@ def digest(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def read_input(path: Path, what: str) -> bytes:
+def read_input(path: Path, what: str, kind: inputs.Kind) -> bytes:
     """The bytes of a file that the user gave.
 
     Args:
         path: the file.
         what: what it should be, for the message ("source file").
+        kind: its kind, which says how many bytes it may have.
 
     Raises:
-        SourceError: it does not exist, is a folder or may not be read.
+        SourceError: it does not exist, is no ordinary file, is too large or may not be read.
     """
     try:
-        return path.read_bytes()
+        return inputs.read_bytes(path, kind)
     except FileNotFoundError:
         raise SourceError(f"the {what} does not exist", location=Location(str(path)), fix="check the path") from None
     except IsADirectoryError:
         raise SourceError(f"the {what} is a folder", location=Location(str(path)), fix="give a file") from None
     except OSError as error:
         raise SourceError(
-            f"the {what} cannot be read: {error.strerror}", location=Location(str(path)), fix="check the file's permissions"
-        ) from None
+            f"the {what} cannot be read: {error.strerror}", location=Location(str(path)),
+            fix=inputs.fix_of(error, "check the file's permissions"),
+        ) from None  # fmt: skip
 
 
 def write_atomic(path: Path, data: bytes) -> None:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.model.driver import Model
@@ -78,7 +79,7 @@ def _driver(file: Path, driver: str | None) -> Callable[..., Model]:
 def _by_content(file: Path) -> str | None:
     from robosmi.model.files import read_input
 
-    start = read_input(file, "model")[:2000]
+    start = read_input(file, "model", inputs.MODEL)[:2000]
     if b"http://www.omg.org/XMI" in start:
         return _DRIVERS["emf"]
     return _DRIVERS["xml"] if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else None

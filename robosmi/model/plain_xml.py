@@ -14,8 +14,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Self
 
+from robosmi import inputs
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import Model, ModelElement
+from robosmi.model.files import read_input
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_guard import read_tree, root_offset
 
@@ -170,10 +172,8 @@ class XmlModel(Model):
         Raises:
             SourceError: it cannot be read, is not well-formed, or declares entities.
         """
-        from robosmi.model.files import read_input
-
         file = Path(path)
-        return cls.parse(read_input(file, "XML file"), name or file.stem, file)
+        return cls.parse(read_input(file, "XML file", inputs.MODEL), name or file.stem, file)
 
     @classmethod
     def parse(cls, data: bytes, name: str = "M", path: Path | None = None) -> Self:

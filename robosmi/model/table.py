@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
 from robosmi.model.driver import Model, ModelElement
@@ -186,7 +187,7 @@ def _fitting(value: Any, kind: Callable[[str], Any], what: str) -> Any:
 def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
     from robosmi.model.files import read_input
 
-    data = read_input(path, "table")
+    data = read_input(path, "table", inputs.TABLE)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.lean import collector_at_rest
@@ -143,16 +144,14 @@ class _Reader:
         if path in self._refused:
             return None
         try:
-            data = path.read_bytes() if path.is_file() or not path.exists() else None
-            why = "it is no ordinary file"
+            data = inputs.read_bytes(path, inputs.MODEL)
         except OSError as error:
-            data, why = None, error.strerror or str(error)
-        if data is None:
             self._refused.add(path)
+            why = error.strerror or str(error)
             self.give_up(
                 referrer or Location(str(path)),
                 f"the model '{path.name}' cannot be read: {why}",
-                "check the path; files that refer to each other must keep their places",
+                inputs.fix_of(error, "check the path; files that refer to each other must keep their places"),
             )
             return None
         place = str(path)

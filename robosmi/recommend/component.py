@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from robosmi import inputs
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
@@ -82,14 +84,14 @@ def read_components(path: Path) -> tuple[ComponentQuery, ...]:
     """
     place = Location(str(path))
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
+        document = json_of(inputs.read_text(path, inputs.TABLE))
     except OSError as error:
         raise SourceError(f"cannot be read: {error.strerror}", location=place, fix="give a file of components") from error
     except json.JSONDecodeError as error:
         raise SourceError(
             f"is not JSON: {error.msg}", location=Location(str(path), error.lineno, error.colno), fix="correct it there"
         ) from error
-    except (ValueError, RecursionError) as error:
+    except ValueError as error:
         raise SourceError("is not JSON in UTF-8", location=place, fix="save it as UTF-8") from error
     if not isinstance(document, list):
         raise SourceError(f"is not a list of components but {_kind(document)}", location=place, fix=f"write [...]; {_FORM}")

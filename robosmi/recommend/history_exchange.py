@@ -13,6 +13,7 @@ from dataclasses import asdict, fields
 from datetime import date
 from typing import Any
 
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.history import Entry
@@ -47,8 +48,8 @@ def from_json(text: str, location: Location | None = None) -> list[Entry]:
     """
     fix = f'take a document that was exported: {{"schema": "{SCHEMA}", "entries": [...]}}'
     try:
-        document = json.loads(text)
-    except (ValueError, RecursionError) as error:
+        document = json_of(text)
+    except ValueError as error:
         raise SourceError(f"this is not JSON: {error}", location=location, fix=fix) from error
     if not isinstance(document, dict) or document.get("schema") != SCHEMA or not isinstance(document.get("entries"), list):
         raise SourceError("this is not an exported history", location=location, fix=fix)

@@ -8,11 +8,13 @@ in `recognition`; which libraries are usual for a device is another table, read 
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, cast, get_args
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.recommend.words import plain
@@ -118,7 +120,7 @@ class _Row:
 def _rows(path: Path) -> Iterator[_Row]:
     place = Location(str(path))
     try:
-        with path.open(encoding="utf-8", newline="") as lines:
+        with io.StringIO(inputs.read_bytes(path, inputs.DATA).decode(), newline="") as lines:
             table = csv.reader(lines, strict=True)
             if tuple(next(table, ())) != COLUMNS:
                 raise PlatformDataError("is not a table of devices", location=place, fix=_FIX)

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from robosmi.data_text import json_of
+
 _LARGEST = 1 << 26  # bytes; the largest library of the shipped index has 0.4 MB
 
 
@@ -196,7 +198,7 @@ def unpacked(data: bytes) -> tuple[HeaderApi, ...]:
     """
     try:
         text = zlib.decompressobj().decompress(data, _LARGEST)
-        return tuple(_headers(json.loads(text)))
+        return tuple(_headers(json_of(text)))
     except (zlib.error, RecursionError, TypeError) as error:
         raise ValueError(str(error)) from error
 

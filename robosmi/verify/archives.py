@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from robosmi import resources
+from robosmi import inputs, resources
 
 
 def digest(files: Iterable[Path], *more: object) -> str:
@@ -26,7 +26,7 @@ def digest(files: Iterable[Path], *more: object) -> str:
     """
     result = hashlib.sha256(repr(more).encode())
     for path in files:
-        content = path.read_bytes()
+        content = inputs.read_bytes(path, inputs.OUTPUT)
         result.update(f"\0{path}\0{len(content)}\0".encode(errors="surrogateescape"))
         result.update(content)
     return result.hexdigest()[:16]

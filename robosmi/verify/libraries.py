@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.verify.tables import Table, find_files
 from robosmi.verify.toolchain_data import Toolchain, fill, places
 
@@ -124,7 +125,7 @@ def _properties(path: Path) -> dict[str, str]:
     """The `key=value` lines of a library's description; empty if there is none."""
     if not path.is_file():
         return {}
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    lines = inputs.read_text(path, inputs.SETTINGS, errors="replace").splitlines()
     return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in lines) if sep}
 
 

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.verify.compile_report import (
     COMPILER_ERROR,
@@ -103,7 +104,7 @@ def linker_findings(text: str, patterns: Table, files: Iterable[Path]) -> list[F
 def _first_use(symbol: str, files: Iterable[Path]) -> Location | None:
     word = re.compile(rf"\b{re.escape(symbol.rpartition('::')[2])}\b")
     for path in files:
-        for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
+        for number, line in enumerate(inputs.read_text(path, inputs.OUTPUT, errors="replace").splitlines(), 1):
             if found := word.search(line.partition("//")[0]):
                 return Location(str(path), number, len(line[: found.start()].encode()) + 1)
     return None

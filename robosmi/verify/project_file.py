@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
@@ -53,7 +54,7 @@ def read_project_file(path: Path) -> ProjectFile:
         SourceError: the file cannot be read, is not in the form this module knows, or its default profile does not exist.
     """
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = inputs.read_text(path, inputs.SETTINGS, "utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
     entries = parse(text, path)

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.verify.boards import Board, find_board
@@ -50,7 +51,7 @@ class Sketch:
         text = toolchain.sketch.text("prologue")
         for path in (self.main, *self.parts):
             try:
-                content = path.read_text(encoding="utf-8-sig", errors="surrogateescape")
+                content = inputs.read_text(path, inputs.OUTPUT, "utf-8-sig", "surrogateescape")
             except OSError as error:
                 raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
             text += line.replace("{file}", path.name) + content + ("" if content.endswith("\n") else "\n")

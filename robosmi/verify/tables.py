@@ -7,13 +7,13 @@ knows a key.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 
@@ -43,8 +43,8 @@ class Table:
             PlatformDataError: it cannot be read, or is no TOML.
         """
         try:
-            return Table(path, tomllib.loads(path.read_text(encoding="utf-8")))
-        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+            return Table(path, toml_of(inputs.read_text(path, inputs.SETTINGS)))
+        except (OSError, ValueError) as error:
             raise PlatformDataError(f"the file cannot be read: {error}", location=Location(str(path))) from error
 
     def error(self, key: str, problem: str) -> PlatformDataError:

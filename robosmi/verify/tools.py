@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError
 from robosmi.verify.toolchain_data import Toolchain, ToolEntry, places
@@ -94,7 +95,8 @@ def find_core(toolchain: Toolchain) -> Path | None:
 def core_version(toolchain: Toolchain, core: Path) -> str:
     """What the core says about its version, or `unknown`."""
     file = core / toolchain.core.text("version_file")
-    if file.is_file() and (found := toolchain.core.pattern("version_pattern").search(file.read_text(errors="replace"))):
+    text = inputs.read_text(file, inputs.SETTINGS, errors="replace") if file.is_file() else ""
+    if found := toolchain.core.pattern("version_pattern").search(text):
         return found[1].strip()
     return "unknown"
 

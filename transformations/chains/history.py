@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
 from robosmi.model import load_model, save_model
@@ -45,7 +46,7 @@ def import_history(history: History, path: Path) -> tuple[int, int]:
         entries = model_to_history(load_model(path), location)
     else:
         try:
-            text = path.read_bytes().decode("utf-8")
+            text = inputs.read_bytes(path, inputs.HISTORY).decode("utf-8")
         except (OSError, UnicodeDecodeError) as error:
             raise SourceError(f"cannot be read: {error}", location=location, fix="give an exported file, in UTF-8") from error
         entries = from_csv(text, location) if form == ".csv" else from_json(text, location)

@@ -12,7 +12,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import json_of
 from robosmi.model.files import write_atomic
+from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import LibraryApi
 from robosmi.transformations.m2m.library_ranking import LibraryFacts, installed_index, library_api, library_by_name
 from robosmi.transformations.t2m.installed_libraries import read_libraries
@@ -105,7 +107,7 @@ def import_libraries(folder: Path, platform: str) -> Imported:
 def _rows(facts: Path) -> list[dict[str, Any]]:
     """Facts of earlier imports; a file that is damaged is started anew, since importing again makes it."""
     try:
-        with gzip.open(facts, "rt", encoding="utf-8") as lines:
-            return [row for line in lines if isinstance(row := json.loads(line), dict) and row.get("name")]
+        with packed_lines(facts) as lines:
+            return [row for line in lines if isinstance(row := json_of(line), dict) and row.get("name")]
     except (OSError, EOFError, ValueError):
         return []

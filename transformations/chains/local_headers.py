@@ -11,6 +11,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source.lexer import tokens
 from robosmi.transformations.t2m.platform_api import ApiIndex
@@ -44,7 +45,7 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
 def _included(path: Path) -> list[str]:
     """The names in a file's include directives; none for a file that cannot be read, which its reader reports."""
     try:
-        data = path.read_bytes()
+        data = inputs.read_bytes(path, inputs.SOURCE)
     except OSError:
         return []
     directives = (text for kind, _, _, text in tokens(data) if kind == "directive") if b"include" in data else ()

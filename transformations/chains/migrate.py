@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi import __version__
+from robosmi import __version__, inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
@@ -88,7 +88,7 @@ def plan_migration(
     drawn, board, stored = None, None, {}
     places = _store_units(program)
     for path in paths:
-        stored[places[str(path)]] = path.read_bytes()
+        stored[places[str(path)]] = inputs.read_bytes(path, inputs.SOURCE)
     names = {place: path for path, place in places.items()}
     for view in seen:
         findings = [*findings, *remarks(view, stored[view.unit.path], names[view.unit.path])]
@@ -110,7 +110,7 @@ def plan_migration(
         findings = [*findings, *drawing.findings]
         places[str(drawing_path)] = f"source/{drawing_path.name}"
         drawing.circuit.path = places[str(drawing_path)]
-        stored[drawing.circuit.path] = drawing_path.read_bytes()
+        stored[drawing.circuit.path] = inputs.read_bytes(drawing_path, inputs.DRAWING)
     else:
         findings = [
             *findings,

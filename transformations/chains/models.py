@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
@@ -117,7 +118,7 @@ def _checked(path: Path, entry: migration.Input) -> bytes:
             fix="make the plan again with migrate",
         )
     try:
-        data = file.read_bytes()
+        data = inputs.read_bytes(file, inputs.MODEL)
     except OSError as error:
         raise SourceError(
             f"the plan's {entry.kind} cannot be read: {error.strerror}",

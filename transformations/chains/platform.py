@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.model.files import write_atomic
@@ -120,7 +121,7 @@ def _headers(path: Path) -> dict[str, Any]:
     if not path.is_file():
         return {}
     try:
-        headers = json.loads(path.read_bytes())["headers"]
+        headers = json_of(inputs.read_bytes(path, inputs.DATA))["headers"]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise PlatformDataError(f"{path} is damaged: {error}", fix="delete the file and import again") from error
     if not isinstance(headers, dict):

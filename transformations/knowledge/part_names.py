@@ -7,13 +7,14 @@ small; the rules for roles, which only unknown parts need, are in `part_roles`. 
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
+from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
@@ -132,7 +133,7 @@ def read_toml(path: Path | str) -> dict[str, Any]:
         PlatformDataError: it cannot be read, or is not TOML; with its place in the file.
     """
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        text = inputs.read_text(path, inputs.DATA)
     except (OSError, UnicodeDecodeError) as error:
         raise PlatformDataError(
             f"cannot be read: {error}", location=Location(str(path)), fix="mend or remove the file"
@@ -147,8 +148,8 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Any]:
         PlatformDataError: it is not TOML; with its place in the whole file.
     """
     try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+        return toml_of(text)
+    except ValueError as error:
         at = re.search(r"at line (\d+), column (\d+)", str(error))
         line, column = (int(at[1]) + first_line - 1, int(at[2])) if at else (first_line, None)
         cause = str(error).partition(" (at ")[0]

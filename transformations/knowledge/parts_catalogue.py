@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
@@ -89,7 +90,7 @@ def _opened(path: Path, changed: int) -> PartsFile:  # `changed` keys the cache:
 def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
     """The file cut before each `[[part]]`: line number and text, which is TOML by itself."""
     try:
-        text = path.read_text(encoding="utf-8")
+        text = inputs.read_text(path, inputs.DATA)
     except (OSError, UnicodeDecodeError) as error:
         place = Location(str(path))
         raise PlatformDataError(f"cannot be read: {error}", location=place, fix="mend or remove the file") from error

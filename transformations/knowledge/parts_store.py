@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.sqlite_files import writing
@@ -113,7 +114,7 @@ class PartsFile:
 
     def _unpacked(self, piece: bytes) -> Any:
         try:
-            return json.loads(zlib.decompressobj(zdict=_COMMON).decompress(piece, 16 * 1024 * 1024))
+            return json_of(zlib.decompressobj(zdict=_COMMON).decompress(piece, 16 * 1024 * 1024))
         except (zlib.error, ValueError, TypeError) as error:
             raise self._damaged(str(error)) from error
 

@@ -7,10 +7,11 @@ one's own is one line in a file of one's own. Of the other files the first that 
 from __future__ import annotations
 
 import csv
+import io
 from functools import lru_cache
 from pathlib import Path
 
-from robosmi import resources
+from robosmi import inputs, resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.project import read_data
@@ -67,7 +68,7 @@ def _usual(paths: list[Path]) -> dict[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
     for path in paths:
         try:
-            with path.open(encoding="utf-8", newline="") as lines:
+            with io.StringIO(inputs.read_bytes(path, inputs.DATA).decode(), newline="") as lines:
                 table = csv.reader(lines, strict=True)
                 for row in table:
                     if row and table.line_num > 1:

@@ -6,11 +6,11 @@ and which words the target's language has reserved. What is done about a clash i
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from functools import cache
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 
@@ -43,7 +43,7 @@ def target_names(platform: str) -> TargetNames:
     """
     path = resources.find("platform_repo", f"{platform}/names.json")
     try:
-        data = json.loads(path.read_bytes())
+        data = json_of(inputs.read_bytes(path, inputs.DATA))
         return TargetNames(*(frozenset(data[key]) for key in ("declared", "macros", "same", "absent", "keywords")))
     except (OSError, ValueError, KeyError) as error:
         raise PlatformDataError(

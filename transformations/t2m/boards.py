@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import os
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
+from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
@@ -178,7 +179,7 @@ def _board(table: Mapping[str, Any], path: str) -> platform.Board:
 @cache
 def _text(path: str, changed: int) -> str:
     try:
-        return Path(path).read_text(encoding="utf-8")
+        return inputs.read_text(path, inputs.SETTINGS)
     except (OSError, UnicodeDecodeError) as error:
         raise PlatformDataError(f"cannot be read: {error}", location=Location(path), fix="mend or remove the file") from error
 
@@ -186,6 +187,6 @@ def _text(path: str, changed: int) -> str:
 @cache
 def _table(path: str, changed: int) -> dict[str, Any]:
     try:
-        return tomllib.loads(_text(path, changed))
-    except tomllib.TOMLDecodeError as error:
+        return toml_of(_text(path, changed))
+    except ValueError as error:
         raise PlatformDataError(f"not valid TOML: {error}", location=Location(path), fix="mend the file") from error

@@ -8,7 +8,6 @@ folders without headers, doubles and rings of links are left out, each with its 
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections import Counter
@@ -17,6 +16,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
@@ -153,8 +154,8 @@ def _declared(folder: Path, found: Found) -> dict[str, str]:
         return said
     if manifest.is_file() and (text := _text(manifest, found)) is not None:
         try:
-            data = json.loads(text)
-        except (ValueError, RecursionError):
+            data = json_of(text)
+        except ValueError:
             data = None
         if isinstance(data, dict):
             said = {key: _clean(value) for key, value in _from_manifest(data).items()}
@@ -237,7 +238,7 @@ def _text(path: Path, found: Found) -> str | None:
         if path.stat().st_size > _LARGEST:
             found.skipped[str(path)] = f"it is larger than {_LARGEST} bytes"
             return None
-        data = path.read_bytes()
+        data = inputs.read_bytes(path, inputs.SOURCE)
     except OSError as error:
         found.skipped[str(path)] = f"cannot be read: {error.strerror}"
         return None

@@ -6,16 +6,16 @@ only looks like a declaration (a macro's call: no type) is left out. Where insta
 
 from __future__ import annotations
 
-import gzip
-import json
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi
 from robosmi.transformations.t2m.api_spelling import spelled
 
@@ -31,7 +31,7 @@ def read_api(api_jsonl_gz: Path) -> dict[str, list[HeaderApi]]:
     """
     found: dict[str, list[HeaderApi]] = {}
     try:
-        with gzip.open(api_jsonl_gz, "rt", encoding="utf-8") as lines:
+        with packed_lines(api_jsonl_gz) as lines:
             for number, line in enumerate(lines, 1):
                 library, api = _row(line, Location(str(api_jsonl_gz), number))
                 found.setdefault(library, []).append(api)
@@ -42,11 +42,11 @@ def read_api(api_jsonl_gz: Path) -> dict[str, list[HeaderApi]]:
 
 def _row(line: str, place: Location) -> tuple[str, HeaderApi]:
     try:
-        row = json.loads(line)
+        row = json_of(line)
         if not isinstance(row, dict) or not isinstance(row.get("library"), str):
             raise ValueError("it names no library")
         return row["library"], header_api(row)
-    except (ValueError, RecursionError) as error:
+    except ValueError as error:
         raise SourceError(f"this line does not say what a header declares: {error}", location=place, fix=_FIX) from error
 
 

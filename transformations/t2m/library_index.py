@@ -9,7 +9,6 @@ file format is in `robosmi.recommend.index`, the ranking in `transformations.m2m
 
 from __future__ import annotations
 
-import gzip
 import json
 import re
 import sys
@@ -17,8 +16,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError
+from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.index_writer import write_index
 from robosmi.recommend.library_api import HeaderApi
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
@@ -57,9 +58,9 @@ def _rows(path: Path) -> Iterator[dict[str, Any]]:
     place = Location(str(path))
     number = 0
     try:
-        with gzip.open(path, "rt", encoding="utf-8") as lines:
+        with packed_lines(path) as lines:
             for number, line in enumerate(lines, 1):
-                yield _checked(json.loads(line), Location(str(path), number))
+                yield _checked(json_of(line), Location(str(path), number))
     except json.JSONDecodeError as error:
         raise SourceError(f"is not JSON: {error.msg}", location=Location(str(path), number, error.colno), fix=_FIX) from error
     except (OSError, EOFError, UnicodeDecodeError) as error:

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import csv
 import hashlib
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
+from robosmi.data_text import toml_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
@@ -28,9 +29,6 @@ from robosmi.transformations.t2m.given_roles import given_roles
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
 """The columns; the first two must be there."""
-
-MAX_BYTES = 1024 * 1024
-"""Bytes of a table; a board has under a hundred pins."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
@@ -225,12 +223,10 @@ def _default_board() -> str:
 def _bytes_of(path: Path) -> bytes:
     place = Location(str(path))
     try:
-        with path.open("rb") as stream:
-            data = stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        raise SourceError(f"it cannot be read: {error}", location=place, fix="check the name of the table") from error
-    if len(data) > MAX_BYTES:
-        raise SourceError("it has more than 1 MB", location=place, fix="check that it is a pin table")
+        data = inputs.read_bytes(path, inputs.SETTINGS)
+    except OSError as error:
+        fix = inputs.fix_of(error, "check the name of the table")
+        raise SourceError(f"it cannot be read: {error.strerror}", location=place, fix=fix) from error
     if not data.strip():
         raise SourceError("the file is empty", location=place, fix=_FIX)
     return data
@@ -275,8 +271,8 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
 
 def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     try:
-        table: dict[str, Any] = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+        table: dict[str, Any] = toml_of(text)
+    except ValueError as error:
         raise SourceError(f"not valid TOML: {error}", location=Location(str(path)), fix=_FIX) from error
     entries = table.get("pin", [])
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):

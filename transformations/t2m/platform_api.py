@@ -8,14 +8,13 @@ here; the queries in `queries.code` put both together.
 
 from __future__ import annotations
 
-import json
-import tomllib
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import json_of, toml_of
 from robosmi.errors import PlatformDataError
 
 if TYPE_CHECKING:
@@ -290,12 +289,12 @@ def _load(folder: str) -> ApiIndex:
 @cache
 def _virtual_headers(folder: str) -> dict[str, bytes]:
     root = Path(folder)
-    return {path.relative_to(root).as_posix(): path.read_bytes() for path in sorted(root.rglob("*.h"))}
+    return {path.relative_to(root).as_posix(): inputs.read_bytes(path, inputs.SOURCE) for path in sorted(root.rglob("*.h"))}
 
 
 def _json(path: Path) -> dict[str, Any]:
     try:
-        content: dict[str, Any] = json.loads(path.read_bytes())
+        content: dict[str, Any] = json_of(inputs.read_bytes(path, inputs.DATA))
         return content
     except (OSError, ValueError) as error:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
@@ -303,7 +302,7 @@ def _json(path: Path) -> dict[str, Any]:
 
 def _toml(path: Path) -> dict[str, Any]:
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return toml_of(inputs.read_text(path, inputs.DATA))
     except (OSError, ValueError) as error:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
 

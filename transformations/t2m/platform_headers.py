@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
@@ -130,7 +131,7 @@ def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, li
         try:
             if path.stat().st_size > LARGEST:
                 raise ValueError("it is too large for a header")
-            data = path.read_bytes()
+            data = inputs.read_bytes(path, inputs.SOURCE)
         except (OSError, ValueError) as error:
             if path.suffix.lower() in ENDINGS:
                 found.skipped[str(path)] = getattr(error, "strerror", None) or str(error)
@@ -226,7 +227,7 @@ def _damaged(unit: ccode.SourceUnit, entry: dict[str, Any]) -> list[str]:
 def _defaults(path: str) -> Iterator[tuple[str, bool]]:
     """Macros that the header defines where nobody did (`#ifndef X`, `#define X`), whether or not another header was faster."""
     open_: list[str] = []
-    for kind, _, _, text in tokens(Path(path).read_bytes()):
+    for kind, _, _, text in tokens(inputs.read_bytes(path, inputs.SOURCE)):
         if kind != "directive":
             continue
         word, rest = directive_parts(text)
@@ -272,7 +273,7 @@ def _mark_registers(found: ApiFound) -> None:
         aliases.update(entry.pop("aliases", {}))
         candidates = entry.pop("volatile", ())
         if candidates:
-            text = Path(found.paths[name]).read_text(encoding="utf-8", errors="replace")
+            text = inputs.read_text(found.paths[name], inputs.SOURCE, errors="replace")
             registers.update(n for n in candidates if re.search(rf"\b{re.escape(n)}\s+(?:__asm__|asm|__asm)\s*\(", text))
     for _ in range(len(aliases)):
         more = {name for name, target in aliases.items() if target in registers} - registers

@@ -13,7 +13,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import json_of
 
 PLATFORM = "propeller"
 
@@ -60,10 +61,10 @@ def write(folder: Path, target: Path) -> list[Path]:
     def line(value: Any) -> str:
         return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
 
-    api = api_facts(json.loads((folder / "api_db.json").read_text(encoding="utf-8")))
+    api = api_facts(json_of(inputs.read_text(folder / "api_db.json", inputs.DATA)))
     rows = ",\n".join(f"{line(name)}:{line(header)}" for name, header in api["headers"].items())
     (target / "api.json").write_text('{"headers":{\n' + rows + "\n}}\n", encoding="utf-8")
-    pins = pin_facts(json.loads((folder / "pin_parameters.json").read_text(encoding="utf-8")))
+    pins = pin_facts(json_of(inputs.read_text(folder / "pin_parameters.json", inputs.DATA)))
     rows = ",\n".join(line(entry) for entry in pins["functions"])
     (target / "pins.json").write_text('{"functions":[\n' + rows + "\n]}\n", encoding="utf-8")
     return [target / "api.json", target / "pins.json"]

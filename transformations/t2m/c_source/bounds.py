@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.ordering import post_order
@@ -25,7 +26,7 @@ MAX_BRANCHES = 1000
 """`else` after `else` of one chain."""
 MAX_EXPANDED = 4_000_000
 """Tokens of a file after its macros are expanded."""
-LARGEST = 8_000_000
+LARGEST = inputs.SOURCE.most
 """Bytes of a source file or header; none of a microcontroller's program is that large."""
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
 _BRACKETS = re.compile(rb"[()\[\]{}]")

@@ -13,9 +13,9 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from functools import lru_cache
-from pathlib import Path
 from typing import NamedTuple
 
+from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.c_source.bounds import LARGEST, cuts, shallow
 from robosmi.transformations.t2m.c_source.lexer import tokens
@@ -144,7 +144,7 @@ def _bound(files: dict[str, _File], root: str) -> bool:
             file.inner.clear()
             if key != root and file.text != b"":
                 with suppress(OSError):
-                    text = file.text if file.text is not None else Path(file.path).read_bytes()
+                    text = file.text if file.text is not None else inputs.read_bytes(file.path, inputs.SOURCE)
                     file.text = _INCLUDE_LINE.sub(b"", text)
     return itself
 
@@ -196,8 +196,7 @@ def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
     if size > LARGEST or not regular:  # a pipe or device may never end
         return _Content(b"", (), True)
     try:
-        with open(path, "rb") as stream:
-            data = stream.read()
+        data = inputs.read_bytes(path, inputs.SOURCE)
         included, guarded = tuple(INCLUDED.findall(data)), _guarded(data)
         if shallow(data):
             return _Content(None, included, guarded)

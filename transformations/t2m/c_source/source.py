@@ -15,9 +15,9 @@ from bisect import bisect_right
 from dataclasses import dataclass, field
 from typing import Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.transformations.t2m.c_source.bounds import LARGEST
 from robosmi.transformations.t2m.c_source.lexer import Token, tokens
 
 _LINE_END = re.compile(rb"\n")
@@ -121,8 +121,7 @@ def _spelt(token: Token, source: SourceText) -> Token:
 def _bytes(name: str) -> bytes:
     place = Location(name)
     try:
-        with open(name, "rb") as stream:
-            data = stream.read(LARGEST + 1)
+        return inputs.read_bytes(name, inputs.SOURCE)
     except FileNotFoundError as error:
         raise SourceError("there is no such file", location=place, fix="check the path") from error
     except IsADirectoryError as error:
@@ -131,12 +130,9 @@ def _bytes(name: str) -> bytes:
         if os.path.isdir(name):  # Windows says so of folders
             raise SourceError("this is a folder, not a file", location=place, fix="give the C source files in it") from error
         raise SourceError("the file may not be read", location=place, fix="change its permissions") from error
-    except (OSError, ValueError) as error:
-        cause = getattr(error, "strerror", None) or str(error)
-        raise SourceError(f"the file cannot be read: {cause}", location=place, fix="check the path and the disk") from error
-    if len(data) > LARGEST:
-        raise SourceError(f"the file is larger than {LARGEST:,} bytes", location=place, fix=_SPLIT)
-    return data
+    except OSError as error:
+        fix = inputs.fix_of(error, "check the path and the disk")
+        raise SourceError(f"the file cannot be read: {error.strerror or error}", location=place, fix=fix) from error
 
 
 def _decode(raw: bytes) -> tuple[bytes, str, str]:

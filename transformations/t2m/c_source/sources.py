@@ -6,13 +6,14 @@ also says with which include folders and macros each file is compiled. Nothing i
 
 from __future__ import annotations
 
-import json
 import os
 import shlex
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from robosmi import inputs
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
 
@@ -96,9 +97,8 @@ def _of_commands(path: str, include_dirs: Sequence[str], defines: Sequence[str])
     """
     fix = "let the build tool write it again"
     try:
-        with open(path, "rb") as stream:
-            entries: Any = json.load(stream)
-    except (OSError, ValueError, RecursionError) as error:
+        entries: Any = json_of(inputs.read_bytes(path, inputs.TABLE))
+    except (OSError, ValueError) as error:
         raise SourceError(f"the compile commands cannot be read: {error}", location=Location(path), fix=fix) from error
     files = []
     for entry in entries if isinstance(entries, list) else ():

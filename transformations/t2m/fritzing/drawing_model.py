@@ -8,16 +8,17 @@ from __future__ import annotations
 
 import io
 import zipfile
-import zlib
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.model.files import read_input, write_atomic
+from robosmi.model import zip_archive
+from robosmi.model.files import write_atomic
 from robosmi.model.plain_xml import XmlModel
 
-from .container import MAX_BYTES, read_container, read_entry
+from .container import MAX_BYTES, MAX_ENTRIES, read_container
 
 
 class DrawingModel(XmlModel):
@@ -45,16 +46,16 @@ class DrawingModel(XmlModel):
         room = MAX_BYTES
         place = str(self.path)
         try:
-            with zipfile.ZipFile(io.BytesIO(self.archive)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as new:
-                for entry in old.infolist():
-                    content = read_entry(place, old, entry, room)
+            with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as new:
+                for entry in zip_archive.entries(self.archive, place, MAX_ENTRIES):
+                    content = zip_archive.unpacked(self.archive, entry, place, room)
                     room -= len(content)
                     if entry.filename == self.sketch_name:
                         if content == text:
                             return self.archive
                         content = text
                     new.writestr(entry, content)
-        except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+        except zipfile.BadZipFile as error:
             cause = f"the archive cannot be copied: {error}"
             raise SourceError(cause, location=Location(place), fix="save the drawing as .fz instead") from error
         return out.getvalue()
@@ -66,9 +67,8 @@ def open_drawing(path: Path, name: str | None = None) -> DrawingModel:
     Raises:
         SourceError: it is no archive with a drawing in it, or that is no well-formed XML.
     """
-    read_input(path, "drawing")
     held = read_container(path)
     model = DrawingModel.parse(held.sketch, name or path.stem, path)
-    data = path.read_bytes()
+    data = inputs.read_bytes(path, inputs.DRAWING)
     model.archive, model.sketch_name = data if data[:2] == b"PK" else b"", held.sketch_name
     return model

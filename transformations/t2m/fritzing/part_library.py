@@ -15,6 +15,7 @@ from pathlib import Path
 
 from lxml import etree
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.part import Part
@@ -23,8 +24,8 @@ from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.fritzing.document import parse_xml
 from robosmi.transformations.t2m.fritzing.part_file import part_of
 
-MAX_BYTES = 16 * 1024 * 1024
-"""Bytes of a definition; the largest public one has under one megabyte."""
+DEFINITION = inputs.Kind("part definition", 16 * 1024 * 1024)
+"""The largest public one has under one megabyte."""
 
 _TAG = re.compile(r"<[^<>]*>")
 _WORD = re.compile(r"[^\W_]{2,30}")
@@ -55,7 +56,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> Librar
     seen: set[str] = set()
     for path, shown in _files(folders):
         try:
-            root = parse_xml(_bytes(path), str(path), path.name)
+            root = parse_xml(inputs.read_bytes(path, DEFINITION), str(path), path.name)
             part = part_of(root, shown, known)
         except (SourceError, OSError) as error:
             cause = error.message if isinstance(error, SourceError) else error.strerror
@@ -95,14 +96,6 @@ def _words(root: etree._Element) -> Counter[str]:
     """How often each word stands in the description, in lower case; HTML is often written in it as text."""
     text = str(root.xpath("string(description)"))
     return Counter(word.lower() for word in _WORD.findall(_TAG.sub(" ", html.unescape(html.unescape(text)))))
-
-
-def _bytes(path: Path) -> bytes:
-    with path.open("rb") as stream:
-        data = stream.read(MAX_BYTES + 1)
-    if len(data) > MAX_BYTES:
-        raise SourceError(f"it has more than {MAX_BYTES // 1024 // 1024} MB", location=Location(str(path)))
-    return data
 
 
 def _left_out(path: Path, cause: str) -> Finding:

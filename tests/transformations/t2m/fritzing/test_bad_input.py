@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.fritzing import container, document, read_circuit
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
@@ -120,8 +121,9 @@ def test_sizes_are_limited_by_what_is_really_read(tmp_path: Path, monkeypatch: p
     big = archive(tmp_path / "a.fzz", {"a.fz": b"<module>" + b" " * 100_000 + b"</module>"})
     assert "has more than" in refused(big).message
     plain = tmp_path / "a.fz"
-    plain.write_bytes(b"<module>" + b" " * 5000 + b"</module>")
-    assert "has more than" in refused(plain).message
+    plain.write_bytes(SKETCH)
+    os.truncate(plain, inputs.DRAWING.most + 1)
+    assert "larger than 64 MB" in refused(plain).message
 
 
 def test_too_many_entries(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

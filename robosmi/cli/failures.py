@@ -1,0 +1,69 @@
+"""What may end a command although no code of ours raised it on purpose, as an error with a cause and what to do.
+
+The world does such things: a full disk, no memory, a text nested deeper than Python reads, a package that is half installed, a
+folder that was removed. What is left after that is a bug of ours.
+"""
+
+from __future__ import annotations
+
+import os
+
+from robosmi.diagnostics import Location
+from robosmi.errors import InternalError, MissingToolError, RobosmiError, SourceError
+from robosmi.inputs import fix_of
+
+
+def as_error(error: Exception) -> RobosmiError:
+    """The error to report for whatever a command ended with.
+
+    Args:
+        error: what was raised.
+    """
+    if isinstance(error, RobosmiError):
+        return error
+    if isinstance(error, OSError):
+        return _of_system(error)
+    if isinstance(error, MemoryError):
+        return SourceError("there is not enough memory for this input", fix="give a smaller input, or more memory")
+    if isinstance(error, RecursionError):
+        return SourceError("the input is nested too deeply to be read", fix="look for brackets or elements within each other")
+    if isinstance(error, ImportError) and not _ours(error):
+        return MissingToolError(
+            f"a package that robosmi needs cannot be loaded: {error}",
+            fix="install robosmi again in a fresh environment (robosmi doctor says what is there)",
+        )
+    if isinstance(error, UnicodeEncodeError):
+        return _unwritable_text(error)
+    return InternalError(
+        f"{type(error).__name__}: {error}",
+        fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",
+    )
+
+
+def _of_system(error: OSError) -> SourceError:
+    if not _current_folder_is_there():
+        return SourceError("the current folder is no longer there", fix="change to a folder that is, and run the command again")
+    place = Location(os.fsdecode(error.filename)) if isinstance(error.filename, (str, bytes, os.PathLike)) else None
+    fix = fix_of(error, "check the path, the permissions and the space on the disk")
+    return SourceError(f"the system refuses: {error.strerror or error}", location=place, fix=fix)
+
+
+def _current_folder_is_there() -> bool:
+    try:
+        os.getcwd()
+    except OSError:
+        return False
+    return True
+
+
+def _ours(error: ImportError) -> bool:
+    return (error.name or "").partition(".")[0] in ("robosmi", "")
+
+
+def _unwritable_text(error: UnicodeEncodeError) -> SourceError:
+    """A text that cannot be stored: half of a pair of UTF-16, which is how Python holds a byte of a name that is no UTF-8."""
+    shown = str(error.object)[max(0, error.start - 40) : error.end + 40].encode("ascii", "backslashreplace").decode()
+    return SourceError(
+        f"a name or text cannot be stored as {error.encoding.upper()}: '{shown}'",
+        fix="rename the file or correct the text, so that it is UTF-8",
+    )

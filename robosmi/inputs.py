@@ -1,0 +1,139 @@
+"""The one place that opens a file to read it: ordinary files only, and no more of them than their kind may have.
+
+A named pipe, a device or a socket can keep a reader waiting for ever, and a file without end takes all memory. So a path is
+looked at before it is opened, opened without waiting, and what was opened is looked at again, since the path may have come to
+mean another file in between. What the bytes mean is told elsewhere; files are written by `robosmi.model.files` and `commit`.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from dataclasses import dataclass
+from typing import BinaryIO
+
+_MB = 1024 * 1024
+_FLAGS = os.O_RDONLY
+for _name in ("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_BINARY"):  # not every system has all of them
+    _FLAGS |= getattr(os, _name, 0)
+_NO_LINK: int = getattr(os, "O_NOFOLLOW", 0)
+_ODD = {stat.S_IFIFO: "a named pipe", stat.S_IFCHR: "a device", stat.S_IFBLK: "a device", stat.S_IFSOCK: "a socket"}
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of file: what it is called in messages, and how many bytes it may have."""
+
+    name: str
+    most: int
+
+    @property
+    def limit(self) -> str:
+        """The limit as a person writes it, as `8 MB`."""
+        return f"{self.most // _MB} MB"
+
+
+SOURCE = Kind("source file", 8 * _MB)
+DRAWING = Kind("drawing", 64 * _MB)
+MODEL = Kind("model", 1024 * _MB)
+TABLE = Kind("table", 64 * _MB)
+SETTINGS = Kind("file of settings", 1 * _MB)
+"""`robosmi.toml`, a chain, a pin table, the description of a board, a part or a library."""
+RECORD = Kind("record of earlier runs", 16 * _MB)
+"""A journal, a manifest, the state of a chain."""
+HISTORY = Kind("exported history", 64 * _MB)
+DATA = Kind("file of platform data", 64 * _MB)
+"""What is in the platform repository, or was imported into it."""
+OUTPUT = Kind("file of an output folder", MODEL.most)
+"""What a run made, or is about to write over."""
+
+
+class InputRefusedError(OSError):
+    """A file is not ordinary, or is larger than its kind may be. `strerror` is the cause, `fix` says what to do."""
+
+    def __init__(self, number: int, cause: str, path: object, fix: str) -> None:
+        super().__init__(number, cause, path)
+        self.fix = fix
+
+
+def fix_of(error: OSError, otherwise: str) -> str:
+    """What to do about a file that cannot be read.
+
+    Args:
+        error: what reading it raised.
+        otherwise: the advice where the error has none of its own.
+    """
+    return error.fix if isinstance(error, InputRefusedError) else otherwise
+
+
+def open_file(path: str | os.PathLike[str], *, follow: bool = True) -> BinaryIO:
+    """Open an ordinary file for reading, without ever waiting for it.
+
+    Args:
+        path: the file.
+        follow: whether the path itself may be a link; links among its folders are always followed.
+
+    Raises:
+        InputRefusedError: it is a named pipe, a device or a socket, or no file can have such a name.
+        OSError: it does not exist, is a folder or may not be read.
+    """
+    try:
+        _check(os.stat(path, follow_symlinks=follow), path)  # opening a device can already act on it
+        handle = os.open(path, _FLAGS | (0 if follow else _NO_LINK))
+    except ValueError as error:  # a null character, or half a character
+        raise InputRefusedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
+    try:
+        _check(os.fstat(handle), path)
+        return os.fdopen(handle, "rb")
+    except BaseException:
+        os.close(handle)
+        raise
+
+
+def _check(found: os.stat_result, path: object) -> None:
+    kind = stat.S_IFMT(found.st_mode)
+    if kind == stat.S_IFLNK:  # the path itself may be none
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), path)
+    if kind == stat.S_IFDIR:
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
+    if kind in _ODD:
+        cause = f"it is {_ODD[kind]}, not an ordinary file"
+        raise InputRefusedError(errno.EINVAL, cause, path, "give an ordinary file; copy into one what is to be read")
+
+
+def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True) -> bytes:
+    """The bytes of an ordinary file.
+
+    Args:
+        path: the file.
+        kind: what it is, which says how many bytes it may have.
+        follow: whether the path itself may be a link.
+
+    Raises:
+        InputRefusedError: it is no ordinary file, or is larger than its kind may be.
+        OSError: it does not exist, is a folder or may not be read.
+    """
+    with open_file(path, follow=follow) as stream:
+        size = os.fstat(stream.fileno()).st_size
+        data = stream.read(kind.most + 1) if size <= kind.most else None  # the size may be wrong, as in /proc
+    if data is None or len(data) > kind.most:
+        cause = f"it is larger than {kind.limit}, the most that a {kind.name} may have"
+        raise InputRefusedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")
+    return data
+
+
+def read_text(path: str | os.PathLike[str], kind: Kind, encoding: str = "utf-8", errors: str = "strict") -> str:
+    """The text of an ordinary file, its line ends as line feeds.
+
+    Args:
+        path: the file.
+        kind: what it is, which says how many bytes it may have.
+        encoding: as for `bytes.decode`.
+        errors: as for `bytes.decode`.
+
+    Raises:
+        OSError: as for `read_bytes`.
+        UnicodeDecodeError: it is no text in that encoding.
+    """
+    return read_bytes(path, kind).decode(encoding, errors).replace("\r\n", "\n").replace("\r", "\n")

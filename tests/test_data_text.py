@@ -1,0 +1,24 @@
+"""Texts in TOML and JSON: what Python's own readers end in otherwise is an error with a text for a person."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from robosmi.data_text import json_of, toml_of
+
+
+@pytest.mark.parametrize("read", [toml_of, json_of])
+@pytest.mark.parametrize(
+    ("value", "cause"), [("[" * 100_000, "nested too deeply"), ("9" * 10_000, "more than 4300 digits"), ("]", "nvalid|xpecting")]
+)
+def test_a_text_that_cannot_be_read_is_a_value_error(read: Callable[[str], Any], value: str, cause: str) -> None:
+    with pytest.raises(ValueError, match=cause):
+        read(f"a = {value}" if read is toml_of else value)
+
+
+def test_what_can_be_read_is() -> None:
+    assert toml_of(b"a = [1, 2]") == {"a": [1, 2]}
+    assert json_of('{"a": [1, 2]}') == {"a": [1, 2]}
