@@ -31,6 +31,11 @@ class Part:
 
     Attributes:
         id: identity in the drawing tool's catalogue.
+        tool: that tool, in lower case as boards and rules name it; empty where the part belongs to none.
+        title: what the tool calls the part (a symbol's or a device's name).
+        family: the group that the tool files it under; words of one tool, so nothing but that tool's rules may hang on it.
+        tags: the tool's key words.
+        description: the tool's sentence about it, in plain text; empty where there is none.
         role: one of `ROLES`; `evidence` says why.
         driver: whether it drives a load of its own, or is a chip between the board and others.
         connectors: by identity, in the part's order.
@@ -49,3 +54,5 @@ class Part:
     buses: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     properties: Mapping[str, str] = field(default_factory=dict)
     source: str = ""
+    tool: str = ""
+    description: str = ""

@@ -72,6 +72,7 @@ class Names:
     not_read_on_analog: Phrases
     arduino_labels: Phrases
     not_arduino_labels: Phrases
+    device_properties: frozenset[str] = frozenset()
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
 
@@ -170,6 +171,7 @@ def _names(path: str, changed: int) -> Names:  # `changed` keys the cache
         not_read_on_analog=_phrases(either.get("not_read_on_analog", ())),
         arduino_labels=_phrases(boards.get("arduino_labels", ())),
         not_arduino_labels=_phrases(boards.get("not_arduino_labels", ())),
+        device_properties=frozenset(table.get("drawn", {}).get("device", ())),
         generated=tuple(table.get("generated", ())),
     )
 

@@ -7,7 +7,7 @@ What a drawing itself carries (embedded definitions) is read by its own reader, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -32,9 +32,11 @@ class Catalogue:
 
     Args:
         project: the project folder; the current folder if None.
+        tool: the drawing tool in lower case, whose ids are meant; empty for those of all tools.
     """
 
-    def __init__(self, project: Path | None = None) -> None:
+    def __init__(self, project: Path | None = None, tool: str = "") -> None:
+        self.tool = tool
         self._names = names(project)
         self._files = [(path, path.stat().st_mtime_ns) for path in _files(project)]
 
@@ -47,11 +49,12 @@ class Catalogue:
         quoted = f'"{part_id}"'
         for path, changed in self._files:
             if path.suffix == ".sqlite":
-                if (part := _opened(path, changed).part(part_id, self._names)) is not None:
+                opened = _opened(path, changed)
+                if self.tool in ("", opened.tool) and (part := opened.part(part_id, self._names)) is not None:
                     return part
                 continue
             for line, chunk in _chunks(path, changed):
-                if quoted in chunk and (part := _entry(str(path), line, chunk, part_id)) is not None:
+                if quoted in chunk and (part := _entry(str(path), line, chunk, part_id, self.tool)) is not None:
                     return part
         return None
 
@@ -69,7 +72,7 @@ class Catalogue:
                 yield from ((part_id, path) for part_id in _opened(path, changed).ids())
                 continue
             for line, chunk in _chunks(path, changed):
-                yield from ((part_id, path) for part_id in _table(str(path), line, chunk)["ids"])
+                yield from ((part_id, path) for part_id in _ids(_table(str(path), line, chunk), ""))
 
 
 def _files(project: Path | None) -> Iterator[Path]:
@@ -106,18 +109,27 @@ def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
 @cache
 def _table(path: str, line: int, chunk: str) -> dict[str, Any]:
     table: dict[str, Any] = parse_toml(chunk, path, line)["part"][0]
-    if not isinstance(table.get("ids"), list) or not table["ids"]:
+    lists = [*ids.values()] if isinstance(ids := table.get("ids"), dict) else [ids]
+    if not all(isinstance(texts, list) and texts for texts in lists) or not lists:
         raise PlatformDataError("a part has no ids", location=Location(path, line), fix='give it ids = ["..."]')
     if (role := table.get("role", "Unknown")) not in ROLES:
-        cause = f"part '{table['ids'][0]}' has the unknown role '{role}'"
+        cause = f"part '{lists[0][0]}' has the unknown role '{role}'"
         raise PlatformDataError(cause, location=Location(path, line), fix=f"use one of: {', '.join(ROLES)}")
     return table
 
 
+def _ids(table: Mapping[str, Any], tool: str) -> list[str]:
+    """The ids of an entry that are meant: a list holds for every tool, a table has a list for each."""
+    ids = table["ids"]
+    if isinstance(ids, dict):
+        return [text for name, texts in ids.items() if tool in ("", name) for text in texts]
+    return [*ids]
+
+
 @cache
-def _entry(path: str, line: int, chunk: str, part_id: str) -> Part | None:
+def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | None:
     table = _table(path, line, chunk)
-    if part_id not in table["ids"]:
+    if part_id not in _ids(table, tool):
         return None
     try:
         listed = [PartConnector(c["id"], c.get("name", ""), c.get("kind", "unknown")) for c in table.get("connectors", ())]
@@ -145,4 +157,6 @@ def _entry(path: str, line: int, chunk: str, part_id: str) -> Part | None:
         buses=buses,
         properties={str(k): str(v) for k, v in table.get("properties", {}).items()},
         source=f"parts/{Path(path).name}",
+        tool=tool,
+        description=table.get("description", ""),
     )

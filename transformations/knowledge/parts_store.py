@@ -25,6 +25,9 @@ FORMAT = 1
 APPLICATION = 0x52535043
 """What marks such a file: `PRAGMA application_id`, "RSPC"."""
 
+FIRST_TOOL = "fritzing"
+"""The tool of a file that names none: the first whose parts could be imported."""
+
 _SCHEMA = """
 CREATE TABLE part(id TEXT PRIMARY KEY, title TEXT, family TEXT, tags TEXT, role TEXT NOT NULL, driver INTEGER NOT NULL,
   evidence TEXT, source TEXT, facts BLOB NOT NULL, words BLOB NOT NULL) WITHOUT ROWID;
@@ -60,6 +63,8 @@ class PartsFile:
         if self._all("PRAGMA application_id") != [(APPLICATION,)] or self._all("PRAGMA user_version") != [(FORMAT,)]:
             self.close()
             raise self._damaged(f"it is no file of parts of format {FORMAT}")
+        named = self._all("SELECT name FROM sqlite_master WHERE name = 'tool'")
+        self.tool = str(self._all("SELECT name FROM tool")[0][0]) if named else FIRST_TOOL
 
     def close(self) -> None:
         """Close the file."""
@@ -110,6 +115,7 @@ class PartsFile:
             buses=joined,
             properties=properties,
             source=source,
+            tool=self.tool,
         )
 
     def _unpacked(self, piece: bytes) -> Any:
@@ -130,14 +136,18 @@ class PartsFile:
         return PlatformDataError(f"the file of parts cannot be used: {cause}", location=Location(str(self.path)), fix=_FIX)
 
 
-def write_parts(target: Path, parts: Iterable[tuple[Part, Mapping[str, int]]]) -> None:
+def write_parts(target: Path, parts: Iterable[tuple[Part, Mapping[str, int]]], tool: str = FIRST_TOOL) -> None:
     """Write a file of parts; the same parts give the same bytes. A file that is there is replaced when all is done.
 
     Args:
         target: the file. Its folder must exist.
         parts: each part with the word counts of its description, in any order; identities are unique.
+        tool: the drawing tool in lower case, whose parts they are.
     """
-    with writing(target, _SCHEMA, APPLICATION, FORMAT) as db:
+    schema = _SCHEMA if tool == FIRST_TOOL else _SCHEMA + "CREATE TABLE tool(name TEXT);"
+    with writing(target, schema, APPLICATION, FORMAT) as db:
+        if tool != FIRST_TOOL:
+            db.execute("INSERT INTO tool VALUES (?)", (tool,))
         rows = (_row(part, words) for part, words in sorted(parts, key=lambda one: one[0].id))
         db.executemany(f"INSERT INTO part VALUES ({', '.join('?' * 10)})", rows)
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from functools import lru_cache
 from typing import Any
 
 from lxml import etree
@@ -27,8 +26,6 @@ MAX_INSTANCES = 10_000
 
 _OWN_ATTRIBUTES = frozenset({"moduleIdRef", "modelIndex", "path"})
 _DOCTYPE = re.compile(rb"\A(?:\xef\xbb\xbf)?(?:\s++|(?><\?.*?\?>)|(?><!--.*?-->))*+<!DOCTYPE", re.DOTALL)
-_DIGITS = "0123456789"
-_NUMBER = re.compile(r"([0-9]{1,18})")  # int() refuses very long numbers
 
 Edge = tuple[str, str, str]
 """Own connector, the other's model index, the other's connector."""
@@ -78,12 +75,6 @@ class Sketch:
     version: str
     instances: list[Instance]
     without_views: int
-
-
-@lru_cache(maxsize=8192)
-def natural(text: str) -> tuple[tuple[int, int, str], ...]:
-    """A sort key by which connector2 comes before connector10."""
-    return tuple((0, int(piece), "") if piece[0] in _DIGITS else (1, 0, piece) for piece in _NUMBER.split(text) if piece)
 
 
 def parse_xml(data: bytes, path: str, what: str) -> etree._Element:

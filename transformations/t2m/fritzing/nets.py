@@ -1,8 +1,7 @@
 """Which connectors of a drawing are one electrical node: plain records in, sets of nodes out.
 
 A node is a connector with all that its part joins to it (a bus); a wire is one node from end to end. Stripboards, net labels
-and power symbols join by what their properties say. A union-find is used and not a graph library, because importing one takes
-longer than the whole reading; a test compares the two. What a net is for (rails) is told by `rails`.
+and power symbols join by what their properties say. What a net is for (rails) is told by `knowledge/rails`.
 """
 
 from __future__ import annotations
@@ -11,41 +10,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from robosmi.transformations.knowledge.part import Part
+from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node
 from robosmi.transformations.t2m.fritzing.document import Instance
-
-Node = tuple[str, str]
-"""Identity of an instance, and the connector that stands for its bus (empty for a wire)."""
-
-Leaders = Mapping[str, Mapping[str, str]]
-"""By module id, for each connector that a part joins to others the one that stands for all of them."""
 
 DERIVED = 8 | 16
 """Wire flags of old jumpers and of rats' nests: hints that Fritzing derives and does not conduct by (viewgeometry.h)."""
-
-
-class Joined:
-    """Disjoint sets of nodes."""
-
-    def __init__(self) -> None:
-        self.parent: dict[Node, Node] = {}
-
-    def __contains__(self, node: Node) -> bool:
-        return node in self.parent
-
-    def find(self, node: Node) -> Node:
-        """The representative of the node's set; a new node is a set of its own."""
-        parent = self.parent
-        root = parent.setdefault(node, node)
-        while parent[root] != root:
-            root = parent[root]
-        while parent[node] != root:
-            parent[node], node = root, parent[node]
-        return root
-
-    def union(self, one: Node, other: Node) -> None:
-        """Make the two nodes one."""
-        self.parent[self.find(one)] = self.find(other)
 
 
 @dataclass(slots=True)
@@ -71,18 +40,6 @@ class Wiring:
     ignored_wires: int = 0
     dangling: list[tuple[Instance, str]] = field(default_factory=list)
     too_big: list[Instance] = field(default_factory=list)
-
-
-def bus_leaders(part: Part) -> dict[str, str]:
-    """For every connector that the part joins to others the one that stands for all of them."""
-    joined = Joined()
-    for members in part.buses.values():
-        for member in members:  # a connector in two buses joins them
-            joined.union((member, ""), (members[0], ""))
-    leaders: dict[str, str] = {}
-    for member, _ in list(joined.parent):
-        leaders[member] = joined.find((member, ""))[0]
-    return leaders
 
 
 def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> Wiring:

@@ -10,6 +10,7 @@ from lxml import etree
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import Names, connector_kind
 from robosmi.transformations.t2m.fritzing.document import parse_xml
+from robosmi.transformations.t2m.fritzing.generated_parts import TOOL
 
 
 def parse_part(data: bytes, path: str, name: str, known: Names) -> Part | None:
@@ -57,4 +58,5 @@ def part_of(root: etree._Element, source: str, known: Names) -> Part | None:
         buses=buses,
         properties={key: value for key, value in properties.items() if key and value and key.lower() != "family"},
         source=source,
+        tool=TOOL,
     )

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.transformations.t2m.connectivity import Leaders
 from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance
-from robosmi.transformations.t2m.fritzing.nets import Leaders, Wiring, links_parts, partition, wiring
+from robosmi.transformations.t2m.fritzing.nets import Wiring, links_parts, partition, wiring
 
 
 def believed(

@@ -1,0 +1,321 @@
+"""What every reader of drawings does with the parts, nets and wires that it has found: the hardware model, made in one way.
+
+A reader tells, in its tool's own words, which parts are placed (`Placed`), which connectors are one net, which wires there are;
+`CircuitBuilder` adds what is known of parts and boards, roles with their evidence, pins, rails and findings about parts. Files,
+identities and what joins connectors are the readers' business (docs/how-to/add-a-drawing-reader.md).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import NamedTuple
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.metamodels import hardware
+from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
+from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
+from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
+from robosmi.transformations.knowledge.parts_catalogue import Catalogue
+from robosmi.transformations.knowledge.rails import Terminal, rail
+from robosmi.transformations.t2m.boards import DrawnBoard, drawn_board, normalised_label
+from robosmi.transformations.t2m.connectivity import bus_leaders, natural
+from robosmi.transformations.t2m.given_roles import given_roles
+
+_ROLES = {name: getattr(hardware.Role, name) for name in ROLES}
+_KINDS = {name: getattr(hardware.ConnectorKind, name) for name in KINDS}
+
+
+class End(NamedTuple):
+    """A connector of a placed part: the part's identity, the connector's."""
+
+    component: str
+    connector: str
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A part that is placed in a drawing, as the drawing has it.
+
+    Attributes:
+        identity: the tool's own identity of it, unique in the drawing; it becomes `#model_index`.
+        part_id: the part's id in the tool's catalogue, as given to `know`.
+        title: its label in the drawing.
+        properties: its own properties.
+        used: the connectors that the drawing connects, in any order.
+        mentioned: further connectors that the drawing names; they count where nothing defines the part.
+        names: names that the drawing gives to connectors of this placement, by connector.
+        line: its line in the file, for findings.
+        hint: name of the file that its missing definition was in, or empty.
+        symbol: whether it only names a net, so that nothing needs to be known of it.
+    """
+
+    identity: str
+    part_id: str
+    title: str = ""
+    properties: Mapping[str, str] = field(default_factory=dict)
+    used: Iterable[str] = ()
+    mentioned: Iterable[str] = ()
+    names: Mapping[str, str] = field(default_factory=dict)
+    line: int | None = None
+    hint: str = ""
+    symbol: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class KnownPart:
+    """A part of a drawing with what is known of it.
+
+    Attributes:
+        part: its description, with a role where one is known.
+        board: the board that it is drawn as, if any.
+        arduino: whether its pins are labelled as Arduino labels them.
+        by_bus: it joins connectors only where a bus of its own does (breadboards, headers): only those in use become elements.
+        defined: whether the catalogue or the drawing defines it.
+        leaders: for each connector that it joins to others, the one that stands for all of them.
+    """
+
+    part: Part
+    board: DrawnBoard | None
+    arduino: bool
+    by_bus: bool
+    defined: bool
+    leaders: dict[str, str]
+
+
+class CircuitBuilder:
+    """The hardware model of one drawing, bottom-up: parts known, components placed, nets and wires added, the circuit at the end.
+
+    Args:
+        path: the file, as the user gave it.
+        tool: the drawing tool in lower case, as boards, the catalogue and rules name it.
+        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
+    """
+
+    def __init__(self, path: str, tool: str, project: Path | None = None) -> None:
+        self.path, self.tool, self.project = path, tool, project
+        self.names = names(project)
+        self.findings: list[Finding] = []
+        self.components: list[hardware.Component] = []
+        self.nets: list[hardware.Net] = []
+        self.wires: list[hardware.Wire] = []
+        self.catalogue = Catalogue(project, tool)
+        self._known: dict[str, KnownPart] = {}
+        self._given: dict[str, str] = {}
+        self._ends: dict[End, tuple[hardware.Connector, Terminal]] = {}
+
+    def report(
+        self, rule: str, severity: Severity, message: str, line: int | None = None, fix: str | None = None, **evidence: object
+    ) -> None:
+        """Say what was unknown, odd or left out."""
+        self.findings.append(Finding(rule, severity, message, Location(self.path, line), fix=fix, evidence=evidence))
+
+    def give_roles(self, roles: Mapping[str, str], titles: Mapping[str, str]) -> None:
+        """Take the roles that the user gives; they go before all else.
+
+        Args:
+            roles: COMPONENT (title or `#identity`) -> role.
+            titles: the title of each component that is placed, by identity.
+
+        Raises:
+            UsageError: a role or a component does not exist, or a title is not unique.
+        """
+        self._given = given_roles(roles, titles)
+
+    def know(self, part_id: str, defined: Part | None = None) -> KnownPart:
+        """What is known of a part.
+
+        Args:
+            part_id: its id in the tool's catalogue.
+            defined: what the drawing itself says of it; the catalogue's entry goes first.
+
+        Raises:
+            PlatformDataError: an entry of the catalogue, a rule or a board is damaged.
+        """
+        if part_id not in self._known:
+            self._known[part_id] = self._looked_up(part_id, defined)
+        return self._known[part_id]
+
+    def _looked_up(self, part_id: str, defined: Part | None) -> KnownPart:
+        found = self.catalogue.find(part_id) or defined
+        part = found or Part(part_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
+        part = replace(part, tool=self.tool)
+        board = drawn_board(part_id, self.tool, self.project) if part.role in ("Unknown", "Board") else None
+        if board is not None and part.role == "Unknown":
+            evidence = f"drawn as {board.title} (boards of the platform repository)"
+            part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
+        part = classify(part, self.project)
+        if part.role == "Unknown" and not part.evidence:
+            part = replace(part, evidence=f"no rule fits family '{part.family}' and title '{part.title}' of {part.source}")
+        about = f"{part.family} / {part.title} / {part_id}"
+        return KnownPart(
+            part=part,
+            board=board,
+            arduino=board is not None or (about in self.names.arduino_labels and about not in self.names.not_arduino_labels),
+            by_bus=part.role == "Passive" and conducts_by_bus_only(part.family, self.names),
+            defined=found is not None,
+            leaders=bus_leaders(part),
+        )
+
+    def place(self, placed: Placed) -> hardware.Component:
+        """Add a component; its part was given to `know` before."""
+        known = self._known[placed.part_id]
+        facts = self._connectors(placed, known)
+        part = self._part(placed, known, facts)
+        properties = _properties(part, placed.properties)
+        models: dict[str, hardware.Connector] = {}
+        for fact in facts:
+            pin = self._pin(fact, part, known)
+            kind = "signal" if pin and fact.kind == "unknown" else fact.kind
+            model = models[fact.id] = hardware.Connector(connectorId=fact.id, name=fact.name, kind=_KINDS[kind], pin=pin)
+            terminal = Terminal(
+                placed.identity, placed.title, part.role, _volts(properties), fact.id, fact.name, kind
+            )  # fmt: skip
+            self._ends[End(placed.identity, fact.id)] = (model, terminal)
+        buses = [(bus, [models[m] for m in members if m in models]) for bus, members in part.buses.items()]
+        self._report_part(placed, known, part)
+        component = hardware.Component(
+            elementId=placed.identity,
+            title=placed.title,
+            partId=placed.part_id,
+            partTitle=part.title,
+            family=part.family,
+            tags=part.tags,
+            role=_ROLES[part.role],
+            roleEvidence=part.evidence,
+            driver=part.driver,
+            properties=[hardware.Property(name=key, value=value) for key, value in properties.items()],
+            connectors=list(models.values()),
+            buses=[hardware.Bus(name=bus, connectors=members) for bus, members in buses if len(members) > 1],
+        )
+        self.components.append(component)
+        return component
+
+    def connector(self, end: End) -> hardware.Connector | None:
+        """The element of a placed component's connector, or None where the component has none of that identity."""
+        found = self._ends.get(end)
+        return found[0] if found is not None else None
+
+    def net(self, ends: Sequence[End]) -> hardware.Net:
+        """Add a net of connectors that are placed, at least one; whether it is a rail follows from them."""
+        found = [self._ends[end] for end in ends]
+        terminals = [terminal for _, terminal in found]
+        first = min(terminals, key=lambda t: (natural(t.component), natural(t.connector)))
+        why = rail(terminals)
+        net = hardware.Net(
+            name=f"{first.component}.{first.connector}",
+            rail=why is not None,
+            railEvidence=why.evidence if why else "",
+            voltage=why.voltage if why else "",
+            connectors=[model for model, _ in found],
+        )
+        self.nets.append(net)
+        return net
+
+    def wire(self, identity: str, ends: Iterable[End], net: hardware.Net | None, color: str = "") -> None:
+        """Add a wire as it is drawn; ends at no connector are left out."""
+        found = [model for end in ends if (model := self.connector(end)) is not None]
+        self.wires.append(hardware.Wire(elementId=identity, color=color, ends=found, net=net))
+
+    def circuit(self, name: str, digest: str, tool: str, version: str = "", view: str = "") -> hardware.Circuit:
+        """The model of all that was added.
+
+        Args:
+            name: the circuit's name.
+            digest: SHA-256 of the file's bytes, hexadecimal.
+            tool: the drawing tool as it writes itself; in lower case it is the one that the builder was made for.
+            version: the tool's version as the file has it.
+            view: the view that was read, where the tool has several.
+        """
+        return hardware.Circuit(
+            name=name, path=self.path, digest=digest, tool=tool, toolVersion=version, view=view, components=self.components,
+            nets=self.nets, wires=self.wires,
+        )  # fmt: skip
+
+    # ---- one component
+
+    def _part(self, placed: Placed, known: KnownPart, facts: Sequence[PartConnector]) -> Part:
+        """The part with the role that it has in this place: given by the user, known, or told by label and pin names."""
+        if (role := self._given.get(placed.identity)) is not None:
+            return replace(known.part, role=role, evidence="given by the user")
+        if known.part.role != "Unknown":
+            return known.part
+        named = replace(known.part, connectors={fact.id: fact for fact in facts})
+        hint = "" if known.defined else placed.hint
+        return classify_drawn(named, placed.title, placed.properties, hint, self.project)
+
+    def _connectors(self, placed: Placed, known: KnownPart) -> list[PartConnector]:
+        """The connectors of a component, in the part's order, those that only the drawing knows after them."""
+        part, used = known.part, {*placed.used}
+        pins = known.board.pins if known.board is not None else {}
+        if known.by_bus:
+            facts = [part.connectors.get(c) or PartConnector(c) for c in sorted(used, key=natural)]
+        else:
+            facts = list(part.connectors.values())
+            drawn = {*used, *placed.names, *pins}
+            if not known.defined:
+                drawn.update(placed.mentioned)
+            extra = sorted((c for c in drawn - part.connectors.keys() if c), key=natural)
+            facts += [PartConnector(c, pins.get(c, "")) for c in extra]
+            if known.defined and part.connectors and (odd := [c for c in extra if c in used]):
+                self.report(
+                    "RS208",
+                    Severity.info,
+                    f"'{placed.title or part.title}' is connected at {', '.join(odd[:5])}, which its part has not",
+                    placed.line,
+                    f"update the part in {self.tool.capitalize()}",
+                    connectors=odd,
+                )
+        facts = [self._renamed(fact, placed.names.get(fact.id, "")) for fact in facts] if placed.names else facts
+        if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
+            facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
+        return facts
+
+    def _renamed(self, fact: PartConnector, name: str) -> PartConnector:
+        return PartConnector(fact.id, name, connector_kind(name, self.names)) if name else fact
+
+    @staticmethod
+    def _pin(fact: PartConnector, part: Part, known: KnownPart) -> str:
+        if part.role != "Board":
+            return ""
+        if known.board is not None:
+            return known.board.pins.get(fact.id, "")
+        return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.arduino)
+
+    def _report_part(self, placed: Placed, known: KnownPart, part: Part) -> None:
+        if part.role == "Unknown":
+            named = f"'{placed.title}' (#{placed.identity})" if placed.title else f"#{placed.identity}"
+            what = f"part '{part.title or placed.part_id}'" + (f" of family '{part.family}'" if part.family else "")
+            self.report(
+                "RS203",
+                Severity.warning,
+                f"what {named} does is unknown: {what}, {part.evidence}",
+                placed.line,
+                "give its role in robosmi.toml under [roles], or add the part to the catalogue",
+                module_id=placed.part_id,
+                file=placed.hint,
+            )
+        elif not known.defined and part.role != "Decoration" and not placed.symbol:
+            self.report(
+                "RS203",
+                Severity.info,
+                f"the part of '{placed.title or placed.identity}' is not in the catalogue; known is what the drawing says",
+                placed.line,
+                "add the part to the catalogue",
+                module_id=placed.part_id,
+                file=placed.hint,
+            )
+
+
+def _properties(part: Part, own: Mapping[str, str]) -> dict[str, str]:
+    """Properties of the part, those of the placement in their place (names are compared without case)."""
+    given = {key.lower(): (key, value) for key, value in own.items()}
+    result = dict(given.pop(key.lower(), (key, value)) for key, value in part.properties.items())
+    result.update(given.values())
+    return result
+
+
+def _volts(properties: Mapping[str, str]) -> str:
+    value = next((value for key, value in properties.items() if key.lower() == "voltage"), "")
+    return f"{value}V" if value and value[-1].isdigit() else value
