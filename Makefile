@@ -9,7 +9,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-.PHONY: demo test lint bench evaluate fuzz wheel readme metamodels system-packages clean
+.PHONY: demo test lint bench evaluate fuzz wheel readme metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -24,7 +24,10 @@ demo: $(VENV)/.ready
 system-packages:
 	@sh .ci/system-packages
 
-test: $(VENV)/.ready system-packages
+npm-packages: system-packages
+	@sh .ci/npm-packages
+
+test: $(VENV)/.ready system-packages npm-packages
 	$(BIN)/python -m pytest
 
 lint:
@@ -60,4 +63,4 @@ metamodels: $(VENV)/.ready
 	$(BIN)/python -m robosmi.model.diagram
 
 clean:
-	rm -rf $(VENV) .venv-lint .venv-wheel build dist out *.egg-info
+	rm -rf $(VENV) .npm .venv-lint .venv-wheel build dist out *.egg-info

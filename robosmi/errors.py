@@ -84,6 +84,12 @@ class CompileError(RobosmiError):
     exit_code = 6
 
 
+class VerificationError(RobosmiError):
+    """A program cannot be run on a simulator, or the run does not end (exit code 6)."""
+
+    exit_code = 6
+
+
 class InternalError(RobosmiError):
     """Our own bug (exit code 70)."""
 

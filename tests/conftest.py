@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,8 @@ def _own_data(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.Monk
     folder = tmp_path_factory.mktemp("data")
     monkeypatch.setenv("ROBOSMI_HOME", str(folder))
     monkeypatch.setenv("ROBOSMI_HISTORY", str(folder / "history.sqlite"))
+    if "ROBOSMI_NPM" not in os.environ:
+        monkeypatch.setenv("ROBOSMI_NPM", str(ROOT / ".npm"))
 
 
 @pytest.fixture

@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.plugins import content
+from robosmi.verify.simulation import Engine
+
 KNOWN_PLACES = {"arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h")}
 """Things that are no programs: name -> a file that is there if it is installed (Debian)."""
 
@@ -28,3 +31,14 @@ def require_tools(*names: str) -> None:
     if os.environ.get("CI") == "true":
         pytest.fail(f"{reason} (CI=true: a skipped test would test nothing)")
     pytest.skip(reason)
+
+
+def require_engine(name: str) -> None:
+    """Skip the running test unless this simulator is installed; with CI=true fail instead."""
+    engine: Engine = content("engine", name)()
+    advice = engine.missing()
+    if advice is None:
+        return
+    if os.environ.get("CI") == "true":
+        pytest.fail(f"the engine {name} is not installed: {advice} (CI=true: a skipped test would test nothing)")
+    pytest.skip(f"the engine {name} is not installed: {advice}")

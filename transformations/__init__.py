@@ -32,6 +32,21 @@ _CONTENT = {
     ("constraints", "ccode"): "constraints.code:code",
     ("constraints", "hardware"): "constraints.hardware:circuit",
     ("constraints", "migration"): "constraints.plan:plan",
+    ("engine", "simavr"): "verification.engines.simavr:Simavr",
+    ("engine", "avr8js"): "verification.engines.avr8js:Avr8js",
+    ("device", "capacitor"): "verification.devices.capacitor:Capacitor",
+    ("device", "dht22"): "verification.devices.dht22:Dht22",
+    ("device", "eeprom"): "verification.devices.two_wire:Eeprom",
+    ("device", "keypad"): "verification.devices.keypad:Keypad",
+    ("device", "levels"): "verification.devices.levels:Levels",
+    ("device", "ranger"): "verification.devices.ranger:Ranger",
+    ("device", "registers"): "verification.devices.two_wire:Registers",
+    ("device", "serial_line"): "verification.devices.serial_line:SerialLine",
+    ("device", "sony_remote"): "verification.devices.infrared:SonyRemote",
+    ("device", "two_pin_ranger"): "verification.devices.ranger:TwoPinRanger",
+    ("device", "typing"): "verification.devices.levels:Typing",
+    ("device", "voltages"): "verification.devices.levels:Voltages",
+    ("device", "wheel"): "verification.devices.wheel:Wheel",
 }
 
 

@@ -12,6 +12,8 @@ from importlib import metadata
 from pathlib import Path
 
 from robosmi.errors import MissingToolError
+from robosmi.plugins import content
+from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
 
@@ -55,7 +57,7 @@ class ToolStatus:
 
 
 def tools(project: Path | None = None) -> list[ToolStatus]:
-    """Everything that is needed, Python packages first, then each toolchain's programs and core.
+    """Everything that is needed: Python packages, each toolchain's programs and core, simulators (one of them is enough).
 
     Args:
         project: the project folder (see `robosmi.resources`); the current folder if None.
@@ -67,7 +69,13 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
     for toolchain in load_toolchains(project):
         result += _programs(toolchain)
         result.append(_core(toolchain))
-    return result
+    return [*result, *map(_engine, engine_names())]
+
+
+def _engine(name: str) -> ToolStatus:
+    engine: Engine = content("engine", name)()
+    advice = engine.missing()
+    return ToolStatus(name, "simulation", name if advice is None else None, engine.version(), advice)
 
 
 def _package(name: str, needed_for: str) -> ToolStatus:

@@ -1,0 +1,231 @@
+"""The bench on which a program runs: pins, a clock, a console, a two-wire bus, and the devices connected to them.
+
+An engine makes a `Bench` over its simulator: it tells the bench what the program does at the pins, and does what the bench asks.
+A `Device` reads and drives pins through the bench only, so that one description of it serves every engine. Times are
+microseconds from reset. Which devices there are is content (registered as `device`).
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, ClassVar, TypeVar
+
+from robosmi.errors import UsageError
+from robosmi.plugins import content, registry
+from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, Trace, Wave
+
+Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
+
+Level = int | str
+"""How the program drives a pin: 0, 1, `z` (an input) or `p` (an input with its pull-up on)."""
+
+
+class Bench(ABC):
+    """What devices see of a simulated board.
+
+    Args:
+        pins: the labels of the board's pins.
+        clock_hz: the clock of the microcontroller: actions happen at its cycles.
+
+    Attributes:
+        driven: label -> how the program drives that pin now.
+        changes: how it drove the pins, by time.
+        events: what devices noticed, by time.
+    """
+
+    def __init__(self, pins: Sequence[str], clock_hz: int) -> None:
+        self.clock_hz = clock_hz
+        self.driven: dict[str, Level] = dict.fromkeys(pins, "z")
+        self.changes: list[PinChange] = []
+        self.events: list[DeviceEvent] = []
+        self._devices: list[Device] = []
+        self._at_pin: dict[str, list[Device]] = {}
+        self._on_bus: dict[int, Device] = {}
+        self._actions: list[tuple[int, int, Callable[[], None]]] = []
+        self._numbers = itertools.count()
+
+    # ---- time
+
+    @property
+    @abstractmethod
+    def cycle(self) -> int:
+        """The cycles since reset."""
+
+    @property
+    def now(self) -> float:
+        """The simulated time in microseconds."""
+        return self.cycle * 1e6 / self.clock_hz
+
+    def at(self, at_us: float, action: Callable[[], None]) -> None:
+        """Do something at that time, at once if it is past."""
+        cycle = round(at_us * self.clock_hz / 1e6)
+        if cycle <= self.cycle:
+            action()
+            return
+        heapq.heappush(self._actions, (cycle, next(self._numbers), action))
+        if self._actions[0][0] == cycle:
+            self.wake_at(cycle)
+
+    @abstractmethod
+    def wake_at(self, cycle: int) -> None:
+        """Have `wake` called at that cycle, which comes before any that was asked for earlier."""
+
+    def wake(self) -> int | None:
+        """Do what is due, and tell the cycle of what is to be done next, if there is anything."""
+        while self._actions and self._actions[0][0] <= self.cycle:
+            heapq.heappop(self._actions)[2]()
+        return self._actions[0][0] if self._actions else None
+
+    # ---- what an engine offers
+
+    @abstractmethod
+    def set_level(self, pin: str, level: int | None) -> None:
+        """Drive a pin from outside, low or high; None lets go of it. It matters while the program does not drive the pin."""
+
+    @abstractmethod
+    def set_voltage(self, pin: str, millivolts: float) -> None:
+        """Put a voltage on a pin of the converter."""
+
+    @abstractmethod
+    def send(self, data: bytes) -> None:
+        """Let bytes arrive on the program's console."""
+
+    # ---- what an engine tells
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Note that the program drives a pin differently from now on, and tell the devices at it."""
+        if self.driven[pin] == level:
+            return
+        self.driven[pin] = level
+        self.changes.append(PinChange(self.now, pin, level))
+        for device in self._at_pin.get(pin, ()):
+            device.pin_changed(pin, level)
+
+    def bus_start(self, address: int, read: bool) -> bool:
+        """Note that the program addresses a device on the bus; whether one acknowledges."""
+        device = self._on_bus.get(address)
+        return device is not None and device.bus_start(read)
+
+    def bus_write(self, address: int, byte: int) -> bool:
+        """Hand a byte to the device that was addressed; whether it acknowledges."""
+        device = self._on_bus.get(address)
+        return device is not None and device.bus_write(byte)
+
+    def bus_read(self, address: int) -> int:
+        """The next byte of the device that was addressed; 255, what an idle bus reads, without one."""
+        device = self._on_bus.get(address)
+        return device.bus_read() if device is not None else 0xFF
+
+    def bus_stop(self, address: int) -> None:
+        """Note that the program is done with the device that was addressed."""
+        device = self._on_bus.get(address)
+        if device is not None:
+            device.bus_stop()
+
+    def trace(self, engine: str, state: str, horizon_us: float, waves: Iterable[Wave], console: Iterable[ConsoleByte]) -> Trace:
+        """What was seen until the horizon, by time."""
+
+        def by_time(found: Iterable[Seen]) -> tuple[Seen, ...]:
+            return tuple(sorted((each for each in found if each.at_us <= horizon_us), key=lambda each: each.at_us))
+
+        return Trace(
+            engine, state, min(self.now, horizon_us),
+            by_time(self.changes), by_time(waves), by_time(console), by_time(self.events),
+        )  # fmt: skip
+
+    # ---- connecting
+
+    def connect(self, uses: Sequence[DeviceUse]) -> None:
+        """Connect devices, in this order, before the program starts.
+
+        Raises:
+            UsageError: no device is called that, it lacks a pin or setting, the board has no such pin, or two devices on the bus
+                have one address.
+        """
+        for number, use in enumerate(uses):
+            if use.kind not in registry().entries.get("device", {}):
+                raise UsageError(f"no device is called '{use.kind}'", fix=f"use one of: {', '.join(registry().names('device'))}")
+            unknown = sorted({*use.pins.values()} - {*self.driven})
+            if unknown:
+                raise UsageError(f"the board has no pin '{unknown[0]}'", fix=f"use one of: {', '.join(self.driven)}")
+            kind: type[Device] = content("device", use.kind)
+            device = kind(self, number, use.pins, use.settings)
+            self._devices.append(device)
+            for pin in dict.fromkeys(use.pins.values()):
+                self._at_pin.setdefault(pin, []).append(device)
+            if device.address is not None:
+                if device.address in self._on_bus:
+                    raise UsageError(f"two devices have the address {device.address:#x} on the bus", fix="change one of them")
+                self._on_bus[device.address] = device
+        for device in self._devices:
+            device.start()
+
+    def ended(self) -> None:
+        """Tell the devices that the run is over."""
+        for device in self._devices:
+            device.ended()
+
+
+class Device:
+    """A device at the pins: it plays the physical side, and notes what a person would see of it.
+
+    Attributes:
+        pin_names: what the device calls its pins; all of them have to be connected.
+        optional_pin_names: further pins, which need not be connected.
+        setting_names: name of each further setting -> its value where none is given; a setting with the value `...` is required.
+        address: on the two-wire bus, 7 bits; None when it is not on the bus.
+
+    Raises:
+        UsageError: a pin or a setting is missing, or unknown.
+    """
+
+    pin_names: tuple[str, ...] = ()
+    optional_pin_names: tuple[str, ...] = ()
+    setting_names: ClassVar[Mapping[str, Any]] = {}
+    address: int | None = None
+
+    def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Any]) -> None:
+        self.bench = bench
+        self.number = number
+        self.pins = pins
+        kind = type(self).__name__
+        known_pins = (*self.pin_names, *self.optional_pin_names)
+        for what, given, known in (("pin", pins, known_pins), ("setting", settings, tuple(self.setting_names))):
+            if unknown := sorted({*given} - {*known}):
+                raise UsageError(f"{kind} has no {what} '{unknown[0]}'", fix=f"use: {', '.join(known) or 'none'}")
+        missing = [pin for pin in self.pin_names if pin not in pins]
+        missing += [name for name, usual in self.setting_names.items() if usual is ... and name not in settings]
+        if missing:
+            raise UsageError(f"{kind} needs '{missing[0]}'", fix="give it")
+        self.settings = {**self.setting_names, **settings}
+
+    def start(self) -> None:
+        """Take the state that the device has when the board is switched on."""
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """React to what the program does at one of the device's pins."""
+
+    def ended(self) -> None:
+        """Note what is still open when the run is over."""
+
+    def bus_start(self, read: bool) -> bool:
+        """React to being addressed on the bus, for reading or writing; whether to acknowledge."""
+        return False
+
+    def bus_write(self, byte: int) -> bool:
+        """Take a byte from the bus; whether to acknowledge."""
+        return False
+
+    def bus_read(self) -> int:
+        """Give a byte to the bus."""
+        return 0xFF
+
+    def bus_stop(self) -> None:
+        """React to the end of a transfer."""
+
+    def note(self, what: str, value: Any) -> None:
+        """Note that something happened now."""
+        self.bench.events.append(DeviceEvent(self.bench.now, self.number, what, value))

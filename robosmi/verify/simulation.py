@@ -1,0 +1,276 @@
+"""Running a compiled program on a simulated microcontroller: what is asked (`Job`), what was seen (`Trace`), who runs it
+(`Engine`).
+
+An engine is content, a class registered as `engine` under its name; devices are content, too, registered as `device` (their
+base is in `bench`). Both run in a process of their own (`worker`), so that a crash, an endless loop or the licence of an engine
+stays there. Nothing here knows a microcontroller: pins are the labels of a board with their port and bit, times are
+microseconds of simulated time, counted from reset.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field
+from functools import cache
+from pathlib import Path
+from typing import Any, Protocol
+
+from robosmi.errors import InternalError, MissingToolError, UsageError, VerificationError
+from robosmi.plugins import content, registry
+
+LEVELS = (0, 1, "z", "p")
+"""How a program drives a pin: low, high, not at all (an input), or weakly high (an input with its pull-up on)."""
+
+
+@dataclass(frozen=True)
+class DeviceUse:
+    """A device at the pins, or on the console.
+
+    Attributes:
+        kind: name under which the device is registered.
+        pins: what the device calls a pin -> label of the board's pin.
+        settings: what else it takes, values of JSON: a signal over time, a measured value, an address.
+    """
+
+    kind: str
+    pins: Mapping[str, str] = field(default_factory=dict)
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Job:
+    """One run.
+
+    Attributes:
+        elf: the linked program.
+        hex: the same program as Intel HEX; engines take the form that they read.
+        mcu: name of the microcontroller, as compilers spell it (`atmega328p`).
+        clock_hz: its clock.
+        supply_mv: its supply and the reference of its converter, in millivolts.
+        pins: label of each pin of the board -> port letter and bit (`B5`).
+        analog: label -> channel of the converter.
+        timers: what describes the timers to the engine: facts of the microcontroller as they stand in the repository.
+        horizon_us: how long to run.
+        devices: what is connected.
+    """
+
+    elf: str
+    hex: str
+    mcu: str
+    clock_hz: int
+    supply_mv: int
+    pins: Mapping[str, str]
+    analog: Mapping[str, int]
+    timers: Mapping[str, Any]
+    horizon_us: float
+    devices: Sequence[DeviceUse] = ()
+
+
+@dataclass(frozen=True)
+class PinChange:
+    """A program drives a pin differently from `at_us` on: `level` is one of `LEVELS`."""
+
+    at_us: float
+    pin: str
+    level: int | str
+
+
+@dataclass(frozen=True)
+class Wave:
+    """From `at_us` on a timer makes a wave at a pin: `hz` pulses a second, high for the part `duty` of each; 0 Hz ends it."""
+
+    at_us: float
+    pin: str
+    hz: float
+    duty: float
+
+
+@dataclass(frozen=True)
+class ConsoleByte:
+    """A byte that the program sent on its console (its first serial port)."""
+
+    at_us: float
+    byte: int
+
+
+@dataclass(frozen=True)
+class DeviceEvent:
+    """What a device noticed: `value` is a value of JSON that the device's documentation explains."""
+
+    at_us: float
+    device: int
+    what: str
+    value: Any
+
+
+@dataclass(frozen=True)
+class Trace:
+    """What was seen in a run.
+
+    Attributes:
+        engine: name and version of the engine.
+        state: `running` when the horizon was reached, `done` when the program stopped itself, `crashed` when it ran into nothing.
+        simulated_us: how long it ran.
+        changes: how the program drove the pins, by time.
+        waves: waves that timers made, by time.
+        console: what it sent, by time.
+        device_events: what devices noticed, by time.
+    """
+
+    engine: str
+    state: str
+    simulated_us: float
+    changes: tuple[PinChange, ...]
+    waves: tuple[Wave, ...]
+    console: tuple[ConsoleByte, ...]
+    device_events: tuple[DeviceEvent, ...]
+
+    @property
+    def text(self) -> str:
+        """The console's bytes as text; what is no UTF-8 is shown as U+FFFD."""
+        return bytes(each.byte for each in self.console).decode("utf-8", "replace")
+
+    def levels(self, pin: str) -> list[tuple[float, int | str]]:
+        """The changes of one pin: time in microseconds and level."""
+        return [(change.at_us, change.level) for change in self.changes if change.pin == pin]
+
+    def pulses(self, pin: str) -> list[tuple[float, float]]:
+        """The high pulses of one pin: begin and width in microseconds. A pulse ends when the pin is no longer driven high."""
+        found, begun = [], None
+        for at_us, level in self.levels(pin):
+            if level == 1 and begun is None:
+                begun = at_us
+            elif level != 1 and begun is not None:
+                found.append((begun, at_us - begun))
+                begun = None
+        return found
+
+
+class Engine(Protocol):
+    """A simulator of microcontrollers.
+
+    Attributes:
+        name: how it is asked for.
+    """
+
+    name: str
+
+    def missing(self) -> str | None:
+        """What is not installed here, as an instruction that mends it; None if the engine can run."""
+
+    def version(self) -> str | None:
+        """The version that is installed, `unknown` where it does not tell; None if it is not installed."""
+
+    def serves(self, mcu: str) -> bool:
+        """Whether it knows the microcontroller."""
+
+    def run(self, job: Job) -> Trace:
+        """Run a program in this process until the horizon, or until it stops itself.
+
+        Raises:
+            VerificationError: the program cannot be loaded, or the simulator gave up.
+        """
+
+
+def engine_for(mcu: str, name: str | None = None) -> Engine:
+    """The engine of that name, or the first installed one that knows the microcontroller.
+
+    Raises:
+        UsageError: no engine has that name, or it does not know the microcontroller.
+        MissingToolError: none that knows it is installed.
+    """
+    if name is not None:
+        engine: Engine = content("engine", name)()
+        if not engine.serves(mcu):
+            raise UsageError(f"the engine '{name}' does not know the microcontroller '{mcu}'", fix="leave the engine out")
+        if advice := engine.missing():
+            raise MissingToolError(f"the engine '{name}' is not installed", fix=advice)
+        return engine
+    known: list[Engine] = [content("engine", each)() for each in engine_names()]
+    serving = [each for each in known if each.serves(mcu)]
+    for each in serving:
+        if each.missing() is None:
+            return each
+    if not serving:
+        raise UsageError(f"no engine knows the microcontroller '{mcu}'", fix="take another board")
+    advice = "; or ".join(str(each.missing()) for each in serving)
+    raise MissingToolError(f"no simulator for the microcontroller '{mcu}' is installed", fix=advice)
+
+
+def engine_names() -> list[str]:
+    """The names of the engines, in the order in which they are tried."""
+    return list(registry().entries.get("engine", {}))
+
+
+def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> Trace:
+    """Run a program on a simulator, in a process of its own.
+
+    Args:
+        job: what to run.
+        engine: name of the engine; the first that is installed and knows the microcontroller if None.
+        limit_s: seconds of this machine's time after which the run is given up.
+
+    Raises:
+        UsageError: no engine has that name, none knows the microcontroller, or a device is used wrongly.
+        MissingToolError: the engine is not installed.
+        VerificationError: the time limit is over, the program cannot be loaded, or the engine crashed.
+    """
+    chosen = engine_for(job.mcu, engine)
+    question = json.dumps({"engine": chosen.name, "job": asdict(job)})
+    command = [sys.executable, "-m", "robosmi.verify.worker"]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
+        start_new_session=True, env=_environment(),
+    ) as process:  # fmt: skip
+        try:
+            answer, complaint = process.communicate(question, timeout=limit_s)
+        except subprocess.TimeoutExpired:
+            raise VerificationError(
+                f"the simulation did not end within {limit_s:g} s", fix="simulate less time, or allow more for it"
+            ) from None
+        finally:
+            _end(process)
+    if process.returncode != 0 or not answer:
+        last = (complaint.strip().splitlines() or [f"it ended with {process.returncode}"])[-1]
+        raise VerificationError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine")
+    return _trace(json.loads(answer), chosen.name)
+
+
+def _environment() -> dict[str, str]:
+    """This process's environment; the worker finds this very package, wherever it was imported from."""
+    return os.environ | {"PYTHONPATH": os.pathsep.join([_root(), *filter(None, [os.environ.get("PYTHONPATH")])])}
+
+
+@cache
+def _root() -> str:
+    import robosmi
+
+    return str(Path(robosmi.__file__).parents[1])
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    """Leave no process behind: the worker may have started one of its own."""
+    with suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)
+
+
+def _trace(answer: dict[str, Any], engine: str) -> Trace:
+    if "error" in answer:
+        errors = {each.__name__: each for each in (UsageError, MissingToolError, VerificationError)}
+        raise errors.get(answer["error"], VerificationError)(answer["message"], fix=answer["fix"])
+    try:
+        return Trace(
+            answer["engine"], answer["state"], answer["simulated_us"],
+            tuple(PinChange(*each) for each in answer["changes"]),
+            tuple(Wave(*each) for each in answer["waves"]),
+            tuple(ConsoleByte(*each) for each in answer["console"]),
+            tuple(DeviceEvent(*each) for each in answer["device_events"]),
+        )  # fmt: skip
+    except (KeyError, TypeError) as error:
+        raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error

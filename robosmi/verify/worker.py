@@ -1,0 +1,44 @@
+"""The process in which an engine runs: reads a job from standard input, answers with a trace on standard output, both JSON.
+
+It is started by `simulation.simulate`, which bounds its time and ends it with everything that it started. An engine may be
+of another licence than this package; it is loaded here and nowhere else.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from dataclasses import astuple
+from typing import Any
+
+from robosmi.errors import RobosmiError
+from robosmi.plugins import content
+from robosmi.verify.simulation import DeviceUse, Engine, Job, Trace
+
+
+def answer(question: dict[str, Any]) -> dict[str, Any]:
+    """The trace of a job, or the error that ended it.
+
+    Args:
+        question: `engine`, the engine's name, and `job`, the fields of a `Job`.
+    """
+    given = question["job"]
+    job = Job(**{**given, "devices": tuple(DeviceUse(**use) for use in given["devices"])})
+    engine: Engine = content("engine", question["engine"])()
+    try:
+        trace: Trace = engine.run(job)
+    except RobosmiError as error:
+        return {"error": type(error).__name__, "message": error.message, "fix": error.fix}
+    return {
+        "engine": trace.engine,
+        "state": trace.state,
+        "simulated_us": trace.simulated_us,
+        "changes": [astuple(each) for each in trace.changes],
+        "waves": [astuple(each) for each in trace.waves],
+        "console": [astuple(each) for each in trace.console],
+        "device_events": [astuple(each) for each in trace.device_events],
+    }
+
+
+if __name__ == "__main__":
+    json.dump(answer(json.load(sys.stdin)), sys.stdout)

@@ -1,0 +1,80 @@
+"""What programs measure at each device: the physical side that the device plays, on every engine."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.verify.simulation import DeviceUse, simulate
+from tests.transformations.verification.conftest import Run
+
+
+def test_rangers_answer_with_the_distance_of_the_time(job_of: Run, engine: str) -> None:
+    devices = [
+        DeviceUse("ranger", {"signal": "D7"}, {"points": [[0, 20], [100, 150], [300, None]]}),
+        DeviceUse("two_pin_ranger", {"trigger": "D6", "echo": "D5"}, {"points": [[0, 3], [100, 200]]}),
+    ]
+    trace = simulate(job_of("rangers", 450, devices), engine)
+    read = [tuple(map(int, line.split())) for line in trace.text.splitlines()]
+    assert read[0] == (20, 3)
+    assert (150, 200) in [(round(one, -1), round(two, -1)) for one, two in read]  # pulseIn reads half a percent too little
+    assert read[-1][0] == 0
+    assert next(event.value for event in trace.device_events if event.device == 0) == 20
+
+
+def test_a_capacitor_decays_and_a_pull_up_holds_it(job_of: Run, engine: str) -> None:
+    trace = simulate(job_of("capacitor", 30, [DeviceUse("capacitor", {"pin": "D4"}, {"points": [[0, 1800]]})]), engine)
+    assert trace.text.splitlines() == ["18", "1"]
+
+
+@pytest.mark.parametrize(
+    ("humidity", "celsius", "read"),
+    [(65.2, 35.1, "2 140 1 95 238"), (40.0, -10.1, "1 144 128 101 118"), (0.0, 0.0, "0 0 0 0 0")],
+)
+def test_a_dht22_sends_its_bits(humidity: float, celsius: float, read: str, job_of: Run, engine: str) -> None:
+    """The first two frames are those of the data sheet of the AM2302."""
+    settings = {"humidity": [[0, humidity]], "celsius": [[0, celsius]]}
+    trace = simulate(job_of("sensors", 60, [DeviceUse("dht22", {"signal": "D2"}, settings)]), engine)
+    assert trace.text.splitlines()[0] == read
+
+
+def test_the_bus_is_answered_at_the_addresses_that_are_there(job_of: Run, engine: str) -> None:
+    devices = [
+        DeviceUse("eeprom", {}, {"content": [1] * 0x0102}),
+        DeviceUse("registers", {}, {"address": 0x19, "content": [10, 11, 12, 13, 14]}),
+    ]
+    trace = simulate(job_of("bus", 60, devices), engine)
+    assert trace.text.splitlines() == ["0", "1", " 1 77 78", " 13 14", "1"]
+    assert [event.value for event in trace.device_events] == [[0x0102, 77], [0x0103, 78]]
+
+
+def test_a_key_joins_its_row_and_column(job_of: Run, engine: str) -> None:
+    pins = {"row0": "D4", "row1": "D5", "column0": "D6", "column1": "D7"}
+    points = [[0, None], [50, [0, 1]], [110, [1, 0]], [170, None]]
+    trace = simulate(job_of("matrix", 220, [DeviceUse("keypad", pins, {"points": points})]), engine)
+    keys = trace.text.split()
+    assert list(dict.fromkeys(keys)) == ["01", "10"]
+    assert len(keys) >= 4
+
+
+def test_a_remote_control_is_heard(job_of: Run, engine: str) -> None:
+    points = [[10, [21, 1]], [200, [106, 30]]]
+    trace = simulate(job_of("infrared", 400, [DeviceUse("sony_remote", {"signal": "D10"}, {"points": points})]), engine)
+    assert trace.text.split() == ["21/1"] * 3 + ["106/30"] * 3
+
+
+def test_a_wheel_turns_as_its_pulses_say(job_of: Run, engine: str) -> None:
+    devices = [DeviceUse("wheel", {"servo": "D9", "encoder": "A0"}, {})]
+    trace = simulate(job_of("wheels", 1400, devices), engine)
+    ticks = trace.device_events[-1].value
+    assert trace.text.split() == [str(ticks)]
+    width = trace.pulses("D9")[20][1]
+    assert ticks == pytest.approx((width - 1500) * 0.64 * 1.05, abs=2)  # for 1 s, and the 50 ms until it stands
+
+
+def test_a_serial_line_carries_bytes_both_ways(job_of: Run, engine: str) -> None:
+    pins = {"receive": "D10", "transmit": "D11"}
+    trace = simulate(
+        job_of("serial_line", 100, [DeviceUse("serial_line", pins, {"points": [[20, "a"], [40, "b"], [60, "z"]]})]), engine
+    )
+    noted = [(event.what, chr(event.value)) for event in trace.device_events]
+    assert [each for each in noted if each[0] == "byte"] == [("byte", "A"), ("byte", "B"), ("byte", "Z")]

@@ -1,0 +1,1 @@
+"""Content for running programs: simulators (`engines`) and what is connected to their pins (`devices`)."""

@@ -1,0 +1,1 @@
+"""Devices behind the `Device` interface of `robosmi.verify.bench`, one module each."""

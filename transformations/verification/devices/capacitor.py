@@ -1,0 +1,42 @@
+"""A capacitor at a pin, as in a QTI line sensor: a high output charges it, and it decays when the pin is let go."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from robosmi.transformations.verification.devices.levels import value_at
+from robosmi.verify.bench import Device, Level
+
+
+class Capacitor(Device):
+    """A capacitor that the program charges through its pin, and that reads high for a while once the pin is an input.
+
+    A pull-up that stays on keeps it charged for ever. Setting `points`: [milliseconds, decay time in microseconds], what the
+    sensor sees over time.
+    """
+
+    pin_names = ("pin",)
+    setting_names: ClassVar[Mapping[str, Any]] = {"points": ...}
+
+    def start(self) -> None:
+        """Be empty."""
+        self._charged, self._turn = False, 0
+        self.bench.set_level(self.pins["pin"], 0)
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Charge, empty, or begin to decay."""
+        self._turn += 1
+        if level in (0, 1):
+            self._charged = level == 1
+            self.bench.set_level(pin, None if level == 1 else 0)
+        elif self._charged or level == "p":
+            self.bench.set_level(pin, 1)
+            if level == "z":
+                turn, decay = self._turn, value_at(self.settings["points"], self.bench.now)
+                self.bench.at(self.bench.now + decay, lambda: self._fall(turn))
+
+    def _fall(self, turn: int) -> None:
+        if turn == self._turn:
+            self._charged = False
+            self.bench.set_level(self.pins["pin"], 0)

@@ -1,0 +1,47 @@
+"""A keypad: a matrix of contacts between rows and columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any, ClassVar
+
+from robosmi.verify.bench import Device, Level
+
+_MOST = 8
+
+
+class Keypad(Device):
+    """A matrix of up to eight rows and columns (`row0` ..., `column0` ...).
+
+    Setting `points`: [milliseconds, [row, column]] while that key is held, or null while none is. A held key joins its row
+    and its column: what the program drives on one is read on the other.
+    """
+
+    optional_pin_names = tuple(f"{line}{number}" for line in ("row", "column") for number in range(_MOST))
+    setting_names: ClassVar[Mapping[str, Any]] = {"points": ...}
+
+    def start(self) -> None:
+        """Begin to play the points."""
+        self._held: tuple[str, str] | None = None
+        for at_ms, key in self.settings["points"]:
+            self.bench.at(at_ms * 1000, partial(self._press, key))
+
+    def _press(self, key: list[int] | None) -> None:
+        if self._held is not None:
+            for pin in self._held:
+                self.bench.set_level(pin, None)
+        self._held = None if key is None else (self.pins[f"row{key[0]}"], self.pins[f"column{key[1]}"])
+        self._join()
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Pass on what the program drives."""
+        self._join()
+
+    def _join(self) -> None:
+        if self._held is None:
+            return
+        for pin, other in (self._held, self._held[::-1]):
+            driven = self.bench.driven[other]
+            if self.bench.driven[pin] in ("z", "p"):
+                self.bench.set_level(pin, int(driven) if driven in (0, 1) else 1 if driven == "p" else None)

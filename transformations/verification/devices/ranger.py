@@ -1,0 +1,69 @@
+"""Ultrasonic rangers: a short high pulse asks, the width of the echo answers.
+
+Times are those of the data sheets of Parallax #28015 (PING)))) and of the HC-SR04.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from robosmi.transformations.verification.devices.levels import value_at
+from robosmi.verify.bench import Device, Level
+
+_ROUND_TRIP_US = 58.0
+"""Microseconds of echo a centimetre, for the way there and back at 20 degrees Celsius."""
+
+
+class _Ranger(Device):
+    """What rangers have in common.
+
+    Settings: `points`, [milliseconds, centimetres] or null where there is no echo; `asks`, in microseconds, the
+    shortest pulse that asks.
+    """
+
+    setting_names: ClassVar[Mapping[str, Any]] = {"points": ..., "asks": 2.0}
+    hold_off_us: float
+    trigger: str
+    echo: str
+
+    def start(self) -> None:
+        """Be quiet."""
+        self._begun: float | None = None
+        self.bench.set_level(self.pins[self.echo], 0)
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Answer when a pulse that asks has ended."""
+        if pin != self.pins[self.trigger]:
+            return
+        if level == 1:
+            self._begun = self.bench.now
+        elif self._begun is not None:
+            width, self._begun = self.bench.now - self._begun, None
+            distance = value_at(self.settings["points"], self.bench.now)
+            if width >= self.settings["asks"]:
+                self.note("asked", distance)
+                if distance is not None:
+                    self._answer(self.bench.now + self.hold_off_us, distance * _ROUND_TRIP_US)
+
+    def _answer(self, at_us: float, width_us: float) -> None:
+        pin = self.pins[self.echo]
+        self.bench.at(at_us, lambda: self.bench.set_level(pin, 1))
+        self.bench.at(at_us + width_us, lambda: self.bench.set_level(pin, 0))
+
+
+class Ranger(_Ranger):
+    """A ranger with one pin for both, such as Parallax's PING))): the program asks, lets go of the pin, and measures there."""
+
+    pin_names = ("signal",)
+    hold_off_us = 750.0
+    trigger = echo = "signal"
+
+
+class TwoPinRanger(_Ranger):
+    """A ranger with a pin each for trigger and echo, such as the HC-SR04, which asks for 10 us."""
+
+    pin_names = ("trigger", "echo")
+    setting_names: ClassVar[Mapping[str, Any]] = {"points": ..., "asks": 9.0}
+    hold_off_us = 450.0
+    trigger, echo = "trigger", "echo"

@@ -1,0 +1,88 @@
+"""Devices on the two-wire bus (I2C): an EEPROM, and a sensor that is nothing but registers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from robosmi.verify.bench import Bench, Device
+
+
+class _Memory(Device):
+    """Cells behind a pointer: the first bytes written set it, the others are stored; reading goes on from it.
+
+    Settings: `address` (7 bits); `content`: the bytes from cell 0 on.
+    """
+
+    pointer_bytes = 1
+    cells: int
+
+    def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Any]) -> None:
+        super().__init__(bench, number, pins, settings)
+        self.address = int(self.settings["address"])
+        content = bytes(self.settings["content"])
+        self.memory = bytearray(content + b"\xff" * (self.cells - len(content)))
+        self.pointer = self._taken = self._written = 0
+
+    def bus_start(self, read: bool) -> bool:
+        """Be there."""
+        self._taken = 0 if not read else self.pointer_bytes
+        self._written = 0
+        return True
+
+    def bus_write(self, byte: int) -> bool:
+        """Take the pointer, highest byte first, then what is to be stored."""
+        if self._taken < self.pointer_bytes:
+            self.pointer = ((self.pointer << 8 if self._taken else 0) | byte) % self.cells
+            self._taken += 1
+        else:
+            self.note("written", [self.pointer, byte])
+            self.memory[self.pointer] = byte
+            self.pointer = self._next()
+            self._written += 1
+        return True
+
+    def _next(self) -> int:
+        return (self.pointer + 1) % self.cells
+
+    def bus_read(self) -> int:
+        """The cell at the pointer."""
+        byte = self.memory[self.pointer]
+        self.pointer = (self.pointer + 1) % self.cells
+        return byte
+
+
+class Eeprom(_Memory):
+    """A serial EEPROM of 64 KB such as the 24LC512: two bytes of address, pages of 128 bytes, busy while it writes.
+
+    Further setting `busy_ms`: how long it does not answer after a write.
+    """
+
+    pointer_bytes = 2
+    cells = 65536
+    page = 128
+    setting_names: ClassVar[Mapping[str, Any]] = {"address": 0x50, "content": (), "busy_ms": 5.0}
+
+    def start(self) -> None:
+        """Be ready."""
+        self._ready_us = 0.0
+
+    def bus_start(self, read: bool) -> bool:
+        """Be there, unless it still writes."""
+        return self.bench.now >= self._ready_us and super().bus_start(read)
+
+    def _next(self) -> int:
+        return self.pointer - self.page + 1 if self.pointer % self.page == self.page - 1 else self.pointer + 1
+
+    def bus_stop(self) -> None:
+        """Begin to write what came."""
+        if self._written:
+            self._ready_us = self.bench.now + self.settings["busy_ms"] * 1000
+            self._written = 0
+
+
+class Registers(_Memory):
+    """A device of 256 registers of a byte each, such as a sensor; `content` holds what it has measured."""
+
+    cells = 256
+    setting_names: ClassVar[Mapping[str, Any]] = {"address": ..., "content": ()}

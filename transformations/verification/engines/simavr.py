@@ -1,0 +1,341 @@
+"""The engine `simavr`: the library libsimavr (GPL-3, Debian's libsimavr2), reached through ctypes, in the worker's process only.
+
+Nothing of it is shipped or linked. The layout of its structures is not relied on, but for the head of `elf_firmware_t`, which
+versions 1.4 to 1.8 have in common; the clock is read from a timer that never fires. `avr_run` runs one instruction: the C
+library's `lfind` calls it in a loop, which is eleven times faster than a loop in Python.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import ctypes.util
+import re
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from robosmi.errors import MissingToolError, VerificationError
+from robosmi.transformations.verification.engines.avr_timers import Timers
+from robosmi.verify.bench import Bench
+from robosmi.verify.simulation import ConsoleByte, Job, Trace
+
+_SERVED = ("atmega328p", "atmega168", "atmega2560", "atmega32u4")
+_STATES = {5: "done", 6: "done", 7: "crashed"}
+_FAR = 1 << 62
+_AT_ONCE = 20000
+"""Instructions between two looks at the clock."""
+_LONGEST = 5
+"""Cycles of the longest instruction, an interrupt's call."""
+_ALL_PINS, _DIRECTIONS, _PORT = 8, 9, 10
+_EVERY_WRITE = 8
+_UART_INPUT, _UART_OUTPUT = 0, 1
+_UART_SLEEPS, _UART_ECHOES = 1, 2
+_BUS_IN, _BUS_OUT = 0, 1
+_START, _STOP, _ADDRESSED, _ACKNOWLEDGE, _WRITE, _READ = 1, 2, 4, 8, 16, 32
+"""Bits of a message on the two-wire bus."""
+
+_NOTIFY = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_void_p)
+_TIMER = ctypes.CFUNCTYPE(ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p)
+_LOGGER = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p)
+
+
+class _Firmware(ctypes.Structure):
+    """The head of `elf_firmware_t`; the rest is room for what follows."""
+
+    _fields_ = (
+        ("mmcu", ctypes.c_char * 64), ("frequency", ctypes.c_uint32), ("vcc", ctypes.c_uint32), ("avcc", ctypes.c_uint32),
+        ("aref", ctypes.c_uint32), ("rest", ctypes.c_char * 16384),
+    )  # fmt: skip
+
+
+def _code(text: str) -> int:
+    """Four characters as simavr's number of a peripheral."""
+    return int.from_bytes(text.encode(), "big")
+
+
+@cache
+def _library() -> ctypes.CDLL | None:
+    for name in ("libsimavr.so.2", ctypes.util.find_library("simavr"), "libsimavr.so"):
+        try:
+            library = ctypes.CDLL(name) if name else None
+        except OSError:
+            continue
+        if library is not None:
+            return _declared(library)
+    return None
+
+
+def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
+    pointer, number, wide = ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint64
+    for name, result, arguments in (
+        ("avr_make_mcu_by_name", pointer, [ctypes.c_char_p]),
+        ("avr_init", ctypes.c_int, [pointer]),
+        ("elf_read_firmware", ctypes.c_int, [ctypes.c_char_p, pointer]),
+        ("avr_load_firmware", None, [pointer, pointer]),
+        ("avr_run", ctypes.c_int, [pointer]),
+        ("avr_terminate", None, [pointer]),
+        ("avr_io_getirq", pointer, [pointer, number, ctypes.c_int]),
+        ("avr_iomem_getirq", pointer, [pointer, ctypes.c_uint16, ctypes.c_char_p, ctypes.c_int]),
+        ("avr_irq_register_notify", None, [pointer, _NOTIFY, pointer]),
+        ("avr_raise_irq", None, [pointer, number]),
+        ("avr_ioctl", ctypes.c_int, [pointer, number, pointer]),
+        ("avr_cycle_timer_register", None, [pointer, wide, _TIMER, pointer]),
+        ("avr_cycle_timer_status", wide, [pointer, _TIMER, pointer]),
+        ("avr_global_logger_set", None, [pointer]),
+        ("avr_twi_irq_msg", number, [ctypes.c_uint8, ctypes.c_uint8, ctypes.c_uint8]),
+    ):
+        function = getattr(library, name)
+        function.restype, function.argtypes = result, arguments
+    return library
+
+
+_SILENT = _LOGGER(lambda avr, level, text: None)  # kept for ever: the library keeps the pointer
+
+
+class Simavr:
+    """The engine (see `Engine`)."""
+
+    name = "simavr"
+
+    def missing(self) -> str | None:
+        """What is not installed here; None if it can run."""
+        return None if _library() is not None else "install libsimavr (Debian: apt-get install libsimavr2)"
+
+    def version(self) -> str | None:
+        """The version of the library's interface, all that it tells of itself; None if it is not installed."""
+        return None if _library() is None else _version()
+
+    def serves(self, mcu: str) -> bool:
+        """Whether it knows the microcontroller."""
+        return mcu in _SERVED
+
+    def run(self, job: Job) -> Trace:
+        """Run a program in this process."""
+        library = _library()
+        if library is None:
+            raise MissingToolError("libsimavr is not installed", fix=self.missing())
+        return _Run(library, job).run()
+
+
+class _Run(Bench):
+    """One program on one simulated microcontroller."""
+
+    def __init__(self, library: ctypes.CDLL, job: Job) -> None:
+        super().__init__(tuple(job.pins), job.clock_hz)
+        self._library, self._job = library, job
+        self._kept: list[Any] = []  # what C holds a pointer to
+        self._failed: list[BaseException] = []
+        self._console: list[ConsoleByte] = []
+        self._outside: dict[str, tuple[int, int]] = {}  # port -> bits driven from outside, their levels
+        library.avr_global_logger_set(ctypes.cast(_SILENT, ctypes.c_void_p))
+        self._avr = self._made()
+        self._clock = _TIMER(lambda avr, when, data: 0)  # never fires: it tells the time
+        library.avr_cycle_timer_register(self._avr, _FAR, self._clock, None)
+        self._waking = False
+        self._ended_at: int | None = None
+        self._alarm = _TIMER(self._woken)
+        self._fast_external_interrupts()
+        self._watch_ports()
+        self._watch_console()
+        self._watch_bus()
+        self.timers = Timers(job.timers, job.pins, job.clock_hz)
+        for address in self.timers.registers:
+            self._watch_register(address)
+
+    def _made(self) -> int:
+        job, library = self._job, self._library
+        firmware = _Firmware()
+        if library.elf_read_firmware(job.elf.encode("utf-8", "surrogateescape"), ctypes.byref(firmware)):
+            raise VerificationError(f"simavr cannot read '{job.elf}'", fix="compile the program again")
+        firmware.frequency, firmware.vcc, firmware.avcc, firmware.aref = job.clock_hz, *([job.supply_mv] * 3)
+        avr: int | None = library.avr_make_mcu_by_name(job.mcu.encode())
+        if not avr:
+            raise VerificationError(f"this simavr does not know the microcontroller '{job.mcu}'", fix="try another engine")
+        library.avr_init(avr)
+        library.avr_load_firmware(avr, ctypes.byref(firmware))
+        return avr
+
+    # ---- what C calls; what is raised would be lost there
+
+    def _notify(self, irq: int | None, call: Callable[[int], None]) -> None:
+        """Call with the value whenever an IRQ is raised."""
+        if not irq:
+            return
+
+        def notified(irq: int, value: int, data: Any) -> None:
+            try:
+                call(value)
+            except BaseException as error:
+                self._failed.append(error)
+
+        function = _NOTIFY(notified)
+        self._kept.append(function)
+        self._library.avr_irq_register_notify(irq, function, None)
+
+    def _woken(self, avr: int, when: int, data: Any) -> int:
+        """The timer that wakes the devices; its answer is the cycle of the next time, 0 for never."""
+        self._waking = True
+        try:
+            return self.wake() or 0
+        except BaseException as error:
+            self._failed.append(error)
+            return 0
+        finally:
+            self._waking = False
+
+    # ---- time
+
+    @property
+    def cycle(self) -> int:
+        """The cycles since reset."""
+        if self._ended_at is not None:
+            return self._ended_at
+        return _FAR + 1 - int(self._library.avr_cycle_timer_status(self._avr, self._clock, None))
+
+    def wake_at(self, cycle: int) -> None:
+        """Have `wake` called at that cycle. One timer does for all actions: the library has room for 64, and drops the others."""
+        if not self._waking:  # else the alarm's answer says when to wake next
+            self._library.avr_cycle_timer_register(self._avr, max(1, cycle - self.cycle), self._alarm, None)
+
+    # ---- pins
+
+    def _irq(self, peripheral: str, number: int) -> int | None:
+        found: int | None = self._library.avr_io_getirq(self._avr, _code(peripheral), number)
+        return found
+
+    def _fast_external_interrupts(self) -> None:
+        """Let a low level at an external interrupt's pin be no reason to look again at every few cycles (five times slower)."""
+        setter = getattr(self._library, "avr_extint_set_strict_lvl_trig", None)
+        for number in (0, 1):
+            if setter is None:
+                return
+            setter(ctypes.c_void_p(self._avr), ctypes.c_uint8(number), ctypes.c_uint8(0))
+
+    def _watch_ports(self) -> None:
+        ports: dict[str, dict[int, str]] = {}
+        for label, place in self._job.pins.items():
+            ports.setdefault(place[0], {})[int(place[1:])] = label
+        for port, labels in ports.items():
+            state = {_PORT: 0, _DIRECTIONS: 0}
+            for which in (_PORT, _DIRECTIONS):
+                self._notify(self._irq(f"iog{port}", which), self._port_listener(labels, state, which))
+
+    def _port_listener(self, labels: dict[int, str], state: dict[int, int], which: int) -> Callable[[int], None]:
+        def written(value: int) -> None:
+            changed = state[which] ^ value
+            state[which] = value
+            for bit, label in labels.items():
+                if changed >> bit & 1:
+                    high, output = state[_PORT] >> bit & 1, state[_DIRECTIONS] >> bit & 1
+                    self.pin_changed(label, high if output else "p" if high else "z")
+
+        return written
+
+    def set_level(self, pin: str, level: int | None) -> None:
+        """Drive a pin from outside, low or high; None lets go of it."""
+        port, bit = self._job.pins[pin][0], int(self._job.pins[pin][1:])
+        mask, values = self._outside.get(port, (0, 0))
+        mask = mask & ~(1 << bit) if level is None else mask | 1 << bit
+        values = values | 1 << bit if level else values & ~(1 << bit)
+        self._outside[port] = mask, values
+        # struct avr_ioport_external_t: bit fields name (7), mask (8), value (8) of one unsigned long
+        told = ctypes.c_ulong(ord(port) & 0x7F | mask << 7 | values << 15)
+        self._library.avr_ioctl(self._avr, _code(f"iop{port}"), ctypes.byref(told))
+        if level is None and self.driven[pin] == "p":
+            level = 1  # the pull-up
+        if level is not None and self.driven[pin] in ("z", "p"):
+            self._library.avr_raise_irq(self._irq(f"iog{port}", bit), level)
+
+    def set_voltage(self, pin: str, millivolts: float) -> None:
+        """Put a voltage on a pin of the converter."""
+        self._library.avr_raise_irq(self._irq("adc ", self._job.analog[pin]), round(millivolts))
+
+    # ---- console
+
+    def _watch_console(self) -> None:
+        for code in ("uar0", "uar1"):  # an ATmega32U4 has only the second
+            irq = self._irq(code, _UART_OUTPUT)
+            if irq:
+                break
+        else:
+            return
+        self._console_input = self._irq(code, _UART_INPUT)
+        flags = ctypes.c_uint32(0)
+        self._library.avr_ioctl(self._avr, _code(f"uag{code[-1]}"), ctypes.byref(flags))
+        flags.value &= ~(_UART_ECHOES | _UART_SLEEPS)
+        self._library.avr_ioctl(self._avr, _code(f"uas{code[-1]}"), ctypes.byref(flags))
+        self._notify(irq, lambda value: self._console.append(ConsoleByte(self.now, value & 0xFF)))
+
+    def send(self, data: bytes) -> None:
+        """Let bytes arrive on the program's console."""
+        for byte in data:
+            self._library.avr_raise_irq(self._console_input, byte)
+
+    # ---- two-wire bus
+
+    def _watch_bus(self) -> None:
+        self._bus_in = self._irq("twi\0", _BUS_IN)
+        self._address, self._reading = -1, False
+        self._notify(self._irq("twi\0", _BUS_OUT), self._bus_message)
+
+    def _bus_message(self, value: int) -> None:
+        """Answer a message of the program:
+
+        one byte of bits, one with address and direction, one of data, each eight bits wide.
+        """
+        message, address, data = value >> 8 & 0xFF, value >> 16 & 0xFF, value >> 24 & 0xFF
+        if message & _STOP:
+            if self._address >= 0:
+                self.bus_stop(self._address)
+            self._address = -1
+        if message & _START:
+            self._address, self._reading = address >> 1, bool(address & 1)
+            if self.bus_start(self._address, self._reading):
+                self._reply(_ACKNOWLEDGE, address, 1)
+            else:
+                self._address = -1
+        if self._address < 0:
+            return
+        if message & _WRITE and self.bus_write(self._address, data):
+            self._reply(_ACKNOWLEDGE, address, 1)
+        if message & _READ:
+            self._reply(_READ, address, self.bus_read(self._address))
+
+    def _reply(self, message: int, address: int, data: int) -> None:
+        self._library.avr_raise_irq(self._bus_in, self._library.avr_twi_irq_msg(message, address, data))
+
+    # ---- timers
+
+    def _watch_register(self, address: int) -> None:
+        irq = self._library.avr_iomem_getirq(self._avr, address, None, _EVERY_WRITE)
+        self._notify(irq, lambda value: self.timers.written(self.now, address, value & 0xFF))
+
+    # ---- the run
+
+    def run(self) -> Trace:
+        """Run until the horizon."""
+        self.connect(self._job.devices)
+        end = round(self._job.horizon_us * self._job.clock_hz / 1e6)
+        run = ctypes.cast(self._library.avr_run, ctypes.c_void_p)
+        c_library = ctypes.CDLL(None)
+        c_library.lfind.restype = ctypes.c_void_p
+        c_library.lfind.argtypes = [ctypes.c_void_p] * 3 + [ctypes.c_size_t, ctypes.c_void_p]
+        count, base = ctypes.c_size_t(), ctypes.c_char_p(b"\0")
+        state = "running"
+        while (left := end - self.cycle) > 0 and state == "running":
+            count.value = max(1, min(_AT_ONCE, left // _LONGEST))
+            if c_library.lfind(self._avr, base, ctypes.byref(count), 0, run):
+                state = "done"  # avr_run answered 0: the processor left its loop
+            else:
+                state = _STATES.get(self._library.avr_run(self._avr), "running")
+            if self._failed:
+                raise self._failed[0]
+        self._ended_at = min(self.cycle, end)
+        self.ended()
+        return self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
+
+
+def _version() -> str:
+    """The version of the library's interface as its file name has it, or `unknown`."""
+    found = re.search(r"so\.([\d.]+)$", ctypes.util.find_library("simavr") or "")
+    return f"libsimavr.so.{found[1]}" if found else "unknown"
