@@ -24,17 +24,19 @@ import robosmi
 ROOT = Path(__file__).parents[1]
 CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
 FOUNDATION = ("errors", "diagnostics", "resources", "plugins", "project", "inputs", "data_text")
+LOW = ("quoting", *FOUNDATION)
 ABOVE: dict[str, tuple[str, ...]] = {
-    "model": FOUNDATION,
-    "query": ("model", *FOUNDATION),
-    "generate": ("query", "model", *FOUNDATION),
-    "validate": ("query", "model", *FOUNDATION),
-    "transform": ("query", "model", "metamodels", *FOUNDATION),
-    "report": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
-    "verify": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
-    "recommend": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
-    "chain": ("generate", "validate", "transform", "query", "model", *FOUNDATION),
-    "cli": ("api", "chain", "report", "verify", "recommend", "generate", "validate", "transform", "query", "model", *FOUNDATION),
+    "quoting": FOUNDATION,
+    "model": LOW,
+    "query": ("model", *LOW),
+    "generate": ("query", "model", *LOW),
+    "validate": ("query", "model", *LOW),
+    "transform": ("query", "model", "metamodels", *LOW),
+    "report": ("generate", "validate", "transform", "query", "model", *LOW),
+    "verify": ("generate", "validate", "transform", "query", "model", *LOW),
+    "recommend": ("generate", "validate", "transform", "query", "model", *LOW),
+    "chain": ("generate", "validate", "transform", "query", "model", *LOW),
+    "cli": ("api", "chain", "report", "verify", "recommend", "generate", "validate", "transform", "query", "model", *LOW),
 }
 """Room of the framework -> the rooms that it may import (and itself). The foundation's own arrows are a test below."""
 

@@ -20,6 +20,7 @@ from pyecore.ecore import EObject
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, RuleError
+from robosmi.generate import contexts
 from robosmi.generate.identity import region_id
 from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
@@ -55,6 +56,9 @@ class _Environment(jinja2.Environment):
 
     def concat(self, pieces: Iterable[str], /) -> str:  # Jinja joins macros and blocks by this
         return joined(pieces)
+
+    def _parse(self, source: str, name: str | None, filename: str | None) -> jinja2.nodes.Template:
+        return contexts.parsed(self, source, name, filename)
 
     def getattr(self, obj: Any, attribute: str) -> Any:
         is_element = _KNOWN.get(obj.__class__)
@@ -229,11 +233,11 @@ def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False) -> _En
         cache_size=-1,
         optimized=False,  # folding constants takes longer than it saves
         finalize=printed,
-        extensions=[Blocks, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
+        extensions=[Blocks, contexts.Declaration, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
     )
     environment.seen = []
     environment.globals["region_id"] = environment.region_id
-    environment.filters["outdent"] = outdented
+    environment.filters.update(contexts.filters(), outdent=outdented)
     return environment
 
 

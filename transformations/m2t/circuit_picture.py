@@ -10,7 +10,6 @@ import subprocess
 from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from xml.sax.saxutils import escape
 
 from robosmi.generate import Gen
 from robosmi.metamodels import hardware
@@ -47,7 +46,7 @@ def circuit_picture(circuit: hardware.Circuit) -> Picture:
         if box.rows:
             picture.boxes.append(box)
         else:
-            picture.loose.append(escape(_short(component.title or component.partTitle or f"#{component.elementId}")))
+            picture.loose.append(_short(component.title or component.partTitle or f"#{component.elementId}"))
     for number, net in enumerate(circuit.nets):
         if net.rail:
             continue
@@ -65,7 +64,7 @@ def picture_svg(picture: Picture) -> str:
     width, height = placed(picture.boxes, picture.links, bool(picture.loose))
     return Gen().text(
         "circuit/picture.svg.j2",
-        title=escape(picture.title),
+        title=picture.title,
         width=width,
         height=height,
         boxes=picture.boxes,
@@ -76,9 +75,8 @@ def picture_svg(picture: Picture) -> str:
 
 def picture_dot(picture: Picture) -> str:
     """The picture in the language of Graphviz."""
-    title = escape(picture.title).replace("\\", "\\\\").replace('"', "'")
-    loose = ", ".join(picture.loose).replace("\\", "\\\\").replace('"', "'")
-    return Gen().text("circuit/picture.dot.j2", title=title, boxes=picture.boxes, links=picture.links, loose=loose)
+    loose = ", ".join(picture.loose)
+    return Gen().text("circuit/picture.dot.j2", title=picture.title, boxes=picture.boxes, links=picture.links, loose=loose)
 
 
 def svg(circuit: hardware.Circuit, dot: str | None = None) -> str:
@@ -127,8 +125,8 @@ def _box(component: hardware.Component, number: int, column: int, rows: dict[har
     values = [p.value for p in component.properties if p.name in ("resistance", "capacitance", "voltage", "color") and p.value]
     box = Box(
         number,
-        escape(_short(component.title or component.partTitle or f"#{component.elementId}")),
-        escape(_short(" · ".join([about, *values[:1]]), 48)),
+        _short(component.title or component.partTitle or f"#{component.elementId}"),
+        _short(" · ".join([about, *values[:1]]), 48),
         _FILLS[component.role.name],
         column,
     )
@@ -137,7 +135,7 @@ def _box(component: hardware.Component, number: int, column: int, rows: dict[har
         for connector in connectors:
             rows[connector] = Place(number, len(box.rows))
         tag = (net.voltage or "supply") if net is not None and net.rail else ""
-        box.rows.append(Row(len(box.rows), escape(_short(text, 24)), escape(_short(tag, 10)), _tag_colour(tag)))
+        box.rows.append(Row(len(box.rows), _short(text, 24), _short(tag, 10), _tag_colour(tag)))
     return box
 
 

@@ -38,11 +38,6 @@ def report(plan: migration.MigrationPlan) -> dict[str, Any]:
     }
 
 
-def _cell(text: str) -> str:
-    """A text that may stand in a table."""
-    return " ".join(text.replace("|", "\\|").split())
-
-
 def _said(task: migration.PlanTask) -> dict[str, Any]:
     place = f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
     return {
@@ -59,11 +54,11 @@ def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> di
     ports = [b.name for b in plan.portBindings if b.connection is connection]
     return {
         "pin": connection.pin.label if connection.pin else "",
-        "component": _cell(connection.component.title if connection.component else ""),
-        "connectors": _cell(", ".join(c.name for c in connection.connectors)),
-        "via": _cell(", ".join(c.title for c in connection.via)),
+        "component": connection.component.title if connection.component else "",
+        "connectors": ", ".join(c.name for c in connection.connectors),
+        "via": ", ".join(c.title for c in connection.via),
         "name": connection.name,
-        "ports": _cell(", ".join(ports) or "none"),
+        "ports": ", ".join(ports) or "none",
     }
 
 
@@ -71,26 +66,26 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
     return {
         "name": binding.name,
         "pin": f"P{binding.sourcePin}" if binding.sourcePin >= 0 else "",
-        "what": _cell(binding.what),
-        "choice": f"`{binding.choice}`" if binding.choice else "open",
+        "what": binding.what,
+        "choice": binding.choice,
         "by": WHO[binding.chosenBy.name],
-        "why": _cell("; ".join(binding.evidence)),
+        "why": "; ".join(binding.evidence),
     }
 
 
 def _library(choice: migration.LibraryChoice) -> dict[str, str]:
     return {
-        "component": _cell(choice.component.title if choice.component else ""),
+        "component": choice.component.title if choice.component else "",
         "choice": choice.choice or "open",
         "by": WHO[choice.chosenBy.name],
-        "candidates": _cell(", ".join(o.label for o in list(choice.options)[:5])),
+        "candidates": ", ".join(o.label for o in list(choice.options)[:5]),
     }
 
 
 def _group(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> dict[str, Any]:
     mine = Q(plan.dispositions).select(lambda d: d.element is not None and ancestor_of_kind(d.element, ccode.SourceUnit) is unit)
     rows = [
-        {"line": d.element.line, "element": _cell(element_title(d.element)), "action": d.action.name, "reason": _cell(_why(d))}
+        {"line": d.element.line, "element": element_title(d.element), "action": d.action.name, "reason": _why(d)}
         for d in sorted(mine, key=lambda d: d.element.startOffset if d.element else 0)
         if d.element is not None
     ]
@@ -115,9 +110,9 @@ def _outside(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
         rows.append(
             {
                 "line": line,
-                "element": _cell(element_title(external)),
+                "element": element_title(external),
                 "action": disposition.action.name,
-                "reason": _cell(disposition.reason),
+                "reason": disposition.reason,
             }
         )
     return [_with_counts("used and declared elsewhere (line of the first use)", mine, rows)] if rows else []
@@ -132,6 +127,6 @@ def _with_counts(title: str, mine: Q[migration.Disposition], rows: list[dict[str
 def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
     header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
     return {
-        "signature": _cell(adapter.signature), "header": header.name if header else "unknown", "calls": len(adapter.calls),
+        "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls),
         "state": adapter.status.name,
     }  # fmt: skip

@@ -1,0 +1,197 @@
+"""`{% quoting "c" %}`: a template that declares its language has every printed value quoted for the place where it stands.
+
+The tree of the template is walked once, when it is read: its own text says where each expression stands (`languages`), and a
+filter that quotes is put around what comes from outside. Texts of the template itself are left, and so is what `| safe` or a
+function of `robosmi.quoting` marks. A template that declares nothing is untouched and prints as EGL does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from jinja2 import Environment, Undefined, nodes
+from jinja2.exceptions import TemplateSyntaxError
+from jinja2.ext import Extension
+from jinja2.parser import Parser
+from markupsafe import Markup
+
+from robosmi.errors import did_you_mean
+from robosmi.generate.languages import LANGUAGES, NOWHERE, QUOTING, Language
+from robosmi.query.values import as_string
+from robosmi.quoting import Quoted
+
+NOTHING = "nothing"
+"""What a template declares whose values are all made for it, and quoted where they are made."""
+
+_PRINTING = ("print", "println")
+_MARKING = ("start_preserve", "start_control")
+_OWN = ("stop_preserve", "stop_control", "set_content_type", "chop", "part", "stop")
+
+
+class Declaration(Extension):
+    """The tag `quoting`; the language is noted at the parser, whose tree `quoted` then walks."""
+
+    def __init__(self, environment: Environment) -> None:
+        super().__init__(environment)
+        self.tags = {"quoting"}
+
+    def parse(self, parser: Parser) -> list[nodes.Node]:
+        """Jinja's entry; the tag itself prints nothing."""
+        line = next(parser.stream).lineno
+        language = parser.parse_expression()
+        known = (*LANGUAGES, NOTHING)
+        if not isinstance(language, nodes.Const) or language.value not in known:
+            said = repr(language.value) if isinstance(language, nodes.Const) else "this"
+            near = did_you_mean(str(getattr(language, "value", "")), known)
+            raise TemplateSyntaxError(
+                f"{said} is no language{near}; there are: {', '.join(known)}", line, parser.name, parser.filename
+            )
+        if getattr(parser, "quoting", language.value) != language.value:
+            raise TemplateSyntaxError("a template declares one language", line, parser.name, parser.filename)
+        parser.quoting = language.value  # type: ignore[attr-defined]
+        return []
+
+
+def filters() -> dict[str, Callable[..., Any]]:
+    """The filters of every template: `safe`, one function for each place by its name, and those that `quoted` puts in."""
+    found: dict[str, Callable[..., Any]] = {"safe": lambda value: Quoted(as_string(value))}
+    for place, function in QUOTING.items():
+        found[place] = _marked(place, function)
+        found[_hidden(place)] = _printed(place, function)
+    return found
+
+
+def _hidden(place: str) -> str:
+    """The name of the filter that `quoted` puts in, which no template can write."""
+    return f"({place})"
+
+
+def _marked(place: str, function: Callable[[str], str]) -> Callable[[Any], Quoted]:
+    return lambda value: Quoted(function(as_string(value)), place)
+
+
+def _printed(place: str, function: Callable[[str], str]) -> Callable[[Any], str]:
+    markup = place.startswith("html")
+
+    def quote(value: Any) -> str:
+        if isinstance(value, Quoted) and value.place in ("", place):
+            return str.__str__(value)
+        if isinstance(value, Undefined) or (markup and isinstance(value, Markup)):
+            return str.__str__(str(value))
+        return function(as_string(value))
+
+    return quote
+
+
+def parsed(environment: Environment, source: str, name: str | None, filename: str | None) -> nodes.Template:
+    """The tree of a template, with the quoting that it declares.
+
+    Raises:
+        TemplateSyntaxError: it does not parse, or prints where nothing can be quoted.
+    """
+    parser = Parser(environment, source, name, filename)
+    tree = parser.parse()
+    language = LANGUAGES.get(getattr(parser, "quoting", NOTHING))
+    if language is not None:
+        _Walk(language, {macro.name for macro in tree.find_all(nodes.Macro)}, name, filename).through(tree.body, language.start)
+    return tree
+
+
+class _Walk:
+    """The way through one template."""
+
+    def __init__(self, language: Language, macros: set[str], name: str | None, filename: str | None) -> None:
+        self.language, self.macros, self.name, self.filename = language, macros | {"caller", "super"}, name, filename
+
+    def through(self, body: Iterable[nodes.Node], state: Any) -> Any:
+        """Quote what these nodes print; the state behind them."""
+        for node in body:
+            state = self._node(node, state)
+        return state
+
+    def _node(self, node: nodes.Node, state: Any) -> Any:
+        if isinstance(node, nodes.Output):
+            for place, child in enumerate(node.nodes):
+                if isinstance(child, nodes.TemplateData):
+                    state = self.language.advance(state, child.data)
+                else:
+                    node.nodes[place] = self._expression(child, state)
+                    state = self.language.advance(state, "x")
+        elif isinstance(node, nodes.If):
+            behind = self._branch(node, node.body, state)
+            for other in node.elif_:
+                self._branch(node, other.body, state)
+            self._branch(node, node.else_, state)
+            return behind if node.body else state
+        elif isinstance(node, nodes.For):
+            behind = self._branch(node, node.body, state)
+            self._branch(node, node.else_, state)
+            return behind
+        elif isinstance(node, (nodes.Macro, nodes.Block, nodes.AssignBlock, nodes.CallBlock, nodes.FilterBlock)):
+            if isinstance(node, nodes.CallBlock):
+                self._region(node.call)
+            self.through(node.body, self.language.start)
+        elif hasattr(node, "body"):
+            return self.through(node.body, state)
+        return state
+
+    def _branch(self, node: nodes.Node, body: list[nodes.Node], state: Any) -> Any:
+        """The state behind a part that is printed or not, which must leave the place as it was."""
+        behind = self.through(body, state)
+        before, after = self._settled(state), self._settled(behind)
+        if before != after:
+            raise self._error(node, f"what is printed here or not begins as {before} and ends as {after}")
+        return behind if self.language.place(behind) == self.language.place(state) else state
+
+    def _settled(self, state: Any) -> str:
+        """The place, where the beginning of a line in Markdown counts as any other of its lines."""
+        place = self.language.place(state)
+        return "markdown" if place == "markdown_block" else place
+
+    def _expression(self, node: nodes.Expr, state: Any) -> nodes.Expr:
+        """The expression with what quotes it."""
+        if isinstance(node, nodes.Call) and self._is_own(node, state):
+            return node
+        if not self.language.whole:
+            if isinstance(node, nodes.Const) and isinstance(node.value, str):
+                if self.language.place(self.language.advance(state, node.value)) != self.language.place(state):
+                    raise self._error(node, "a text in an expression must not begin or end a comment, string or tag")
+                return node
+            if isinstance(node, nodes.CondExpr):
+                node.expr1 = self._expression(node.expr1, state)
+                node.expr2 = self._expression(node.expr2, state) if node.expr2 is not None else None
+                return node
+            if isinstance(node, nodes.Concat):
+                node.nodes = [self._expression(part, state) for part in node.nodes]
+                return node
+        place = self.language.place(state)
+        if place == NOWHERE:
+            raise self._error(node, "no value can be printed here so that it stays text")
+        return nodes.Filter(node, _hidden(place), [], [], None, None, lineno=node.lineno)
+
+    def _is_own(self, node: nodes.Call, state: Any) -> bool:
+        """Whether a call prints what is quoted already: a macro of the template, or a marker of a region."""
+        called = node.node
+        if isinstance(called, nodes.Name):
+            return called.name in self.macros and self.language.place(state) == self.language.place(self.language.start)
+        if not isinstance(called, nodes.Getattr) or not isinstance(called.node, nodes.Name) or called.node.name != "out":
+            return False
+        if called.attr in _PRINTING and node.args:
+            node.args[0] = self._expression(node.args[0], state)
+        elif called.attr in _MARKING:
+            self._identity(node.args, 2 if len(node.args) > 2 else 0)
+        return called.attr in (*_PRINTING, *_MARKING, *_OWN)
+
+    def _region(self, call: nodes.Call) -> None:
+        """Quote the id of a block `protected` or `controlled`: its third argument, behind the context and the tag."""
+        if isinstance(call.node, nodes.ExtensionAttribute) and call.node.name == "_region":
+            self._identity(call.args, 2)
+
+    def _identity(self, arguments: list[nodes.Expr], place: int) -> None:
+        if len(arguments) > place:
+            name = _hidden(self.language.comment)
+            arguments[place] = nodes.Filter(arguments[place], name, [], [], None, None, lineno=arguments[place].lineno)
+
+    def _error(self, node: nodes.Node, message: str) -> TemplateSyntaxError:
+        return TemplateSyntaxError(message, node.lineno, self.name, self.filename)

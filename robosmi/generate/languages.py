@@ -1,0 +1,195 @@
+"""Where in a text an expression of a template stands: in a comment, a string, a table's cell, an attribute; and who quotes there.
+
+A language reads the template's own text piece by piece; what is printed between the pieces is quoted and so changes no place.
+`contexts` puts the quoting into a template; the functions that quote are `robosmi.quoting`'s.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi import quoting
+
+QUOTING: dict[str, Callable[[str], str]] = {
+    "c_word": quoting.c_word,
+    "c_comment": quoting.c_comment,
+    "c_block_comment": quoting.c_block_comment,
+    "c_string": quoting.c_string,
+    "c_char": quoting.c_char,
+    "c_header": quoting.c_header,
+    "identifier": quoting.identifier,
+    "file_name": quoting.file_name,
+    "markdown": quoting.markdown,
+    "markdown_block": quoting.markdown_block,
+    "markdown_cell": quoting.markdown_cell,
+    "markdown_code": quoting.markdown_code,
+    "markdown_code_cell": quoting.markdown_code_cell,
+    "html": quoting.html,
+    "html_attribute": quoting.html_attribute,
+    "html_url": quoting.html_url,
+    "html_comment": quoting.html_comment,
+    "dot_string": quoting.dot_string,
+    "dot_label": quoting.dot_label,
+    "plantuml": quoting.plantuml,
+    "toml": quoting.toml,
+    "yaml": quoting.yaml,
+    "csv": quoting.csv_record_cell,
+    "terminal": quoting.terminal,
+}
+"""Place -> the function that quotes a text there; every template may call each as a filter, too."""
+
+NOWHERE = ""
+"""The place of an expression that could not be quoted, such as the name of a tag."""
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """A language of templates.
+
+    Attributes:
+        start: the state at the beginning of a text.
+        advance: the state behind a piece of the template's own text, from the state before it.
+        place: the place of what is printed in a state, `NOWHERE` for nothing.
+        whole: whether an expression is one value, which is quoted as a whole and not part by part.
+        comment: the place of a region's id in its markers.
+    """
+
+    start: Any
+    advance: Callable[[Any, str], Any]
+    place: Callable[[Any], str]
+    whole: bool = False
+    comment: str = "terminal"
+
+
+_C_OPENS = re.compile(r'(?P<line>//)|(?P<block>/\*)|(?P<header>#[ \t]*include[ \t]*[<"])|(?P<string>")|(?P<char>\')')
+_C_CLOSES = {
+    "c_comment": re.compile(r"\n"),
+    "c_block_comment": re.compile(r"\*/"),
+    "c_header": re.compile(r'[>"\n]'),
+    "c_string": re.compile(r'(?:\\.|[^"\\\n])*(?P<end>["\n])'),
+    "c_char": re.compile(r"(?:\\.|[^'\\\n])*(?P<end>['\n])"),
+}
+_C_PLACES = {"line": "c_comment", "block": "c_block_comment", "header": "c_header", "string": "c_string", "char": "c_char"}
+
+
+def _c(state: str, text: str) -> str:
+    position = 0
+    while True:
+        if state == "c_word":
+            found = _C_OPENS.search(text, position)
+            if found is None:
+                return state
+            state = _C_PLACES[str(found.lastgroup)]
+        else:
+            closes = _C_CLOSES[state]
+            found = closes.match(text, position) if "end" in closes.groupindex else closes.search(text, position)
+            if found is None:
+                return state
+            state = "c_word"
+        position = found.end()
+
+
+_ITEM = re.compile(r"\s*(?:(?:[-*+]|\d{1,9}[.)])\s+|>\s?|\[[ xX]\]\s+)*")
+
+
+def _markdown(state: tuple[str, bool], text: str) -> tuple[str, bool]:
+    """The line so far, and whether it is in a fenced block."""
+    line, fenced = state
+    lines = (line + text).split("\n")
+    for whole in lines[:-1]:
+        fenced ^= whole.lstrip().startswith(("```", "~~~"))
+    return lines[-1], fenced
+
+
+def _markdown_place(state: tuple[str, bool]) -> str:
+    line, fenced = state
+    if fenced:
+        return "markdown_code"
+    cell = "_cell" if line.lstrip().startswith("|") else ""
+    if line.count("`") % 2:
+        return f"markdown_code{cell}"
+    return "markdown_block" if _ITEM.fullmatch(line) else f"markdown{cell}"
+
+
+_TAG = re.compile(r"<(?P<comment>!--)|<(?P<name>/?[A-Za-z?!][^\s>]*)")
+_IN_TAG = re.compile(r"(?P<name>[^\s=\"'>]+)\s*=\s*(?P<quote>[\"'])|(?P<end>>)")
+_URLS = frozenset({"href", "src", "action", "formaction", "cite", "poster", "data", "background", "xlink:href"})
+_RAW = ("script", "style")
+
+
+def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
+    """Where in the text (`text`, `tag`, `comment`, `raw` or a quotation mark), and the name of the tag or attribute."""
+    where, name = state
+    position = 0
+    while True:
+        if where == "text":
+            found = _TAG.search(text, position)
+            where, name = ("text", "") if found is None else ("comment", "") if found["comment"] else ("tag", found["name"])
+        elif where == "tag":
+            found = _IN_TAG.search(text, position)
+            if found is not None and found["end"]:
+                where, name = ("raw" if name.lower() in _RAW else "text"), name
+            elif found is not None:
+                where, name = found["quote"], f"{name} {found['name']}"
+        else:
+            end = "-->" if where == "comment" else f"</{name}" if where == "raw" else where
+            found = re.compile(re.escape(end), re.IGNORECASE).search(text, position)
+            if found is not None:
+                where, name = ("text", "") if where == "comment" else ("tag", name.partition(" ")[0] if where != "raw" else "/")
+        if found is None:
+            return where, name
+        position = found.end()
+
+
+def _html_place(state: tuple[str, str]) -> str:
+    where, name = state
+    if where in ('"', "'"):
+        attribute = name.rpartition(" ")[2].lower()
+        if attribute.startswith("on") or attribute in ("style", "srcdoc"):
+            return NOWHERE
+        return "html_url" if attribute in _URLS else "html_attribute"
+    return {"text": "html", "comment": "html_comment"}.get(where, NOWHERE)
+
+
+def _dot(state: tuple[str, int], text: str) -> tuple[str, int]:
+    """Where (`code`, `string`, `label` or `attribute`), and how deep in `<` `>` of a label."""
+    where, depth = state
+    for letter in re.findall(r"\\.|[<>\"]|--|->", text):
+        if letter == '"':
+            where = {"code": "string", "string": "code", "label": "attribute", "attribute": "label"}[where]
+        elif letter in "<>" and where in ("code", "label"):
+            depth += 1 if letter == "<" else -1
+            where = "label" if depth > 0 else "code"
+    return where, depth
+
+
+_DOT_PLACES = {"code": "c_word", "string": "dot_string", "label": "dot_label", "attribute": "html_attribute"}
+
+
+def _line(state: str, text: str) -> str:
+    """The line so far."""
+    return (state + text).rpartition("\n")[2]
+
+
+def _commented(value: str) -> Callable[[str], str]:
+    """The place of a value, where `#` begins a comment."""
+    return lambda line: "c_comment" if re.search(r"(?:^|\s)#", line) else NOWHERE if line.count('"') % 2 else value
+
+
+LANGUAGES = {
+    "c": Language("c_word", _c, lambda state: str(state), comment="c_block_comment"),
+    "markdown": Language(("", False), _markdown, _markdown_place, comment="html_comment"),
+    "html": Language(("text", ""), _html, _html_place, comment="html_comment"),
+    "xml": Language(("text", ""), _html, _html_place, comment="html_comment"),
+    "svg": Language(("text", ""), _html, _html_place, comment="html_comment"),
+    "dot": Language(("code", 0), _dot, lambda state: _DOT_PLACES[state[0]], comment="c_block_comment"),
+    "plantuml": Language("", _line, lambda _: "plantuml"),
+    "toml": Language("", _line, _commented("toml"), whole=True),
+    "yaml": Language("", _line, _commented("yaml"), whole=True),
+    "csv": Language("", _line, lambda line: NOWHERE if line.count('"') % 2 else "csv", whole=True),
+    "terminal": Language("", _line, lambda _: "terminal"),
+}
+"""What a template may declare: `{% quoting "c" %}`."""

@@ -1,0 +1,59 @@
+"""Quoting: how a text from anywhere is written so that it stays text, one function for each place it can go to.
+
+`code` has C and names, `markup` Markdown, HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text` the terminal and what
+all share. Each function leaves harmless texts as they are. Which expression of a template stands where is `generate.languages`'.
+"""
+
+from robosmi.quoting.code import c_block_comment, c_char, c_comment, c_header, c_string, c_word, file_name, identifier
+from robosmi.quoting.data import csv_cell, csv_record_cell, csv_text, json_text, toml, yaml
+from robosmi.quoting.markdown import markdown, markdown_block, markdown_cell, markdown_code, markdown_code_cell
+from robosmi.quoting.markup import (
+    dot_label,
+    dot_string,
+    html,
+    html_attribute,
+    html_comment,
+    html_url,
+    plantuml,
+    xml,
+    xml_attribute,
+    xml_comment,
+)
+from robosmi.quoting.text import Quoted, one_line, terminal, terminal_lines, visible
+
+__all__ = [
+    "Quoted",
+    "c_block_comment",
+    "c_char",
+    "c_comment",
+    "c_header",
+    "c_string",
+    "c_word",
+    "csv_cell",
+    "csv_record_cell",
+    "csv_text",
+    "dot_label",
+    "dot_string",
+    "file_name",
+    "html",
+    "html_attribute",
+    "html_comment",
+    "html_url",
+    "identifier",
+    "json_text",
+    "markdown",
+    "markdown_block",
+    "markdown_cell",
+    "markdown_code",
+    "markdown_code_cell",
+    "one_line",
+    "plantuml",
+    "terminal",
+    "terminal_lines",
+    "toml",
+    "visible",
+    "xml",
+    "xml_attribute",
+    "xml_comment",
+    "yaml",
+]
