@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.generate.regions import PROTECTED, CommentStyle, Parts, Region, partition, styles_in
+from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
 from robosmi.generate.three_way import Chunk, chunks
 
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
@@ -50,7 +50,23 @@ def keep(path: str, base: str | None, existing: str | None, generated: str, styl
         return Kept(generated, [gone] if base is not None else [])
     if existing == generated:
         return Kept(existing)
-    return _Merge(path, base, existing, generated, list(dict.fromkeys([*styles, *styles_in(base or "")]))).result()
+    all_styles = list(dict.fromkeys([*styles, *styles_in(base or "")]))
+    kept = _Merge(path, _ended(base) if base is not None else None, _ended(existing), _ended(generated), all_styles).result()
+    if not _ends_with_a_break(base, existing, generated):
+        kept.text = kept.text.removesuffix("\n")
+    return kept
+
+
+def _ended(text: str) -> str:
+    """The text with a line break behind its last line."""
+    return text if not text or text.endswith("\n") else f"{text}\n"
+
+
+def _ends_with_a_break(base: str | None, existing: str, generated: str) -> bool:
+    """Whether a line break ends the merged text: as in the file where a person has changed that, else as in what is made."""
+    there = existing in ("", _ended(existing))
+    changed = base is None or there != (base == _ended(base))
+    return there if changed else generated == _ended(generated)
 
 
 class _Merge:
@@ -78,7 +94,7 @@ class _Merge:
         for twice in self.ours.twice():
             message = f"the region '{twice.identity}' stands in the file twice (first in line {old[twice.identity].line})"
             return self.stop(message, twice.line, "take one of them out, or give it an id of its own")
-        if (line := _open_conflict(self.existing)) is not None:
+        if (line := _open_conflict(self.existing, self.base or "", self.generated)) is not None:
             if self.base is not None and self.generated == self.base:
                 self.say(
                     "RS516", Severity.error, "a conflict of an earlier run is still open", line, "decide and take its markers out"
@@ -106,7 +122,8 @@ class _Merge:
             base_lines = [
                 ours_lines[c.ours[0] + k] for c in _common(ours_lines, theirs_lines) for k in range(c.ours[1] - c.ours[0])
             ]
-            self.say("RS520", Severity.info, "no record of the text that was made last: lines that only the file has are kept")
+            message = "no record of the text that was made last: lines that only the file has are kept, lines taken out are back"
+            self.say("RS520", Severity.info, message)
         for identity in before:
             if identity in new and identity not in old and self.before is not None:
                 self.say("RS519", Severity.info, f"the region '{identity}' was taken out of the file and is not made again")
@@ -123,12 +140,16 @@ class _Merge:
             return piece
         there, was = old[piece.identity], before.get(piece.identity)
         if there.kind == PROTECTED and there.enabled:
-            return replace(piece, contents=there.contents, enabled=True)
-        if was is not None and was.enabled and there.kind == PROTECTED:
-            lost = there.contents not in (was.contents, piece.contents)
-            self.save_old |= lost
+            return piece.as_in(there)
+        lost = there.contents not in (was.contents if was is not None else piece.contents, piece.contents)
+        if there.kind == PROTECTED and (was is None or was.enabled):
             message = f"the region '{piece.identity}' was turned off in the file: it has its default text again"
             self.say("RS518", Severity.info, message + ("; the old file is kept" if lost else ""), there.line)
+            self.save_old |= lost
+        elif there.kind == CONTROLLED and there.enabled and lost:
+            message = f"the controlled region '{piece.identity}' was changed in the file: it is made anew; the old file is kept"
+            self.say("RS518", Severity.info, message, there.line, "turn it off in the file to keep what you write there")
+            self.save_old = True
         return piece
 
     def _base(self, piece: str | Region, old: dict[str, Region]) -> str | Region:
@@ -136,7 +157,7 @@ class _Merge:
         if isinstance(piece, str) or piece.identity not in old:
             return piece
         there = old[piece.identity]
-        return replace(piece, contents=there.contents, enabled=there.enabled) if there.enabled or piece.enabled else piece
+        return piece.as_in(there) if there.enabled or piece.enabled else piece
 
     def _assembled(self, found: list[Chunk], base: list[str], ours: list[str], theirs: list[str]) -> list[_Line]:
         """The merged lines."""
@@ -206,11 +227,16 @@ def _common(ours: list[str], theirs: list[str]) -> list[Chunk]:
     return [chunk for chunk in chunks(ours, ours, theirs) if chunk.kind == "same"]
 
 
-def _open_conflict(text: str) -> int | None:
-    """The line where a conflict that this module marked begins, or None."""
-    if YOURS in text and GENERATED in text:
-        return text.count("\n", 0, text.find(YOURS)) + 1
-    return None
+def _open_conflict(text: str, *made: str) -> int | None:
+    """The line of the first mark of a conflict that is in the text and in none that was made, or None.
+
+    One mark is enough, wherever an editor has put it: somebody has not yet decided.
+    """
+    if not any(mark.strip() in text for mark in (YOURS, BASE, GENERATED)):
+        return None
+    marks = {mark.strip() for mark in (YOURS, BASE, GENERATED)}
+    marks -= {line.strip() for one in made for line in one.split("\n")}
+    return next((number for number, line in enumerate(text.split("\n"), 1) if line.strip() in marks), None)
 
 
 def _without(parts: Parts, identities: set[str]) -> tuple[str, list[tuple[int, Region, str]]]:

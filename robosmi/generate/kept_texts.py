@@ -7,15 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 
-from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
 from robosmi.generate.keep import keep
-from robosmi.generate.record import Record
+from robosmi.generate.places import Places, free_name
+from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import styles_in
+from robosmi.generate.text_form import FileText, read, same_text
 from robosmi.model.files import digest
+
+_AS_BYTES = "surrogateescape"
+"""Bytes that are no UTF-8, in a comment of another encoding perhaps, go through a merge unchanged."""
 
 
 @dataclass
@@ -26,7 +29,7 @@ class KeptTexts:
         files: the texts as they are to be written, relative path -> bytes.
         records: the texts that were made, under their paths in the record.
         old: old files that are kept beside conflicts.
-        merged: the files whose edits, if any, are in `files`; any other file that is there must be guarded.
+        merged: the files whose edits, if any, are in `files`, and their records; any other file that is there must be guarded.
         obsolete: files (and their records) that an earlier run made, this one does not, and nobody changed.
         orphans: the same, but changed: they stay, with their records.
         findings: what was kept, and what a person has to look at.
@@ -41,69 +44,85 @@ class KeptTexts:
     findings: list[Finding] = field(default_factory=list)
 
 
-def keep_texts(folder: Path, place: str, made: Mapping[str, str], known: Mapping[str, str]) -> KeptTexts:
+def keep_texts(places: Places, place: str, made: Mapping[str, str], known: Mapping[str, str]) -> KeptTexts:
     """Merge newly made texts with the files that are there.
 
     Args:
-        folder: the output folder.
+        places: the output folder.
         place: the folder of the last texts, relative to it.
         made: relative path -> text.
         known: relative path -> digest, of the files as the last run wrote them.
 
     Raises:
         StoppedError: an edit would be lost; all such files are named.
+        SourceError: a link or a folder is where a file was made.
     """
-    record = Record(folder, place)
+    record = Record(places.folder, place, known)
     kept = KeptTexts()
     refused: list[Finding] = []
     for name, text in made.items():
         kept.files[name] = text.encode()
         kept.records[record.path(name)] = text.encode()
-        _merge(folder, record, name, text, known.get(name), kept, refused)
+        _merge(places, record, name, text, known, kept, refused)
     if refused:
         told = "; ".join(f"{f.location}: {f.message}" if len(refused) > 1 else f.message for f in refused)
         raise StoppedError(f"{told}; nothing was written", location=refused[0].location, fix=refused[0].fix)
     for name in record.names():
         if name not in made:
-            _no_longer_made(folder, record, name, kept)
+            _no_longer_made(places, record, name, kept)
     return kept
 
 
 def _merge(
-    folder: Path, record: Record, name: str, text: str, known: str | None, kept: KeptTexts, refused: list[Finding]
+    places: Places,
+    record: Record,
+    name: str,
+    text: str,
+    known: Mapping[str, str],
+    kept: KeptTexts,
+    refused: list[Finding],
 ) -> None:
-    path = folder / name
-    there = inputs.read_bytes(path, inputs.OUTPUT) if path.is_file() else None
-    last = record.read(name)
-    if last is None and there is not None and digest(there) == known:
+    path, copy = str(places.folder / name), record.path(name)
+    there = places.look(name)
+    last, lost = record.last(name, there)
+    if lost:
+        if last is None and there is not None and not same_text(there, kept.files[name]):
+            refused.append(lost_record(path, copy))
+            return
+        kept.findings.append(made_anew(path, copy))
+    elif last is None and there is not None:
+        if digest(there) != known.get(name):
+            return
         last = there  # made before there was a record, and nobody has changed it
-    if there is not None and last is None:
+    exact = "\r" in text
+    base = read(last, as_it_is=exact, errors=_AS_BYTES).text if last is not None else None
+    form = read(there, as_it_is=exact, errors=_AS_BYTES) if there is not None else FileText("")
+    if base is not None and form.text != base and b"\0" in (there or b""):
+        if text == base:
+            kept.files[name] = there or b""
+            kept.merged |= {name, copy}
+            message = "the file is no text in UTF-8; it is left as it is"
+            kept.findings.append(Finding("RS522", Severity.warning, message, Location(path), fix="save it as UTF-8"))
+            return
+        message = "the file is no text in UTF-8, so your edits cannot be merged with what is made anew"
+        refused.append(Finding("RS905", Severity.error, message, Location(path), fix="save it as UTF-8, then run again"))
         return
-    try:
-        base = last.decode("utf-8") if last is not None else None
-        existing = there.decode("utf-8").replace("\r\n", "\n") if there is not None else None
-    except UnicodeDecodeError:
-        return
-    result = keep(str(path), base, existing, text, styles_in(text))
+    result = keep(path, base, form.text if there is not None else None, text, styles_in(text))
     if result.refused is not None:
         refused.append(result.refused)
         return
-    kept.merged.add(name)
+    kept.merged |= {name, copy}
     kept.findings += result.findings
-    same = there is not None and result.text == existing
-    kept.files[name] = there if there is not None and same else result.text.encode()
+    same = there is not None and result.text == form.text
+    kept.files[name] = there if there is not None and same else form.written(result.text)
     if result.save_old and there is not None:
-        number, old = 1, f"{name}.orig"
-        while (folder / old).exists():
-            number += 1
-            old = f"{name}.orig.{number}"
-        kept.old[old] = there
+        kept.old[free_name(places.folder, f"{name}.orig")] = there
 
 
-def _no_longer_made(folder: Path, record: Record, name: str, kept: KeptTexts) -> None:
-    path = folder / name
-    there = inputs.read_bytes(path, inputs.OUTPUT) if path.is_file() else None
-    if there is None or there == record.read(name):
+def _no_longer_made(places: Places, record: Record, name: str, kept: KeptTexts) -> None:
+    path = places.folder / name
+    there, (last, _) = places.look(name), record.last(name, None)
+    if there is None or same_text(there, last):
         kept.obsolete |= {record.path(name)} | ({name} if there is not None else set())
         return
     kept.orphans |= {name, record.path(name)}

@@ -14,11 +14,28 @@ from pathlib import Path
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
-from robosmi.inputs import OUTPUT, RECORD, read_bytes, read_text
+from robosmi.generate.places import Places
+from robosmi.generate.text_form import has_digest
+from robosmi.inputs import RECORD, read_text
 from robosmi.model.files import digest, within
 
 NAME = ".robosmi.json"
 SCHEMA = "robosmi-manifest/1"
+
+
+@dataclass
+class Guarded:
+    """What a run finds in its output folder and may go on with.
+
+    Attributes:
+        obsolete: files of the last run that this one no longer makes and nobody changed.
+        deleted: files of the last run that this one makes again.
+        reformed: files whose line ends or byte order mark were changed, and nothing else; they are made anew as they were.
+    """
+
+    obsolete: set[str] = field(default_factory=set)
+    deleted: list[str] = field(default_factory=list)
+    reformed: list[str] = field(default_factory=list)
 
 
 @dataclass
@@ -68,41 +85,44 @@ class Manifest:
             json.dumps({"schema": SCHEMA, "choices": self.choices, "files": self.files}, indent=1, sort_keys=True) + "\n"
         ).encode()
 
-    def guard(self, folder: Path, contents: Mapping[str, bytes], *, inputs: Iterable[str] = ()) -> frozenset[str]:
+    def guard(self, places: Places, contents: Mapping[str, bytes], *, inputs: Mapping[str, bytes | None]) -> Guarded:
         """Make sure that writing these contents loses nothing.
 
         Args:
-            folder: the output folder.
+            places: the output folder.
             contents: what is about to be written, relative path -> bytes.
-            inputs: paths among them that the run has read as its input, so that an edit there is already in.
+            inputs: files among them whose edits are already in what is written, with what the run has read there.
 
         Returns:
-            Files of the last run that this one no longer makes and nobody changed.
+            What is there besides.
 
         Raises:
             StoppedError: a file was changed since the last run, or was never made by a run; all are named.
+            SourceError: a link or a folder is where a file was made.
         """
-        exempt = set(inputs)
-        edited, foreign, obsolete = [], [], []
-        for name in sorted({*contents, *self.files} - exempt):
-            path = folder / name
-            if not path.is_file():
+        edited, foreign, guarded = [], [], Guarded()
+        for name in sorted({*contents, *self.files}):
+            if name in inputs:
+                places.seen[name] = inputs[name]
                 continue
-            data = read_bytes(path, OUTPUT)
-            if contents.get(name) == data:
+            data = places.look(name)
+            if data is None:
+                if name in contents and name in self.files:
+                    guarded.deleted.append(name)
+            elif contents.get(name) == data:
                 continue
-            if name not in self.files:
+            elif name not in self.files:
                 foreign.append(name)
-            elif digest(data) != self.files[name]:
-                if name in contents:
-                    edited.append(name)
-            elif name not in contents:
-                obsolete.append(name)
+            elif digest(data) == self.files[name]:
+                if name not in contents:
+                    guarded.obsolete.add(name)
+            elif name in contents:
+                (guarded.reformed if has_digest(data, self.files[name]) else edited).append(name)
         if edited or foreign:
             why = [f"'{n}' was changed since the last run" for n in edited] + [f"'{n}' was not made by robosmi" for n in foreign]
             raise StoppedError(
                 f"{'; '.join(why)}: writing would lose it, so nothing was written",
-                location=Location(str(folder / (edited + foreign)[0])),
+                location=Location(str(places.folder / (edited + foreign)[0])),
                 fix="move the file away (or give another output folder with -o), run again, and put your changes back in",
             )
-        return frozenset(obsolete)
+        return guarded

@@ -17,12 +17,16 @@ class Places:
 
     Args:
         folder: the folder; it need not exist.
+
+    Attributes:
+        seen: what `look` has found, by name.
     """
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self._root = os.path.realpath(folder)
         self._parents: set[str] = set()
+        self.seen: dict[str, bytes | None] = {}
 
     def read(self, name: str) -> bytes | None:
         """The bytes of a file, None if it is not there.
@@ -43,11 +47,21 @@ class Places:
         except FileNotFoundError:
             return None
         except IsADirectoryError as error:
-            raise self._refused(name, "is the name of a folder that is there") from error
+            raise self._in_the_way(path, "a folder stands where a file is to be written") from error
         except OSError as error:
             if os.path.islink(path):
-                raise self._refused(name, "is a link, so that writing could change a file elsewhere") from error
+                raise SourceError(
+                    "the file that is there is a link, which would be lost if the file were made anew; nothing was written",
+                    location=Location(path),
+                    fix="put a copy of the file in the link's place, or move the link away",
+                ) from error
             raise self._unreadable(path, error) from error
+
+    def look(self, name: str) -> bytes | None:
+        """As `read`, once: what was found is remembered, for `commit` to make sure that nobody has changed it meanwhile."""
+        if name not in self.seen:
+            self.seen[name] = self.read(name)
+        return self.seen[name]
 
     def _unreadable(self, path: str, error: OSError) -> SourceError:
         return SourceError(
@@ -75,8 +89,13 @@ class Places:
             raise self._refused(name, "lies outside of the output folder, by a link")
         while len(parent) > len(str(self.folder)):
             if os.path.lexists(parent) and not os.path.isdir(parent):
-                raise self._refused(name, "needs a folder where a file stands")
+                raise self._in_the_way(parent, "a file stands where a folder is to be made")
             parent = os.path.dirname(parent)
+
+    def _in_the_way(self, path: str, message: str) -> SourceError:
+        return SourceError(
+            f"{message}; nothing was written", location=Location(path), fix="move it away, or give another output folder"
+        )
 
     def _refused(self, name: str, why: str) -> SourceError:
         return SourceError(
@@ -84,3 +103,17 @@ class Places:
             location=Location(f"{self.folder}/{name}"),
             fix="correct the target of the rule: a path relative to the output folder, with slashes",
         )
+
+
+def free_name(folder: Path, name: str) -> str:
+    """A name that no file of the folder has: the given one, or with a number behind it.
+
+    Args:
+        folder: the folder.
+        name: relative to it.
+    """
+    number, found = 1, name
+    while os.path.lexists(folder / found):
+        number += 1
+        found = f"{name}.{number}"
+    return found

@@ -58,6 +58,8 @@ class Region:
         contents: what stands between the marker lines, byte for byte.
         style: the comment that its markers are.
         line: where its first marker stands, from 1.
+        opening: its first marker as it stands in the text, with the line break; "" for the usual form.
+        closing: its last marker as it stands in the text; "" for the usual form.
     """
 
     identity: str
@@ -66,20 +68,38 @@ class Region:
     contents: str
     style: CommentStyle
     line: int = 0
+    opening: str = ""
+    closing: str = ""
 
     def text(self) -> str:
         """The region with both markers; no line break after the last one."""
-        begin = self.style.begin_line(self.kind, self.identity, self.enabled)
-        return f"{begin}\n{self.contents}{self.style.end_line(self.kind, self.identity)}"
+        opening = self.opening or f"{self.style.begin_line(self.kind, self.identity, self.enabled)}\n"
+        return f"{opening}{self.contents}{self.closing or self.style.end_line(self.kind, self.identity)}"
+
+    def holding(self, contents: str, enabled: bool) -> Region:
+        """The same region with other contents, on or off."""
+        same = enabled == self.enabled and self.opening.endswith("\n")
+        return replace(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
+
+    def as_in(self, other: Region) -> Region:
+        """The same region with what a person has in theirs: contents, state, and the blanks of the markers."""
+        if (other.kind, other.style) != (self.kind, self.style):
+            return self.holding(other.contents, other.enabled)
+        return replace(other, line=self.line)
 
 
 @dataclass(frozen=True)
 class BrokenMarker:
-    """A marker without its counterpart: where it stands, its region's id, and what is missing."""
+    """A marker that no region has: where it stands, its region's id, and what is wrong with it.
+
+    Attributes:
+        crowded: whether that is text behind it in its line, so that the region is there for a person but not for the engine.
+    """
 
     line: int
     identity: str
     what: str
+    crowded: bool = False
 
 
 @dataclass
@@ -118,7 +138,8 @@ def partition(text: str, styles: Iterable[CommentStyle]) -> Parts:
         styles: the comments that markers may be; each is looked for in what the ones before it left over.
 
     Returns:
-        Its parts. A marker without its counterpart is plain text (the engine drops it), and listed as broken.
+        Its parts. A marker without its counterpart is plain text (the engine drops it), and listed as broken; so is one that
+        begins a region and has text behind it in its line.
     """
     parts = Parts([text] if text else [])
     if " region " not in text:
@@ -138,44 +159,50 @@ def partition(text: str, styles: Iterable[CommentStyle]) -> Parts:
 
 
 @cache
-def _patterns(style: CommentStyle) -> tuple[re.Pattern[str], re.Pattern[str]]:
-    """What a marker begins with, and what follows: the id and whether the region begins or ends."""
+def _patterns(style: CommentStyle) -> tuple[re.Pattern[str], re.Pattern[str], re.Pattern[str]]:
+    """What a marker begins with; what follows: the id and whether the region begins or ends; the same with text behind it."""
     start = re.escape(style.start) + r"[^\S\n]*" if style.start else ""
     end = r"[^\S\n]*" + re.escape(style.end) if style.end else ""
     return (
         re.compile(start + r"(controlled|protected) region "),
         re.compile(rf"(?P<id>.*) (?:end\b{end}|(?P<state>on|off) begin{end}\s*$)"),
+        re.compile(rf"(?P<id>.*) (?:on|off) begin\b{end}"),
     )
 
 
 def _partition(text: str, style: CommentStyle, first_line: int, broken: list[BrokenMarker]) -> list[str | Region]:
-    start_pattern, id_pattern = _patterns(style)
+    start_pattern, id_pattern, crowded_pattern = _patterns(style)
     starts = list(start_pattern.finditer(text))
     pieces: list[str | Region] = []
     done, line_at, line = 0, 0, first_line  # text before `done` is in a piece; `line` is that of `line_at`
-    opened: tuple[str, str, bool, int, int, int] | None = None
+    opened: Region | None = None
+    outer = inner = 0
     for number, start in enumerate(starts):
         stop = text.find("\n", start.end()) + 1 or len(text)
         if number + 1 < len(starts):
             stop = min(stop, starts[number + 1].start())
-        marker = id_pattern.match(text[start.end() : stop])
-        if marker is None:
-            continue
+        behind = text[start.end() : stop]
+        marker, crowded = id_pattern.match(behind), crowded_pattern.match(behind)
         line, line_at = line + text.count("\n", line_at, start.start()), start.start()
+        if marker is None:
+            if crowded is not None:
+                broken.append(BrokenMarker(line, crowded["id"], "text stands behind it in the same line", True))
+            continue
         if marker["state"]:
             if opened is not None:
-                broken.append(BrokenMarker(opened[5], opened[0], "it is never ended"))
-            opened = (marker["id"], start[1], marker["state"] == "on", start.start(), start.end() + marker.end(), line)
+                broken.append(BrokenMarker(opened.line, opened.identity, "it is never ended"))
+            outer, inner = start.start(), start.end() + marker.end()
+            opened = Region(marker["id"], start[1], marker["state"] == "on", "", style, line, text[outer:inner])
         elif opened is None:
             broken.append(BrokenMarker(line, marker["id"], "it is ended but never begun"))
         else:
-            identity, kind, enabled, outer, inner, begun = opened
             if outer > done:
                 pieces.append(text[done:outer])
-            pieces.append(Region(identity, kind, enabled, text[inner : start.start()], style, begun))
-            done, opened = start.end() + marker.end(), None
+            done = start.end() + marker.end()
+            pieces.append(replace(opened, contents=text[inner : start.start()], closing=text[start.start() : done]))
+            opened = None
     if opened is not None:
-        broken.append(BrokenMarker(opened[5], opened[0], "it is never ended"))
+        broken.append(BrokenMarker(opened.line, opened.identity, "it is never ended"))
     if done < len(text):
         pieces.append(text[done:])
     return pieces
@@ -183,10 +210,20 @@ def _partition(text: str, style: CommentStyle, first_line: int, broken: list[Bro
 
 @dataclass(frozen=True)
 class Merged:
-    """What `merge` gives: the text, and the ids of regions that the new text no longer has."""
+    """What `merge` gives.
+
+    Attributes:
+        text: the merged text.
+        lost: the ids of regions that the new text no longer has.
+        broken: markers of the file that no region has, though the new text makes such a region: what a person wrote there is not
+            in the merged text.
+        owned: whether the file is the user's and only its controlled regions were made anew.
+    """
 
     text: str
     lost: Sequence[str]
+    broken: Sequence[BrokenMarker] = ()
+    owned: bool = False
 
 
 def merge(generated: str, existing: str, styles: Sequence[CommentStyle]) -> Merged:
@@ -205,15 +242,16 @@ def merge(generated: str, existing: str, styles: Sequence[CommentStyle]) -> Merg
     first = next(iter(new.regions()), None)
     if first is not None and first.kind == CONTROLLED:
         old.pieces = [_refreshed(piece, made) for piece in old.pieces]
-        return Merged(old.text(), ())
+        return Merged(old.text(), (), owned=True)
+    broken = [marker for marker in old.broken if marker.identity in made and marker.identity not in there]
     new.pieces = [_kept(piece, there) for piece in new.pieces]
-    return Merged(new.text(), [region.identity for region in old.regions() if region.identity not in made])
+    return Merged(new.text(), [region.identity for region in old.regions() if region.identity not in made], broken)
 
 
 def _refreshed(piece: str | Region, made: dict[str, Region]) -> str | Region:
     if isinstance(piece, str) or not piece.enabled or piece.kind != CONTROLLED or piece.identity not in made:
         return piece
-    return replace(piece, contents=made[piece.identity].contents)
+    return piece.holding(made[piece.identity].contents, True)
 
 
 def _kept(piece: str | Region, there: dict[str, Region]) -> str | Region:
@@ -222,7 +260,7 @@ def _kept(piece: str | Region, there: dict[str, Region]) -> str | Region:
     old = there.get(piece.identity)
     if old is None or not old.enabled or old.kind != PROTECTED:
         return piece
-    return replace(piece, contents=old.contents, enabled=True)
+    return piece.holding(old.contents, True)
 
 
 def styles_in(text: str) -> list[CommentStyle]:

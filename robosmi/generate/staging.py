@@ -15,10 +15,11 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.keep import keep
 from robosmi.generate.output import Text, text_of
-from robosmi.generate.places import Places
-from robosmi.generate.record import Record
-from robosmi.generate.regions import merge
+from robosmi.generate.places import Places, free_name
+from robosmi.generate.record import Record, lost_record, made_anew
+from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
+from robosmi.generate.text_form import FileText, read, same_text
 from robosmi.model.commit import commit, recover
 
 
@@ -28,25 +29,35 @@ class Pending:
 
     Attributes:
         before: its bytes when the run began, None if it was not there.
+        there: the text that these bytes are, None if nobody asked yet.
         text: its text as it stands now, None if there is none, or if nobody asked yet.
         made: what templates made for it in this run, None if nothing was (it was preserved, or appended to).
         touched: whether a text was put there in this run.
         same: whether its text is that of the file, byte for byte.
+        formed: whether it keeps the line ends and the byte order mark that it has.
         origins: what was written into it.
     """
 
     name: str
     before: bytes | None
+    there: FileText | None = None
     text: str | None = None
     made: str | None = None
     touched: bool = False
     same: bool = False
+    formed: bool = False
     origins: tuple[Write, ...] = ()
 
     def change(self) -> FileChange:
         """What happens to the file."""
-        before = self.text if self.same else None if self.before is None else self.before.decode().replace("\r\n", "\n")
-        return FileChange(self.name, before, self.text, self.origins)
+        if self.there is None and self.before is not None and not self.same:
+            self.there = read(self.before)
+        return FileChange(self.name, self.text if self.same else self.there and self.there.text, self.text, self.origins)
+
+    def written(self) -> bytes:
+        """The bytes of its text."""
+        text = self.text or ""
+        return self.there.written(text) if self.formed and self.there is not None else text.encode()
 
 
 class Staging:
@@ -103,11 +114,12 @@ class Staging:
                 self._put(one, file)
 
     def _put(self, one: Write, file: Pending) -> None:
-        there, text, name = self.text(file), one.text, file.name
+        text, name = one.text, file.name
+        there = self.text(file, as_it_is="\r" in text)
         if there is None:
             self._done(file, text, f"Successfully {'appended to' if one.append else 'wrote to'} {name}", text, one)
         elif one.append:
-            one.line = there.count("\n") + 1
+            one.line, file.formed = there.count("\n") + 1, True
             self._done(file, f"{there}\n{text}", f"Successfully appended to {name}", None, one)
         elif not one.overwrite:
             self._messages.append(f"Existing contents of {name} were preserved.")
@@ -116,8 +128,12 @@ class Staging:
             self._done(file, made, f"Successfully wrote to {name}", made, one)
         elif one.merging:
             merged = merge(text, there, one.styles)
+            file.formed = merged.owned
+            for broken in merged.broken if merged.text != there else ():
+                self._broken(name, broken)
             for lost in merged.lost:
-                self._lost(name, lost)
+                self._messages.append(f"The protected region '{lost}' was not preserved in {name}")
+                self._lost(name, lost, "the template no longer makes it", "generate with keep, which keeps such regions")
             self._done(file, merged.text, f"Protected regions preserved in {name}", text, one)
         else:
             self._done(file, text, f"Successfully wrote to {name}", text, one)
@@ -149,15 +165,16 @@ class Staging:
             found = self._files[name] = Pending(name, None if self._unread else self._places.read(name))
         return found
 
-    def text(self, file: Pending) -> str | None:
-        """The text of a file as it stands now."""
+    def text(self, file: Pending, *, as_it_is: bool = False) -> str | None:
+        """The text of a file as it stands now; as it is, carriage returns too, where its template writes some."""
         if file.text is None and file.before is not None:
-            file.text = self._decoded(file.name, file.before)
+            file.there = self._decoded(file.name, file.before, as_it_is=as_it_is)
+            file.text = file.there.text
         return file.text
 
-    def _decoded(self, name: str, data: bytes) -> str:
+    def _decoded(self, name: str, data: bytes, *, as_it_is: bool = False) -> FileText:
         try:
-            return data.decode("utf-8").replace("\r\n", "\n")
+            return read(data, as_it_is=as_it_is)
         except UnicodeDecodeError as error:
             raise SourceError(
                 f"the file that is there is no text in UTF-8 ({error.reason} at byte {error.start}), so it cannot be merged",
@@ -172,12 +189,25 @@ class Staging:
         file.origins = (*file.origins, one) if one.append else (one,)
         file.text, file.made, file.touched = text, made, True
 
-    def _lost(self, name: str, identity: str) -> None:
-        self._messages.append(f"The protected region '{identity}' was not preserved in {name}")
-        message = f"the text of the region '{identity}' is lost: the template no longer makes it"
+    def _broken(self, name: str, broken: BrokenMarker) -> None:
+        """What becomes of a region whose markers a person has damaged.
+
+        Raises:
+            StoppedError: for that person the region is still there, though the engine does not see it.
+        """
+        if broken.crowded:
+            raise StoppedError(
+                f"the marker of the region '{broken.identity}' is broken: {broken.what}; what was written there would be lost, "
+                "so nothing was written",
+                location=Location(f"{self.folder}/{name}", broken.line),
+                fix="put each marker into a line of its own, or generate with keep, which keeps the text as it is",
+            )
+        self._lost(name, broken.identity, f"its marker is broken ({broken.what})", "put its markers right, or generate with keep")
+
+    def _lost(self, name: str, identity: str, why: str, fix: str) -> None:
         place = Location(f"{self.folder}/{name}")
         self.findings.append(
-            Finding("RS515", Severity.warning, message, place, fix="generate with keep, which keeps such regions")
+            Finding("RS515", Severity.warning, f"the text of the region '{identity}' is lost: {why}", place, fix=fix)
         )
 
     def finish(self, *, dry_run: bool) -> Generation:
@@ -199,25 +229,36 @@ class Staging:
         else:
             for file in files:
                 if not file.same and file.text is not None and file.text != self._there(file):
-                    contents[file.name] = file.text.encode()
+                    contents[file.name] = file.written()
+                    self._reformed(file)
         if not dry_run:
-            commit(self.folder, contents, removed)
+            commit(self.folder, contents, removed, {name: file.before for name, file in self._files.items()})
         changes = Changes(files)
         return Generation(self.folder, changes, self._messages, self.findings, sorted(contents), sorted(removed), not dry_run)
 
+    def _reformed(self, file: Pending) -> None:
+        """Says that a file loses its line ends or byte order mark, as with EGL's engine."""
+        if not file.formed and file.there is not None and (file.there.marked or {*(file.there.ends or ())} - {"\n"}):
+            message = "the file is made anew with line feeds and without a byte order mark, which it had otherwise"
+            place = Location(f"{self.folder}/{file.name}")
+            self.findings.append(Finding("RS523", Severity.info, message, place, fix="generate with keep, which keeps them"))
+
     def _there(self, file: Pending) -> str | None:
         """The text of a file when the run began."""
-        return None if file.before is None else self._decoded(file.name, file.before)
+        if file.before is not None and file.there is None:
+            file.there = self._decoded(file.name, file.before, as_it_is="\r" in (file.made or ""))
+        return file.there.text if file.there is not None else None
 
     def _kept(self, record: Record, files: list[Pending]) -> tuple[dict[str, bytes], list[str]]:
         """What a run with a record writes and removes: the files, their last texts, old files beside conflicts."""
         contents: dict[str, bytes] = {}
         refused: list[Finding] = []
         for file in files:
+            file.formed = True
             if file.made is not None:
                 self._merge(record, file, file.made, contents, refused)
             elif file.text is not None and file.text != self._there(file):
-                contents[file.name] = file.text.encode()
+                contents[file.name] = file.written()
         if refused:
             several = len(refused) > 1
             told = "; ".join(f"{self._named(f.location)}: {f.message}" if several else f.message for f in refused)
@@ -226,43 +267,44 @@ class Staging:
         for name in record.names():
             if name not in self._files:
                 self._obsolete(record, name, removed)
+        listed = record.listed(contents, set(removed))
+        if listed != self.file(record.list).before:
+            contents[record.list] = listed
         return contents, removed
 
     def _merge(self, record: Record, file: Pending, made: str, contents: dict[str, bytes], refused: list[Finding]) -> None:
-        last, new = record.read(file.name), made.encode()
-        if last != new:
-            contents[record.path(file.name)] = new
+        copy, new, path = record.path(file.name), made.encode(), f"{self.folder}/{file.name}"
+        if record.read(file.name) != new:
+            contents[copy] = new
         if file.same:
             return
-        base = self._decoded(record.path(file.name), last) if last is not None else None
+        last, lost = record.last(file.name, file.before)
+        if lost and (last is not None or file.before is None):
+            self.findings.append(made_anew(path, copy))
+        elif lost:
+            refused.append(lost_record(path, copy))
+            return
+        base = self._decoded(copy, last, as_it_is="\r" in made).text if last is not None else None
         there = self._there(file)
-        kept = keep(f"{self.folder}/{file.name}", base, there, made, file.origins[-1].styles)
+        kept = keep(path, base, there, made, file.origins[-1].styles)
         if kept.refused is not None:
             refused.append(kept.refused)
             return
         self.findings += kept.findings
         file.text = kept.text
         if kept.text != there:
-            contents[file.name] = kept.text.encode()
-        if kept.save_old and there is not None:
-            contents[self._free(f"{file.name}.orig")] = there.encode()
+            contents[file.name] = file.written()
+        if kept.save_old and file.before is not None:
+            contents[free_name(self.folder, f"{file.name}.orig")] = file.before
 
     def _named(self, place: Location | None) -> str:
         """A place with its path relative to the output folder."""
         return str(place).removeprefix(f"{self.folder}/")
 
-    def _free(self, name: str) -> str:
-        """The name, or with a number behind it where there is such a file."""
-        number, found = 1, name
-        while (self.folder / found).exists():
-            number += 1
-            found = f"{name}.{number}"
-        return found
-
     def _obsolete(self, record: Record, name: str, removed: list[str]) -> None:
         """A file that an earlier run made and this one does not: removed, unless a person changed it."""
-        there, last = self.file(name).before, record.read(name)
-        if there is None or there == last:
+        there, (last, _) = self.file(name).before, record.last(name, None)
+        if there is None or same_text(there, last):
             removed += [record.path(name)] if there is None else [name, record.path(name)]
             return
         message = "it is no longer made, and was changed since it was; it is kept"

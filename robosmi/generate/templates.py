@@ -24,6 +24,7 @@ from robosmi.generate import contexts
 from robosmi.generate.identity import region_id
 from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
+from robosmi.generate.regions import partition
 from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.query.problems import unknown_property
 
@@ -164,7 +165,26 @@ class Templates:
                 location=self._place(name, None),
                 fix="stop it with {{ out.stop_preserve() }}",
             )
-        return text_of("".join(parts), parts, seen, marks, out.regions, out.named)
+        text = "".join(parts)
+        if out.regions:
+            self._check_regions(text, out.regions, name)
+        return text_of(text, parts, seen, marks, out.regions, out.named)
+
+    def _check_regions(self, text: str, regions: list[str], name: str) -> None:
+        """Make sure that the next run finds the regions again that a template has made.
+
+        Raises:
+            RuleError: one of them cannot be found, so that what a person writes there would be lost.
+        """
+        found = partition(text, self.comments.styles).by_id()
+        for identity in regions:
+            if identity not in found:
+                raise RuleError(
+                    f"the region '{identity}' could not be found again, so that what is written in it would be lost: text stands "
+                    "behind its first marker in the same line, or its markers are changed",
+                    location=self._place(name, None),
+                    fix="let the line end behind the first marker",
+                )
 
     def _load(self, name: str) -> jinja2.Template:
         try:

@@ -19,6 +19,7 @@ from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, SourceError, StoppedError
+from robosmi.inputs import OUTPUT, read_bytes
 from robosmi.model.files import within
 
 STAGE = ".robosmi-commit"
@@ -27,41 +28,47 @@ _JOURNAL = "journal.json"
 _FIX = "give another output folder, or check its permissions and the space on the disk"
 
 
-def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:
+Seen = Mapping[str, bytes | None]
+"""What a run has read in a folder before it decided: relative path -> bytes, None where no file was."""
+
+
+def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = (), seen: Seen | None = None) -> None:
     """Bring files of a folder up to date, all or none. A file that has its bytes already is left untouched.
 
     Args:
         folder: the folder; made when missing. Files in it that are not named stay as they are.
         contents: relative path -> bytes.
         removed: relative paths of files that go.
+        seen: what the run has read there; what it says nothing about is not checked.
 
     Raises:
         SourceError: the folder cannot be written, or something is in the way.
-        StoppedError: another run is writing there.
+        StoppedError: another run is writing there, somebody has changed a file since it was read, or a file is read-only.
         InternalError: a path leads out of the folder.
     """
     for name in contents:
         if not within(name):
             raise InternalError(f"'{name}' would be written outside of the output folder '{folder}'")
     recover(folder)
-    commit(folder, {name: data for name, data in contents.items() if not _has(folder / name, data)}, removed)
+    commit(folder, {name: data for name, data in contents.items() if not _has(folder / name, data)}, removed, seen)
 
 
 def _has(path: Path, data: bytes) -> bool:
     return path.is_file() and path.read_bytes() == data
 
 
-def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:
+def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = (), seen: Seen | None = None) -> None:
     """Write and remove files of a folder, all or none.
 
     Args:
         folder: the folder; made when missing. Files in it that are not named stay as they are.
         contents: relative path -> bytes. The paths were checked (see `places`).
         removed: relative paths of files that go.
+        seen: what the run has read there; what it says nothing about is not checked.
 
     Raises:
         SourceError: the folder cannot be written, or something is in the way.
-        StoppedError: another run is writing there.
+        StoppedError: another run is writing there, somebody has changed a file since it was read, or a file is read-only.
     """
     if not contents and not removed:
         return
@@ -72,7 +79,7 @@ def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
         if folder.exists():
             with _locked(folder):
                 _finish(folder)
-                _write(folder, contents, removed)
+                _write(folder, contents, removed, seen or {})
         else:
             _appear(folder, contents)
     except OSError as error:
@@ -176,7 +183,30 @@ def _no_file_is_a_folder(folder: Path, contents: Mapping[str, bytes]) -> set[str
     return parents
 
 
-def _write(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]) -> None:
+def _untouched(folder: Path, names: Collection[str], seen: Seen) -> None:
+    """Make sure that no file that is about to be replaced or removed has an edit that the run does not know, or is protected.
+
+    Raises:
+        StoppedError: somebody has changed a file since the run has read it, or made it read-only.
+    """
+    for name in names:
+        path = folder / name
+        try:
+            mode = path.stat().st_mode
+        except (FileNotFoundError, NotADirectoryError):
+            if seen.get(name) is None:
+                continue
+            mode = 0
+        if stat.S_ISREG(mode) and not mode & 0o222:
+            message, fix = "the file is read-only and would be changed", "make it writable, or move it away"
+        elif name in seen and (read_bytes(path, OUTPUT) if stat.S_ISREG(mode) else None) != seen[name]:
+            message, fix = "the file was changed while the run was at work", "run again"
+        else:
+            continue
+        raise StoppedError(f"{message}; nothing was written", location=Location(str(path)), fix=fix)
+
+
+def _write(folder: Path, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen) -> None:
     stage = folder / STAGE
     names = {name: f"new/{number}" for number, name in enumerate(contents)}
     try:
@@ -187,7 +217,8 @@ def _write(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
                 shutil.copymode(f"{folder}/{name}", stage / place)
         journal = json.dumps({"move": {place: name for name, place in names.items()}, "remove": sorted(removed)})
         (stage / "journal").write_text(journal, encoding="utf-8")
-    except (OSError, SourceError):
+        _untouched(folder, [*contents, *removed], seen)
+    except (OSError, SourceError, StoppedError):
         shutil.rmtree(stage, ignore_errors=True)
         raise
     os.replace(stage / "journal", stage / _JOURNAL)  # from here on the new files win

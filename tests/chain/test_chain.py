@@ -112,7 +112,7 @@ def test_what_a_person_wrote_in_a_page_is_kept_and_said(site: Path) -> None:
     assert "ants are small" in text
     assert "<b>9</b>" in text
     assert [f.rule for f in result.findings] == ["RS512"]
-    assert result["pages"].written == ["out/.robosmi/pages/Ants.html", "out/Ants.html"]
+    assert result["pages"].written == ["out/.robosmi/pages.sha256", "out/.robosmi/pages/Ants.html", "out/Ants.html"]
     again = run(site)
     assert done(again) == []
     assert [f.rule for f in again.findings] == ["RS512"], "a step that is up to date says what it said"

@@ -188,6 +188,9 @@ def failing(tmp_path: Path, source: str = "x", **rule: Any) -> RobosmiError:
         ("{% for i in [1, 2] %}\n{% protected 'a', start='#' %}\n{% endprotected %}\n{% endfor %}\n", 2, "two regions have"),
         ("{{ out.start_preserve('#', '', 'a') }}\n{{ out.start_preserve('#', '', 'b') }}\n", 2, "must be stopped before"),
         ("{{ out.start_preserve('a', '', 'b') }}\n{{ out.stop_preserve() }}\n{{ out.start_control('c') }}", 3, "both protected"),
+        ("{{ out.start_preserve('/*', '*/', 'x') }} text {{ out.stop_preserve() }}\n", 0, "'x' could not be found again"),
+        ("{{ out.start_preserve('/*', '*/', 'x') }} text\n{{ out.stop_preserve() }}\n", 0, "text stands behind its first marker"),
+        ("{{ out.start_preserve('#', '', 'x') | upper }}\ntext\n{{ out.stop_preserve() }}\n", 0, "'x' could not be found again"),
         ("{{ region_id(L.Book.all.first().authors) }}", 1, "AttributeError"),
     ],
 )  # fmt: skip
@@ -285,7 +288,7 @@ def test_a_file_that_is_no_text_is_not_merged(tmp_path: Path) -> None:
 
 def test_a_folder_stands_where_a_file_is_to_be_written(tmp_path: Path) -> None:
     (tmp_path / "out" / "bad.txt").mkdir(parents=True)
-    assert "is the name of a folder" in failing(tmp_path).message
+    assert "a folder stands where a file is to be written" in failing(tmp_path).message
 
 
 def test_the_record_is_no_place_for_files(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ import pytest
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate import Gen
 from robosmi.model.commit import STAGE, commit, interrupted, recover
+from tests.running import tree
 
 FILES = 40
 KILLS = 200
@@ -143,3 +144,44 @@ def test_two_runs_do_not_write_into_one_folder_at_once(tmp_path: Path) -> None:
     finally:
         os.close(other)
     assert (tmp_path / "out" / "a.txt").read_bytes() == b"1"
+
+
+@pytest.mark.parametrize("changed", ["edited", "deleted", "a folder"])
+def test_a_file_that_somebody_changed_since_it_was_read_stops_the_run(changed: str, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    commit(folder, {"a.txt": b"first", "b.txt": b"first"})
+    (folder / "b.txt").unlink()
+    if changed == "edited":
+        (folder / "b.txt").write_bytes(b"mine")
+    elif changed == "a folder":
+        (folder / "b.txt").mkdir()
+    before = tree(folder)
+    with pytest.raises((StoppedError, SourceError)):
+        commit(folder, {"a.txt": b"second", "b.txt": b"second"}, (), {"a.txt": b"first", "b.txt": b"first"})
+    assert tree(folder) == before
+
+
+def test_a_file_that_came_since_the_run_looked_stops_it(tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    commit(folder, {"a.txt": b"first"})
+    (folder / "b.txt").write_bytes(b"mine")
+    before = tree(folder)
+    with pytest.raises(StoppedError, match="changed while the run was at work"):
+        commit(folder, {"b.txt": b"second"}, (), {"b.txt": None})
+    with pytest.raises(StoppedError, match="changed while the run was at work"):
+        commit(folder, {}, ["b.txt"], {"b.txt": b"other"})
+    assert tree(folder) == before
+
+
+def test_a_read_only_file_is_neither_replaced_nor_removed(tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    commit(folder, {"a.txt": b"first", "b.txt": b"first"})
+    (folder / "b.txt").chmod(0o444)
+    before = tree(folder)
+    for contents, removed in (({"a.txt": b"second", "b.txt": b"second"}, []), ({"a.txt": b"second"}, ["b.txt"])):
+        with pytest.raises(StoppedError, match="read-only") as stopped:
+            commit(folder, contents, removed)
+        assert stopped.value.fix == "make it writable, or move it away"
+        assert tree(folder) == before
+    commit(folder, {"a.txt": b"second"})
+    assert (folder / "a.txt").read_bytes() == b"second"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from robosmi.generate.places import Places
 from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.m2m.plan_tasks import settle
@@ -24,7 +25,8 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
         ModelError: a model contradicts its metamodel.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
+    own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
+    seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")} if own else {}
     models = load_models(Path(plan))
     settle(models.plan)
-    own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
-    return produce(models, Path(output), inputs=[f"{FOLDER}/{PLAN}"] if own else (), dry_run=dry_run, strict=strict)
+    return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)

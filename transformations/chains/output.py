@@ -5,17 +5,19 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, StoppedError
 from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
-from robosmi.generate.manifest import Manifest
+from robosmi.generate.manifest import Guarded, Manifest
+from robosmi.generate.places import Places
+from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
 from robosmi.model.commit import recover, update
 from robosmi.plugins import content
@@ -102,14 +104,19 @@ def _kind(name: str) -> str:
 
 
 def produce(
-    models: MigrationModels, output: Path, *, inputs: Iterable[str] = (), dry_run: bool = False, strict: bool = False
+    models: MigrationModels,
+    output: Path,
+    *,
+    inputs: Mapping[str, bytes | None] | None = None,
+    dry_run: bool = False,
+    strict: bool = False,
 ) -> Generated:
     """Generate the sketch of a plan and put it, with the models, into the output folder.
 
     Args:
         models: complete models.
         output: the output folder.
-        inputs: files in it that this run has read, whose edits are therefore in what it makes.
+        inputs: files in it that this run has read, whose edits are therefore in what it makes, with their bytes.
         dry_run: write nothing.
         strict: stop when a choice is open.
 
@@ -128,21 +135,34 @@ def produce(
     derive_edits(plan, models.files)
     generator = content("generator", target_facts(plan.board.name if plan.board else "").generator)
     recover(output)
-    manifest = Manifest.load(output)
+    manifest, places = Manifest.load(output), Places(output)
     made: Generation = generator(plan, models.files)
-    kept = keep_texts(output, LAST, {file.name: file.after or "" for file in made.files}, manifest.files)
+    kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files)
     _trace_texts(plan, made, kept.files)
     contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
-    exempt = tuple(inputs)
-    obsolete = manifest.guard(output, contents | kept.records, inputs=(*exempt, *kept.merged, *kept.orphans)) | kept.obsolete
+    exempt = inputs or {}
+    known = {name: places.look(name) for name in sorted(kept.merged | kept.orphans)} | exempt
+    guarded = manifest.guard(places, contents | kept.records, inputs=known)
+    kept.findings += _told(output, guarded)
     by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
     if not dry_run:
         record = Manifest.of(contents | kept.records, by_person)
         # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
         record.files |= {name: manifest.files[name] for name in (*exempt, *kept.orphans) if name in manifest.files}
-        update(output, {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}, obsolete)
+        everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
+        update(output, everything, guarded.obsolete | kept.obsolete, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
+
+
+def _told(output: Path, guarded: Guarded) -> list[Finding]:
+    """What a person is told of files that are made again, or anew in their own form."""
+    deleted = [
+        Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(str(output / name)))
+        for name in guarded.deleted
+    ]
+    message = "its line ends or byte order mark were changed; it is made anew with its own, as a model or a copy must have"
+    return deleted + [Finding("RS523", Severity.info, message, Location(str(output / name))) for name in guarded.reformed]
 
 
 def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping[str, bytes]) -> None:
@@ -153,7 +173,7 @@ def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping
     plan.trace.texts.extend(
         trace.TextTrace(path=k.path, line=k.line, endLine=k.end_line, step=k.step, rule=k.part, elements=k.elements)
         for file in made.files
-        for k in replace(file, after=files[file.name].decode().replace("\r\n", "\n")).links()
+        for k in replace(file, after=read(files[file.name], errors="surrogateescape").text).links()
         if k.part
     )
 
