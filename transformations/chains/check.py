@@ -14,8 +14,9 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration
 from robosmi.model import EmfModel, Model, load_model, open_model
 from robosmi.plugins import content, registry
-from robosmi.project import defaults, project_of
+from robosmi.project import project_of
 from robosmi.query import root_of
+from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 
 KIND = "constraints"
@@ -54,7 +55,7 @@ def check(path: str | Path) -> Checked:
     """
     file = Path(path)
     done = Checked()
-    if defaults()["readers"].get(file.suffix.lower()) in registry().names("drawing reader"):
+    if is_drawing(file):
         read = read_drawing(file, project_of(file).roles)
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding
-from robosmi.transformations.knowledge.parts_store import write_parts
-from robosmi.transformations.t2m.fritzing.part_library import read_library
+from robosmi.plugins import content
+from robosmi.transformations.knowledge.parts_store import FIRST_TOOL, write_parts
 
 
 @dataclass(frozen=True)
@@ -30,20 +30,22 @@ class PartsImport:
         ]
 
 
-def import_parts(folders: Sequence[Path], target: Path) -> PartsImport:
+def import_parts(folders: Sequence[Path], target: Path, tool: str = FIRST_TOOL) -> PartsImport:
     """Read part definitions, give each a role, and write them to a file that drawings are read with.
 
     Args:
-        folders: folders with definitions (`.fzp`), below them too; the first that has an id counts.
+        folders: folders with definitions, below them too; the first that has an id counts.
         target: the file to write; its folder is made.
+        tool: the drawing tool in lower case, whose parts they are; the name of a registered `parts reader`.
 
     Raises:
         SourceError: a folder is not there or has no definition in it.
+        UsageError: no reader takes that tool's parts.
         PlatformDataError: the rules for roles are damaged.
     """
-    library = read_library(folders)
+    library = content("parts reader", tool)(folders)
     target.parent.mkdir(parents=True, exist_ok=True)
-    write_parts(target, library.parts)
+    write_parts(target, library.parts, tool)
     roles: dict[str, int] = {}
     for part, _ in library.parts:
         roles[part.role] = roles.get(part.role, 0) + 1

@@ -6,41 +6,18 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
-from robosmi.plugins import content, registry
-from robosmi.project import defaults
+from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 from robosmi.transformations.t2m.boards import drawn_board, load_board
 
 if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration, platform
-
-
-def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:
-    """The registered reader for a file's ending.
-
-    Args:
-        path: the file.
-        kind: `program reader` or `drawing reader`.
-        fallback: the reader's name for endings nobody knows; None to refuse them.
-
-    Raises:
-        SourceError: no reader of that kind takes such a file.
-    """
-    readers = defaults()["readers"]
-    name = readers.get(path.suffix.lower(), fallback)
-    known = registry().names(kind)
-    if name not in known:
-        endings = ", ".join(sorted(ending for ending, reader in readers.items() if reader in known))
-        raise SourceError(
-            f"no {kind} takes a '{path.suffix or path.name}' file", location=Location(str(path)), fix=f"give one of: {endings}"
-        )
-    return content(kind, name)
 
 
 def read_program(
@@ -116,7 +93,7 @@ def read_drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
         UsageError: a role or component does not exist.
     """
     circuit: hardware.Circuit
-    circuit, findings = reader_for(path, "drawing reader")(path, roles=roles)
+    circuit, findings = reader_for(path, DRAWING)(path, roles=roles)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
         drawn = drawn_board(board.partId, circuit.tool.lower())

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import csv
 import hashlib
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -41,6 +42,20 @@ class _Row:
 
     def __getitem__(self, column: str) -> str:
         return self.cells.get(column, "")
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins so is a pin table: a head with the columns `pin` and `part`, or `[[pin]]` in TOML.
+
+    Args:
+        head: the first bytes of the file.
+    """
+    lines = [
+        line.strip() for line in head.decode("utf-8-sig", "replace").splitlines() if line.strip() and not line.startswith("#")
+    ]
+    if "[[pin]]" in lines:
+        return True
+    return bool(lines) and {*COLUMNS[:2]} <= {cell.strip().lower() for cell in re.split("[,;\t]", lines[0])}
 
 
 def read_circuit(

@@ -47,6 +47,17 @@ class Container:
     findings: list[Finding] = field(default_factory=list)
 
 
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins so is a Fritzing sketch: an archive with a `.fz`, or XML whose root is Fritzing's.
+
+    Args:
+        head: the first bytes of the file.
+    """
+    if head[:2] == b"PK":
+        return b".fz" in head
+    return b"<module" in head and b"fritzingVersion" in head
+
+
 def read_container(path: Path) -> Container:
     """The content of a `.fz` or `.fzz` file; which of the two it is is told by its bytes.
 
