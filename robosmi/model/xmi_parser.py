@@ -33,6 +33,7 @@ from robosmi.model.xmi_plan import (
     Entry,
     Plans,
 )
+from robosmi.model.xml_characters import may_hold_escapes, restored
 
 _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
 
@@ -75,6 +76,7 @@ class _Parser(Builder):
         self.locations = locations
         self.depth = 0  # inside an element that is skipped, or inside the text of a feature
         self.texts: list[str] = []
+        self.escapes = False
         self.several = False
 
     def run(self, data: bytes, encoding: str | None) -> Document:
@@ -88,7 +90,11 @@ class _Parser(Builder):
         parser.StartNamespaceDeclHandler = self.declare
         parser.EndNamespaceDeclHandler = self.undeclare
         parser.StartDoctypeDeclHandler = self.doctype
-        self.start, self.end = parser.StartElementHandler, parser.EndElementHandler = self.handlers()
+        self.escapes = may_hold_escapes(data)
+        self.start, self.end = self.handlers()
+        if self.escapes:
+            self.start = _restoring(self.start)
+        parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
         parser.CharacterDataHandler = self.stray
         try:
             parser.Parse(data, True)
@@ -248,6 +254,8 @@ class _Parser(Builder):
             self.expat.StartElementHandler, self.expat.EndElementHandler = self.start, self.end
             self.expat.CharacterDataHandler = self.stray
             text = "".join(self.texts)
+            if self.escapes:
+                text = restored(text)
             if entry.kind != REFERENCE:
                 self.add_value(element, slots, owner, entry, text)
                 return
@@ -324,3 +332,8 @@ class _Parser(Builder):
         """Text where elements are."""
         if not text.isspace():
             self.here(f"the text '{text.strip()[:40]}' belongs to no feature")
+
+
+def _restoring(start: Callable[[str, dict[str, str]], None]) -> Callable[[str, dict[str, str]], None]:
+    """The handler with the characters in the attributes that XML cannot hold; ids and what refers to them stay the same."""
+    return lambda tag, attributes: start(tag, {name: restored(text) for name, text in attributes.items()})

@@ -23,12 +23,12 @@ from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi_places import Places, Unplaced, UnusableId, metamodel_place, metamodel_uri, relative, shown
+from robosmi.model.xml_characters import FORBIDDEN, SYMBOL, escaped
 
 _ESCAPES = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "\n": "&#xA;", "\t": "&#x9;", "\r": "&#xD;"}
-_FORBIDDEN = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
-_IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{_FORBIDDEN}]')
-_IN_TEXT = re.compile(f'[&<"\r{_FORBIDDEN}]|]]>')
-_BAD = re.compile(f"[{_FORBIDDEN}]")
+_IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{SYMBOL}{FORBIDDEN}]')
+_IN_TEXT = re.compile(f'[&<"\r{SYMBOL}{FORBIDDEN}]|]]>')
+_BAD = re.compile(f"[{FORBIDDEN}]")
 _PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
 
 
@@ -43,13 +43,18 @@ def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
         The wanted names -> UTF-8 text of an XMI file.
 
     Raises:
-        ModelError: a reference leads to an element in none of the models, a text holds a character XML cannot, a value is
-            not of its feature's type or too many, an id is used twice, or an element contains itself.
+        ModelError: a reference leads to an element in none of the models, a text of a metamodel holds a character XML
+            cannot, a value is not of its feature's type or too many, an id is used twice, or an element contains itself.
     """
     roots = {name: _roots(given) for name, given in models.items()}
     places = Places(roots)
     with collector_at_rest():
         return {name: _Writer(name, roots[name], places).write() for name in (models if wanted is None else wanted)}
+
+
+def _replaced(match: re.Match[str]) -> str:
+    found = match.group()
+    return _ESCAPES.get(found, "]]&gt;" if found == "]]>" else found)
 
 
 def _roots(given: Any) -> list[Any]:
@@ -90,7 +95,7 @@ class _Writer:
         """The XML declaration, and the first tag with its namespaces; what follows is the first element's own."""
         xsi = ' xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"' if self.uses_xsi else ""
         spaces = "".join(
-            f' xmlns{f":{prefix}" if prefix else ""}="{self.escape(uri, _IN_ATTRIBUTE)}"'
+            f' xmlns{f":{prefix}" if prefix else ""}="{self.plain(uri, _IN_ATTRIBUTE)}"'
             for prefix, uri in sorted(self.prefixes.items())
             if prefix != "xmi"
         )
@@ -200,7 +205,7 @@ class _Writer:
     def metamodel_text(self, text: str, element: Any, name: str) -> str:
         """A text of a metamodel, escaped."""
         try:
-            return self.escape(text, _IN_ATTRIBUTE)
+            return self.plain(text, _IN_ATTRIBUTE)
         except ModelError as error:
             raise ModelError(f"{self.name}: {shown(element)}.{name}: {error.message}", fix=error.fix) from None
 
@@ -214,7 +219,7 @@ class _Writer:
             return self.nothing(element, column, value, append, indent, later)
         text = ""
         if value != column.default:
-            text = f'{column.start}{self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE, element, column)}"'
+            text = f'{column.start}{self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE)}"'
             append(text)
         if value.__class__ is column.plain and len(column.rendered) < 1 << 16:
             column.rendered[value] = text
@@ -227,14 +232,19 @@ class _Writer:
         except ValueError as error:
             raise self.problem(element, column, str(error), "set a value of the feature's type") from None
 
-    def escape(self, text: str, pattern: re.Pattern[str], element: Any = None, column: Any = None) -> str:
-        """Replace what XML gives a meaning, and refuse what it cannot hold."""
+    @staticmethod
+    def escape(text: str, pattern: re.Pattern[str]) -> str:
+        """Replace what XML gives a meaning, and what it cannot hold (`xml_characters`)."""
         if not pattern.search(text):
             return text
+        return pattern.sub(_replaced, escaped(text))
+
+    def plain(self, text: str, pattern: re.Pattern[str]) -> str:
+        """Replace what XML gives a meaning, and refuse what it cannot hold: namespaces and metamodels are read by others, too."""
         if bad := _BAD.search(text):
-            what = f"holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold"
-            raise self.problem(element, column, what, "remove the character from the source")
-        return pattern.sub(lambda m: _ESCAPES.get(m.group(), "]]&gt;"), text)
+            what = f"{self.name}: holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold"
+            raise ModelError(what, fix="remove the character from the source")
+        return pattern.sub(_replaced, text)
 
     def problem(self, element: Any, column: Any, what: str, fix: str) -> ModelError:
         """The error for a value."""
@@ -255,7 +265,7 @@ class _Writer:
             fix = "give every element of a file an id of its own"
             raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
         if element._internal_id is not None:
-            append(f' xmi:id="{self.escape(identity, _IN_ATTRIBUTE, element)}"')
+            append(f' xmi:id="{self.escape(identity, _IN_ATTRIBUTE)}"')
 
     def nothing(
         self, element: Any, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
@@ -268,7 +278,7 @@ class _Writer:
                 append(f'{column.start}"')
                 return later
             if value is not None:
-                text = self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE, element, column)
+                text = self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE)
                 append(f'{column.start}{text}"')
                 return later
         elif column.default is None or column.is_primitive:
@@ -304,7 +314,7 @@ class _Writer:
             if value is None:
                 later = self.more(later, self.nil(column, indent))
                 continue
-            text = self.escape(self.value_text(element, column, value), _IN_TEXT, element, column)
+            text = self.escape(self.value_text(element, column, value), _IN_TEXT)
             later = self.more(later, f"{indent}  <{column.name}>{text}</{column.name}>\n")
         return later
 
@@ -330,7 +340,7 @@ class _Writer:
                 file, fragment = self.place(element, column, real(target))
                 if file != self.name:
                     break
-                fragment = local[id(target)] = self.escape(fragment, _IN_ATTRIBUTE, element, column)
+                fragment = local[id(target)] = self.escape(fragment, _IN_ATTRIBUTE)
             fragments.append(fragment)
         else:
             if fragments:
@@ -370,7 +380,7 @@ class _Writer:
             if file not in self.hrefs:
                 self.hrefs[file] = relative(self.name, file)
             link = f"{self.hrefs[file]}#{fragment}"
-        return f'{indent}  <{column.name}{kind} href="{self.escape(link, _IN_ATTRIBUTE, element, column)}"/>\n'
+        return f'{indent}  <{column.name}{kind} href="{self.escape(link, _IN_ATTRIBUTE)}"/>\n'
 
     def child(self, element: Any, column: Column, child: Any, indent: str, later: list[Any] | None) -> list[Any]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""

@@ -25,6 +25,7 @@ def integer(context: Context, node: Node) -> ccode.Expression:
         value = evaluated(context, node) or 0
         text = str(value)
     radix = integer_radix(text)
+    value &= 2 * _LONG - 1  # what is longer loses its high bits, as in GCC
     return ccode.IntegerLiteral(
         text=text, radix=radix, value=value if value < _LONG else value - 2 * _LONG, **context.source.place(node.start, node.end)
     )
@@ -55,9 +56,11 @@ def integer_value(text: str) -> int | None:
 def floating(context: Context, node: Node) -> ccode.Expression:
     """A real constant."""
     text = context.text(node)
+    lower = text.lower().rstrip("fl")
     try:
-        lower = text.lower().rstrip("fl")
         value = float.fromhex(lower) if lower.startswith("0x") else float(lower)
+    except OverflowError:  # as `float` has it of a decimal number
+        value = float("inf")
     except ValueError:
         value = 0.0
     return ccode.FloatingLiteral(text=text, value=value, **context.source.place(node.start, node.end))

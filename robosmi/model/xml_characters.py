@@ -1,0 +1,37 @@
+"""Characters that XML 1.0 cannot hold, in the texts of models: an escape that is written in their place and undone on reading.
+
+XML has no form for most control characters (form feed, NUL), half surrogates, U+FFFE and U+FFFF, not even as a character
+reference. In an XMI file each stands as the symbol U+241B, which Unicode has for "escape", and four hexadecimal digits: a form
+feed is `␛000C`. Eclipse and every other tool sees an ordinary text. A symbol that the source text has itself is left alone, but
+where it would read as such an escape: it is then written as `␛241B`. Which texts of a file are escaped is the writer's part.
+"""
+
+from __future__ import annotations
+
+import re
+
+FORBIDDEN = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
+"""The characters that no XML 1.0 document holds, as inside of a regular expression's brackets (XML 1.0, production Char)."""
+
+SYMBOL = "\u241b"
+"""What an escape begins with."""
+
+_CODE = "00(?:0[0-8BCEF]|1[0-9A-F])|D[89A-F][0-9A-F]{2}|FFF[EF]|241B"
+_TO_ESCAPE = re.compile(f"[{FORBIDDEN}]|{SYMBOL}(?={_CODE})")
+_ESCAPE = re.compile(f"{SYMBOL}({_CODE})")
+_POSSIBLE = re.compile(rb"\xe2\x90\x9b|&#(?:[xX]0*241[bB]|0*9243);|^[^>]*encoding\s*=\s*[\"'](?![uU][tT][fF]-?8[\"'])")
+
+
+def escaped(text: str) -> str:
+    """The text with an escape in place of each character that XML cannot hold; `restored` undoes it."""
+    return _TO_ESCAPE.sub(lambda match: f"{SYMBOL}{ord(match.group()):04X}", text)
+
+
+def restored(text: str) -> str:
+    """The text that `escaped` was given. Half surrogates that meet stay two characters, as Python has them."""
+    return _ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) if SYMBOL in text else text
+
+
+def may_hold_escapes(data: bytes) -> bool:
+    """Whether an XML document can hold an escape. Documents in UTF-8 without its symbol cannot, which spares asking each text."""
+    return data[:2] in (b"\xff\xfe", b"\xfe\xff") or _POSSIBLE.search(data) is not None
