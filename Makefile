@@ -51,6 +51,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.xmi
 	$(BIN)/python -m tests.fuzz.c_source
 	$(BIN)/python -m tests.fuzz.precompiled
+	$(BIN)/python -m tests.fuzz.history
 
 wheel:
 	@sh .ci/wheel

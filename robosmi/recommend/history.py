@@ -74,7 +74,8 @@ def chosen_from_history(part_id: str, title: str, history: Choices) -> str | Non
 class History:
     """The choices at one place.
 
-    All methods raise SourceError if the place is damaged, is not a history, is locked for over 5 s or cannot be written.
+    All methods raise SourceError if the place is damaged, is not a history, is locked for over 5 s by somebody who does not
+    write, or cannot be written.
 
     Args:
         place: a file, which need not exist, or an SQLAlchemy URL; None for `default_place()`.

@@ -2,15 +2,19 @@
 
 Both are seen as `Database`: `read` for one question, `writing` for one transaction. What is asked and written is in
 `history`. A file is opened anew for each call, so that it may be shared, moved or deleted between calls; it is made only by
-writing. SQLAlchemy is an extra (`robosmi[database]`) and imported only when a URL is given.
+writing. Whoever finds it locked waits as long as others write into it. SQLite's write-ahead log is not used, since it needs
+memory that processes share, which not every file system has. SQLAlchemy is an extra (`robosmi[database]`) and imported only
+when a URL is given.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import random
+import time
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError
@@ -19,12 +23,14 @@ if TYPE_CHECKING:
     import sqlite3
 
 Values = Mapping[str, str | int]
+_Result = TypeVar("_Result")
 
 FORMAT = 2
 """Number of the table's form: `PRAGMA user_version` of a file."""
 
 _APPLICATION = 0x5253_4849  # "RSHI"
 _WAIT_S = 5.0
+_PAUSES_S = (0.001, 0.02)  # drawn anew each time: SQLite's own pauses grow, so that of many writers some wait for ever
 _COLUMNS = "part_id, title, library, version, target, component, count, last_used"
 _TABLE = """CREATE TABLE IF NOT EXISTS {name}(part_id TEXT NOT NULL, title TEXT NOT NULL, library TEXT NOT NULL,
   version TEXT NOT NULL, target TEXT NOT NULL, component TEXT NOT NULL, count INTEGER NOT NULL CHECK (count > 0),
@@ -85,11 +91,21 @@ class SqliteFile:
         import sqlite3  # 5 ms, wanted only where there is a history
 
         try:
-            with closing(sqlite3.connect(f"{self.path.absolute().as_uri()}?mode=ro", uri=True, timeout=_WAIT_S)) as db:
-                table = self._table(db)
-                return db.execute(sql.format(table=table), dict(values)).fetchall() if table else []
+            try:
+                return self._patiently(lambda: self._rows("ro", sql, values))
+            except sqlite3.OperationalError as error:
+                if error.sqlite_errorcode & 0xFF != sqlite3.SQLITE_READONLY:
+                    raise
+                return self._patiently(lambda: self._rows("rw", sql, values))  # undoes what a killed writer had begun
         except sqlite3.Error as error:
             raise unusable(self.place, str(error)) from error
+
+    def _rows(self, mode: str, sql: str, values: Values) -> list[tuple[Any, ...]]:
+        import sqlite3
+
+        with closing(sqlite3.connect(f"{self.path.absolute().as_uri()}?mode={mode}", uri=True, timeout=0)) as db:
+            table = self._table(db)
+            return db.execute(sql.format(table=table), dict(values)).fetchall() if table else []
 
     @contextmanager
     def writing(self) -> Iterator[Statements]:
@@ -98,14 +114,40 @@ class SqliteFile:
 
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
-            with closing(sqlite3.connect(self.path, timeout=_WAIT_S, isolation_level=None)) as db:
-                db.execute("BEGIN IMMEDIATE")  # what is not committed is rolled back by closing
+            with closing(sqlite3.connect(self.path, timeout=0, isolation_level=None)) as db:
+                self._patiently(lambda: db.execute("BEGIN IMMEDIATE"))  # what is not committed is rolled back by closing
                 if self._table(db) != "choice":
                     self._make(db)
                 yield _SqliteStatements(db)
-                db.execute("COMMIT")
+                self._patiently(lambda: db.execute("COMMIT"))  # readers may be at work
         except (OSError, sqlite3.Error, UnicodeEncodeError) as error:
             raise unusable(self.place, str(error)) from error
+
+    def _patiently(self, step: Callable[[], _Result]) -> _Result:
+        """Do a step again while the file is locked, until nobody has written to it for `_WAIT_S`."""
+        import sqlite3
+
+        seen, since = self._stamp(), time.monotonic()
+        while True:
+            try:
+                return step()
+            except sqlite3.OperationalError as error:
+                if error.sqlite_errorcode & 0xFF != sqlite3.SQLITE_BUSY:
+                    raise
+                now = self._stamp()
+                if now != seen:
+                    seen, since = now, time.monotonic()
+                elif time.monotonic() - since > _WAIT_S:
+                    raise
+            time.sleep(random.uniform(*_PAUSES_S))
+
+    def _stamp(self) -> tuple[int, int]:
+        """What changes when somebody writes into the file."""
+        try:
+            found = self.path.stat()
+        except OSError:
+            return (0, 0)
+        return found.st_mtime_ns, found.st_size
 
     def exists(self) -> bool:
         """Whether the file is there."""

@@ -63,6 +63,7 @@ def from_csv(text: str, location: Location | None = None) -> list[Entry]:
         SourceError: not of that form; the first wrong line is named.
     """
     try:
+        csv.field_size_limit(max(csv.field_size_limit(), len(text)))  # 131,072 characters, and the same for all readers
         table = csv.DictReader(io.StringIO(text.removeprefix("\ufeff")), strict=True)
         missing = [name for name in _NEEDED if name not in (table.fieldnames or ())]
         if missing:

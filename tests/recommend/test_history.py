@@ -7,6 +7,7 @@ import os
 import sqlite3
 import subprocess
 import sys
+import tempfile
 import threading
 from collections.abc import Callable
 from contextlib import closing
@@ -14,10 +15,16 @@ from datetime import date
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from robosmi.errors import MissingToolError, SourceError, UsageError
+from robosmi.model import load_model, save_model
 from robosmi.recommend.history import Entry, ForgivingHistory, History, chosen_from_history, default_place
 from robosmi.recommend.history_exchange import SCHEMA, from_csv, from_json, to_csv, to_json
+from robosmi.transformations.chains.history import export_history, import_history
+from robosmi.transformations.t2m.history_model import history_to_model, model_to_history
+from tests.fuzz.history import write_at_once
 
 DAY = date(2026, 11, 21)
 DATA = Path(__file__).parent / "data"
@@ -105,6 +112,35 @@ def test_what_is_exported_is_imported(write: Callable[..., str], read: Callable[
     assert history.take_over(read(text)) == 2
     assert history.entries() == ENTRIES
     assert history.take_over(read(text)) == 0, "a second time changes nothing"
+
+
+ODD = [
+    Entry("\0\x01", "\f\v\x1b[1m\r\n\t\r", "\x7f\x85\u2028", 1, "2026-01-01", "=1+1", "\u241b000C", "\ufeff\ufffe\uffff"),
+    Entry('"', "x" * 300_000, ",;\"'", 2**31 - 1, "2026-01-01", "\n", " a ", "\N{GRINNING FACE}"),
+]
+
+
+@pytest.mark.parametrize("form", ["xmi", "csv", "json"])
+def test_control_characters_and_long_fields_survive_the_exchange(form: str, history: History, tmp_path: Path) -> None:
+    history.take_over(ODD)
+    assert export_history(history, tmp_path / f"a.{form}") == ODD
+    other = History(tmp_path / "other.sqlite")
+    assert import_history(other, tmp_path / f"a.{form}") == (2, 2)
+    assert other.entries() == ODD
+
+
+_TEXT = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=20)
+
+
+@settings(max_examples=60)
+@given(st.lists(st.builds(Entry, _TEXT, _TEXT, _TEXT, st.integers(1, 9), st.just("2026-01-01"), _TEXT, _TEXT, _TEXT), max_size=3))
+def test_any_text_survives_the_exchange(entries: list[Entry]) -> None:
+    assert from_json(to_json(entries)) == entries
+    assert from_csv(to_csv(entries).encode().decode()) == entries
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "a.xmi"
+        save_model(history_to_model(entries), path)
+        assert model_to_history(load_model(path)) == entries
 
 
 def test_taking_over_keeps_the_higher_count_and_the_later_day(history: History) -> None:
@@ -200,13 +236,33 @@ def test_a_history_that_cannot_be_used_has_no_choices_and_says_why(tmp_path: Pat
     assert ForgivingHistory(tmp_path / "absent").trouble is None
 
 
-def test_many_runs_write_at_once_and_nothing_is_lost(tmp_path: Path) -> None:
-    code = "import sys; from robosmi.recommend.history import History; h = History(sys.argv[1])\n"
-    code += "for n in range(20): h.record('p', 't', 'A')"
-    command = [sys.executable, "-c", code, str(tmp_path / "shared.sqlite")]
-    runs = [subprocess.Popen(command, cwd=ROOT) for _ in range(4)]
-    assert [run.wait() for run in runs] == [0] * 4
-    assert History(tmp_path / "shared.sqlite").choices("p", "t") == {"A": 80}
+def test_sixteen_runs_make_a_history_and_write_into_it_and_nothing_is_lost(tmp_path: Path) -> None:
+    outcome = write_at_once(tmp_path / "new" / "shared.sqlite", writers=16, each=6)
+    assert outcome.refused == []
+    assert outcome.kept == 96
+
+
+def test_a_lock_under_which_nobody_writes_is_said(history: History, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("robosmi.recommend.history_database._WAIT_S", 0.1)
+    history.record("p", "t", "A")
+    with closing(sqlite3.connect(history.place)) as other:
+        other.execute("BEGIN IMMEDIATE")
+        with pytest.raises(SourceError, match="locked"):
+            history.record("p", "t", "A")
+        assert history.choices("p", "t") == {"A": 1}
+    history.record("p", "t", "A")
+    assert history.choices("p", "t") == {"A": 2}
+
+
+def test_what_a_killed_writer_began_is_undone_by_the_next_reader(history: History, tmp_path: Path) -> None:
+    history.record("p", "t", "A")
+    code = "import os, sqlite3, sys; db = sqlite3.connect(sys.argv[1], isolation_level=None)\n"
+    code += "db.execute('PRAGMA cache_size=1'); db.execute('BEGIN IMMEDIATE')\n"
+    code += "db.executemany('INSERT INTO choice VALUES(?,?,?,?,?,?,1,?)', [(str(n), *['x' * 900] * 6) for n in range(500)])\n"
+    code += "os.kill(os.getpid(), 9)"
+    subprocess.run([sys.executable, "-c", code, history.place], check=False)
+    assert Path(f"{history.place}-journal").stat().st_size > 0, "it died in the middle"
+    assert [entry.count for entry in history.entries()] == [1]
 
 
 @pytest.fixture(params=["sqlite", "server"])
