@@ -8,7 +8,6 @@ are is `xmi_places`' part, how a class is written is in its layout.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from types import ModuleType
 from typing import Any
@@ -23,12 +22,8 @@ from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi_places import Places, Unplaced, UnusableId, metamodel_place, metamodel_uri, relative, shown
-from robosmi.model.xml_characters import FORBIDDEN, SYMBOL, escaped
+from robosmi.model.xml_characters import in_attribute, in_text, refuse_forbidden
 
-_ESCAPES = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "\n": "&#xA;", "\t": "&#x9;", "\r": "&#xD;"}
-_IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{SYMBOL}{FORBIDDEN}]')
-_IN_TEXT = re.compile(f'[&<"\r{SYMBOL}{FORBIDDEN}]|]]>')
-_BAD = re.compile(f"[{FORBIDDEN}]")
 _PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
 
 
@@ -50,11 +45,6 @@ def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
     places = Places(roots)
     with collector_at_rest():
         return {name: _Writer(name, roots[name], places).write() for name in (models if wanted is None else wanted)}
-
-
-def _replaced(match: re.Match[str]) -> str:
-    found = match.group()
-    return _ESCAPES.get(found, "]]&gt;" if found == "]]>" else found)
 
 
 def _roots(given: Any) -> list[Any]:
@@ -95,7 +85,7 @@ class _Writer:
         """The XML declaration, and the first tag with its namespaces; what follows is the first element's own."""
         xsi = ' xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"' if self.uses_xsi else ""
         spaces = "".join(
-            f' xmlns{f":{prefix}" if prefix else ""}="{self.plain(uri, _IN_ATTRIBUTE)}"'
+            f' xmlns{f":{prefix}" if prefix else ""}="{self.plain(uri)}"'
             for prefix, uri in sorted(self.prefixes.items())
             if prefix != "xmi"
         )
@@ -205,7 +195,7 @@ class _Writer:
     def metamodel_text(self, text: str, element: Any, name: str) -> str:
         """A text of a metamodel, escaped."""
         try:
-            return self.plain(text, _IN_ATTRIBUTE)
+            return self.plain(text)
         except ModelError as error:
             raise ModelError(f"{self.name}: {shown(element)}.{name}: {error.message}", fix=error.fix) from None
 
@@ -219,7 +209,7 @@ class _Writer:
             return self.nothing(element, column, value, append, indent, later)
         text = ""
         if value != column.default:
-            text = f'{column.start}{self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE)}"'
+            text = f'{column.start}{in_attribute(self.value_text(element, column, value))}"'
             append(text)
         if value.__class__ is column.plain and len(column.rendered) < 1 << 16:
             column.rendered[value] = text
@@ -232,19 +222,12 @@ class _Writer:
         except ValueError as error:
             raise self.problem(element, column, str(error), "set a value of the feature's type") from None
 
-    @staticmethod
-    def escape(text: str, pattern: re.Pattern[str]) -> str:
-        """Replace what XML gives a meaning, and what it cannot hold (`xml_characters`)."""
-        if not pattern.search(text):
-            return text
-        return pattern.sub(_replaced, escaped(text))
-
-    def plain(self, text: str, pattern: re.Pattern[str]) -> str:
-        """Replace what XML gives a meaning, and refuse what it cannot hold: namespaces and metamodels are read by others, too."""
-        if bad := _BAD.search(text):
-            what = f"{self.name}: holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold"
-            raise ModelError(what, fix="remove the character from the source")
-        return pattern.sub(_replaced, text)
+    def plain(self, text: str) -> str:
+        """A text between quotes that others read, too (namespaces, metamodels): what XML cannot hold is refused in it."""
+        try:
+            return in_attribute(refuse_forbidden(text))
+        except ValueError as error:
+            raise ModelError(f"{self.name}: {error}", fix="remove the character from the source") from None
 
     def problem(self, element: Any, column: Any, what: str, fix: str) -> ModelError:
         """The error for a value."""
@@ -265,7 +248,7 @@ class _Writer:
             fix = "give every element of a file an id of its own"
             raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
         if element._internal_id is not None:
-            append(f' xmi:id="{self.escape(identity, _IN_ATTRIBUTE)}"')
+            append(f' xmi:id="{in_attribute(identity)}"')
 
     def nothing(
         self, element: Any, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
@@ -278,7 +261,7 @@ class _Writer:
                 append(f'{column.start}"')
                 return later
             if value is not None:
-                text = self.escape(self.value_text(element, column, value), _IN_ATTRIBUTE)
+                text = in_attribute(self.value_text(element, column, value))
                 append(f'{column.start}{text}"')
                 return later
         elif column.default is None or column.is_primitive:
@@ -314,7 +297,7 @@ class _Writer:
             if value is None:
                 later = self.more(later, self.nil(column, indent))
                 continue
-            text = self.escape(self.value_text(element, column, value), _IN_TEXT)
+            text = in_text(self.value_text(element, column, value))
             later = self.more(later, f"{indent}  <{column.name}>{text}</{column.name}>\n")
         return later
 
@@ -340,7 +323,7 @@ class _Writer:
                 file, fragment = self.place(element, column, real(target))
                 if file != self.name:
                     break
-                fragment = local[id(target)] = self.escape(fragment, _IN_ATTRIBUTE)
+                fragment = local[id(target)] = in_attribute(fragment)
             fragments.append(fragment)
         else:
             if fragments:
@@ -380,7 +363,7 @@ class _Writer:
             if file not in self.hrefs:
                 self.hrefs[file] = relative(self.name, file)
             link = f"{self.hrefs[file]}#{fragment}"
-        return f'{indent}  <{column.name}{kind} href="{self.escape(link, _IN_ATTRIBUTE)}"/>\n'
+        return f'{indent}  <{column.name}{kind} href="{in_attribute(link)}"/>\n'
 
     def child(self, element: Any, column: Column, child: Any, indent: str, later: list[Any] | None) -> list[Any]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""

@@ -1,4 +1,4 @@
-"""Characters that XML 1.0 cannot hold, in the texts of models: an escape that is written in their place and undone on reading.
+"""Texts of models as XML: what markup means something else by, and an escape for the characters that XML 1.0 cannot hold.
 
 XML has no form for most control characters (form feed, NUL), half surrogates, U+FFFE and U+FFFF, not even as a character
 reference. In an XMI file each stands as the symbol U+241B, which Unicode has for "escape", and four hexadecimal digits: a form
@@ -10,26 +10,51 @@ from __future__ import annotations
 
 import re
 
-FORBIDDEN = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"
-"""The characters that no XML 1.0 document holds, as inside of a regular expression's brackets (XML 1.0, production Char)."""
-
-SYMBOL = "\u241b"
-"""What an escape begins with."""
-
+_FORBIDDEN = "\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff"  # XML 1.0, production Char
+_SYMBOL = "\u241b"
 _CODE = "00(?:0[0-8BCEF]|1[0-9A-F])|D[89A-F][0-9A-F]{2}|FFF[EF]|241B"
-_TO_ESCAPE = re.compile(f"[{FORBIDDEN}]|{SYMBOL}(?={_CODE})")
-_ESCAPE = re.compile(f"{SYMBOL}({_CODE})")
+_BAD = re.compile(f"[{_FORBIDDEN}]")
+_TO_ESCAPE = re.compile(f"[{_FORBIDDEN}]|{_SYMBOL}(?={_CODE})")
+_ESCAPE = re.compile(f"{_SYMBOL}({_CODE})")
 _POSSIBLE = re.compile(rb"\xe2\x90\x9b|&#(?:[xX]0*241[bB]|0*9243);|^[^>]*encoding\s*=\s*[\"'](?![uU][tT][fF]-?8[\"'])")
+_MARKUP = {"&": "&amp;", "<": "&lt;", '"': "&quot;", "\n": "&#xA;", "\t": "&#x9;", "\r": "&#xD;", "]]>": "]]&gt;"}
+_IN_ATTRIBUTE = re.compile(f'[&<"\n\t\r{_SYMBOL}{_FORBIDDEN}]')
+_IN_TEXT = re.compile(f'[&<"\r{_SYMBOL}{_FORBIDDEN}]|]]>')
+
+
+def in_attribute(text: str) -> str:
+    """A text as it stands between the quotes of an attribute."""
+    return _marked(text, _IN_ATTRIBUTE) if _IN_ATTRIBUTE.search(text) else text
+
+
+def in_text(text: str) -> str:
+    """A text as it stands between tags."""
+    return _marked(text, _IN_TEXT) if _IN_TEXT.search(text) else text
+
+
+def _marked(text: str, pattern: re.Pattern[str]) -> str:
+    return pattern.sub(lambda match: _MARKUP.get(match.group(), match.group()), escaped(text))
+
+
+def refuse_forbidden(text: str) -> str:
+    """The text itself.
+
+    Raises:
+        ValueError: it has a character that XML cannot hold; the message says which and where.
+    """
+    if bad := _BAD.search(text):
+        raise ValueError(f"holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold")
+    return text
 
 
 def escaped(text: str) -> str:
     """The text with an escape in place of each character that XML cannot hold; `restored` undoes it."""
-    return _TO_ESCAPE.sub(lambda match: f"{SYMBOL}{ord(match.group()):04X}", text)
+    return _TO_ESCAPE.sub(lambda match: f"{_SYMBOL}{ord(match.group()):04X}", text)
 
 
 def restored(text: str) -> str:
     """The text that `escaped` was given. Half surrogates that meet stay two characters, as Python has them."""
-    return _ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) if SYMBOL in text else text
+    return _ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) if _SYMBOL in text else text
 
 
 def may_hold_escapes(data: bytes) -> bool:
