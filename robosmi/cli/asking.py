@@ -10,6 +10,8 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TextIO
 
+from robosmi.quoting import terminal
+
 SHOWN = 7
 NONE = "none"
 
@@ -35,9 +37,9 @@ def ask_libraries(
     said: dict[str, str] = {}
     for choice in choices:
         candidates = list(choice["candidates"])[:SHOWN]
-        print(f"\nWhich library drives '{choice['component']}'?", file=out or sys.stdout)
+        print(f"\nWhich library drives '{terminal(choice['component'])}'?", file=out or sys.stdout)
         for number, candidate in enumerate(candidates, 1):
-            print(f"  {number}  {candidate['library']}: {'; '.join(candidate['reasons'])}", file=out or sys.stdout)
+            print(terminal(f"  {number}  {candidate['library']}: {'; '.join(candidate['reasons'])}"), file=out or sys.stdout)
         print("  0  none; a name takes another library; Enter leaves it open", file=out or sys.stdout)
         names = [str(candidate["library"]) for candidate in candidates]
         try:

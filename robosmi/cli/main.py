@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import importlib
-import json
 import os
 import sys
 import time
@@ -29,6 +28,7 @@ from robosmi.errors import (
     UsageError,
     did_you_mean,
 )
+from robosmi.quoting import json_text, terminal
 
 COMMANDS = {
     "analyse": "what a program uses of its platform",
@@ -149,13 +149,16 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float) ->
             _print_json(document)
         except (SourceError, BrokenPipeError):
             streams.let_go(sys.stdout)  # the message below has to do
-    streams.complain(f"robosmi: error: {error}")
+    place = f"{error.location}: " if error.location else ""
+    streams.complain(terminal(f"robosmi: error: {place}{error.message}"))
+    if error.fix:
+        streams.complain(terminal(f"  do: {error.fix}"))
     return error.exit_code
 
 
 def _print_json(document: dict[str, Any]) -> None:
     plain = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") != "utf8"
-    streams.say(json.dumps(document, indent=1, ensure_ascii=plain))
+    streams.say(json_text(document, ascii_only=plain))
 
 
 if __name__ == "__main__":

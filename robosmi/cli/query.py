@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import sys
-from contextlib import redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
 from robosmi.cli.common import pairs
+from robosmi.cli.streams import Shown
 from robosmi.errors import UsageError
 from robosmi.report import Report
 
@@ -45,7 +45,8 @@ def run(arguments: argparse.Namespace) -> Report:
     models = [open_model(arguments.model, driver, "M", **options)]
     models += [open_model(path, name=name) for name, path in others.items()]
     views = [ModelView(model) for model in models]
-    with redirect_stdout(sys.stderr), Run(*views):  # a query may print, and stdout is the answer's
+    shown = Shown()
+    with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's
         value = as_json(evaluate(arguments.expression, views))
     report.result, report.lines = {"value": value}, as_lines(value)
     return report

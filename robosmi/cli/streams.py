@@ -11,6 +11,7 @@ import os
 import sys
 
 from robosmi.errors import SourceError
+from robosmi.quoting import terminal_lines
 
 
 def prepare() -> None:
@@ -31,6 +32,18 @@ def prepare() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
+
+
+class Shown(io.TextIOBase):
+    """Standard error for what a query prints: texts of models stay text there, line feeds are meant."""
+
+    def __init__(self) -> None:
+        self._stream = sys.stderr
+
+    def write(self, text: str) -> int:
+        """Write a text with escapes for what would act on a terminal."""
+        self._stream.write(terminal_lines(text))
+        return len(text)
 
 
 def say(text: str) -> None:

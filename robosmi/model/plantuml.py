@@ -12,6 +12,7 @@ from pyecore.ecore import EClass, EEnum
 from robosmi.model.driver import Model, features_of, is_element, name_of, type_of, walk
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.show import plain
+from robosmi.quoting import plantuml
 
 
 def to_plantuml(source: Any, limit: int = 200) -> str:
@@ -32,18 +33,20 @@ def _classes(metamodel: Metamodel) -> list[str]:
     lines = ["hide empty members"]
     links: list[str] = []
     for path, classifier in metamodel.classifiers():
-        name = f'"{path.replace("::", ".")}"'
+        name = f'"{plantuml(path.replace("::", "."))}"'
         if isinstance(classifier, EEnum):
-            lines += [f"enum {name} {{", *(f"  {literal.name}" for literal in classifier.eLiterals), "}"]
+            lines += [f"enum {name} {{", *(f"  {plantuml(literal.name, begins=True)}" for literal in classifier.eLiterals), "}"]
         elif isinstance(classifier, EClass):
             kind = "interface" if classifier.interface else "abstract class" if classifier.abstract else "class"
             lines.append(f"{kind} {name} {{")
             for feature in classifier.eStructuralFeatures:
                 if feature.is_attribute:
-                    lines.append(f"  {feature.name} : {feature.eType.name}{_bounds(feature, ' [{}]')}")
+                    lines.append(
+                        f"  {plantuml(feature.name, begins=True)} : {plantuml(feature.eType.name)}{_bounds(feature, ' [{}]')}"
+                    )
                 elif not (feature.eOpposite is not None and feature.eOpposite.containment):  # the container's side shows it
                     arrow = "*-->" if feature.containment else "-->"
-                    links.append(f'{name} {arrow} "{_bounds(feature)}" "{_path(feature.eType)}" : {feature.name}')
+                    links.append(f'{name} {arrow} "{_bounds(feature)}" "{_path(feature.eType)}" : {plantuml(feature.name)}')
             lines.append("}")
             links += [f'"{_path(base)}" <|-- {name}' for base in classifier.eSuperTypes]
     return lines + links
@@ -61,7 +64,7 @@ def _path(classifier: Any) -> str:
     while package is not None:
         names.append(str(package.name))
         package = package.eSuperPackage
-    return ".".join(reversed(names))
+    return plantuml(".".join(reversed(names)))
 
 
 def _objects(elements: list[Any], limit: int) -> list[str]:
@@ -71,7 +74,7 @@ def _objects(elements: list[Any], limit: int) -> list[str]:
     links: list[str] = []
     for element in shown:
         number = numbers[id(element)]
-        lines.append(f'object ": {name_of(type_of(element))}" as {number} {{')
+        lines.append(f'object ": {plantuml(name_of(type_of(element)))}" as {number} {{')
         for feature in features_of(element):
             value = getattr(element, feature)
             targets = (
@@ -79,9 +82,9 @@ def _objects(elements: list[Any], limit: int) -> list[str]:
             )
             if targets:
                 others = [x for x in targets if id(x) in numbers and not _is_part(element, feature, x)]
-                links += [f"{number} --> {numbers[id(x)]} : {feature}" for x in others]
+                links += [f"{number} --> {numbers[id(x)]} : {plantuml(feature)}" for x in others]
             elif plain(value) not in (None, "", []):
-                lines.append(f"  {feature} = {_line(plain(value))}")
+                lines.append(f"  {plantuml(feature, begins=True)} = {plantuml(_line(plain(value)))}")
         lines.append("}")
     for element in shown:
         container = element.eContainer()

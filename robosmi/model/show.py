@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from html import escape
 from typing import Any
 
 from pyecore.ecore import EEnumLiteral
 
 from robosmi.model.driver import Model, contents_of, features_of, is_element, name_of, type_of
+from robosmi.quoting import html_attribute, terminal
 
 LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
 """The features that tell one element from another, the best first."""
@@ -30,7 +30,7 @@ def label(element: Any) -> str:
 
 
 def tree(root: Any, limit: int = 200) -> str:
-    """A model or an element with all it contains, one line each, indented by what contains it.
+    """A model or an element with all it contains, one line each, indented by what contains it; what would act on a terminal is escaped.
 
     Args:
         root: a model or an element.
@@ -43,7 +43,7 @@ def tree(root: Any, limit: int = 200) -> str:
     while pending:
         element, depth = pending.pop()
         if len(lines) < limit:
-            lines.append(f"{'  ' * depth}{label(element)}")
+            lines.append(f"{'  ' * depth}{terminal(label(element))}")
         else:
             left += 1
         pending.extend((child, depth + 1) for child in reversed(contents_of(element)))
@@ -90,7 +90,7 @@ def plain(value: Any) -> Any:
 
 def _table(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
     def cells(tag: str, values: Iterable[Any]) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(str(value))}</{tag}>" for value in values) + "</tr>"
+        return "<tr>" + "".join(f"<{tag}>{html_attribute(str(value))}</{tag}>" for value in values) + "</tr>"
 
     return f"<table><thead>{cells('th', head)}</thead><tbody>{''.join(cells('td', line) for line in lines)}</tbody></table>"
 
@@ -98,7 +98,7 @@ def _table(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
 def model_html(model: Model) -> str:
     """How many elements of each type a model holds, as HTML."""
     counted = Counter(name_of(type_of(element)) for element in model.all_contents())
-    return f"<p>{escape(repr(model))}</p>{_table(('type', 'elements'), counted.most_common())}"
+    return f"<p>{html_attribute(repr(model))}</p>{_table(('type', 'elements'), counted.most_common())}"
 
 
 def metamodel_html(metamodel: Any) -> str:
@@ -113,7 +113,7 @@ def metamodel_html(metamodel: Any) -> str:
 def element_html(element: Any) -> str:
     """The features of an element that say something, as HTML."""
     values = ((name, plain(getattr(element, name))) for name in features_of(element))
-    return f"<p>{escape(label(element))}</p>{_table(('feature', 'value'), [x for x in values if x[1] not in (None, '', [])])}"
+    return f"<p>{html_attribute(label(element))}</p>{_table(('feature', 'value'), [x for x in values if x[1] not in (None, '', [])])}"
 
 
 def items_html(items: Sequence[Any], limit: int = 50) -> str:

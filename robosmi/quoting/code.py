@@ -95,11 +95,15 @@ def c_word(text: str) -> str:
     return text if _WORD.fullmatch(text) else identifier(text) or "_"
 
 
-def identifier(text: str) -> str:
+def identifier(text: str, *, begins: bool = False) -> str:
     """An identifier of C and C++: the text without what none may hold, `_` before a leading digit; empty if nothing is left.
 
     It is no keyword (`_` is put behind one) and nothing that is reserved to compilers: no two `_` in a row, no `_` before a
     leading capital.
+
+    Args:
+        text: the text.
+        begins: whether something is put behind it, so that the beginning itself may be a keyword.
 
     >>> identifier("Red (633nm)-LED1"), identifier("9V"), identifier("int"), identifier("__AVR__")
     ('Red633nmLED1', '_9V', 'int_', 'AVR_')
@@ -109,7 +113,7 @@ def identifier(text: str) -> str:
         word = word[1:]
     if word == "_":
         return ""
-    if word in C_WORDS:
+    if word in C_WORDS and not begins:
         return f"{word}_"
     return f"_{word}" if word[:1].isdigit() else word
 

@@ -14,7 +14,8 @@ _OTHER = re.compile(
     r"|\d{4}-\d\d?-\d\d?.*|=|<<)"
 )
 _FORMULA = re.compile(r"'*[=+\-@\t\r]")
-_NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)?(?:[eE][-+]?\d+)?")
+_HARMLESS = re.compile(r"[-+]?\d+(?:[.,]\d+)?(?:[eE][-+]?\d+)?|[-+]+")
+"""A number, or a sign alone, such as the name of a supply's pin."""
 
 
 def toml(text: str) -> str:
@@ -43,7 +44,7 @@ def csv_cell(text: str) -> str:
     >>> csv_cell("=1+1"), csv_cell("-5"), csv_cell("LED")
     ("'=1+1", '-5', 'LED')
     """
-    return f"'{text}" if _FORMULA.match(text) and not _NUMBER.fullmatch(text) else text
+    return f"'{text}" if _FORMULA.match(text) and not _HARMLESS.fullmatch(text) else text
 
 
 def csv_record_cell(text: str) -> str:
@@ -62,7 +63,7 @@ def csv_text(cell: str) -> str:
     >>> csv_text("'=1+1"), csv_text("'tis")
     ('=1+1', "'tis")
     """
-    return cell[1:] if cell.startswith("'") and _FORMULA.match(cell) else cell
+    return cell[1:] if cell.startswith("'") and csv_cell(cell[1:]) == cell else cell
 
 
 def json_text(document: Any, *, ascii_only: bool = False) -> str:

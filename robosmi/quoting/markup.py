@@ -64,16 +64,20 @@ def dot_label(text: str) -> str:
     return html(visible(one_line(text)))
 
 
-def plantuml(text: str) -> str:
+def plantuml(text: str, *, begins: bool = False) -> str:
     """A text in a line or a quoted name of PlantUML: no tag, link, function or directive of its own.
 
-    >>> plantuml("!include x"), plantuml('<img:x> [[y]] "'), plantuml("a < b")
+    Args:
+        text: the text.
+        begins: whether it begins its line.
+
+    >>> plantuml("!include x", begins=True), plantuml('<img:x> [[y]] "'), plantuml("a < b")
     ('<U+0021>include x', '<U+003C>img:x> <U+005B>[y]] <U+0022>', 'a < b')
     """
-    return _ACTS.sub(lambda found: f"<U+{ord(found[0]):04X}>", visible(one_line(text)))
+    line = visible(one_line(text))
+    line = line.lstrip() if begins else line
+    return (_BEGINS if begins else _ACTS).sub(lambda found: f"<U+{ord(found[0]):04X}>", line)
 
 
-_ACTS = re.compile(
-    r"""(?<=^)[^\w\s(\[<"%$']|(?<=^)'"""  # directives, comments, separators and closing braces begin their line
-    r"""|"|<(?=[A-Za-z/&$#:])|%(?=\w)|\$(?=\w)|\[(?=\[)|(?<=/)'|@(?=start|end)|&(?=\#?\w+;)|\\(?=[nltrN])"""
-)
+_ACTS = re.compile(r"""["]|<(?=[A-Za-z/&$#:])|%(?=\w)|\$(?=\w)|\[(?=\[)|(?<=/)'|@(?=start|end)""")
+_BEGINS = re.compile(rf"^[^\w\s]|{_ACTS.pattern}")  # directives, comments, separators and braces begin their line

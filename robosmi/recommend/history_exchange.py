@@ -16,6 +16,7 @@ from typing import Any
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.quoting import csv_cell, csv_text
 from robosmi.recommend.history import Entry
 
 SCHEMA = "robosmi/history/1"
@@ -32,11 +33,11 @@ def to_json(entries: Iterable[Entry]) -> str:
 
 
 def to_csv(entries: Iterable[Entry]) -> str:
-    """A table with a heading; lines end in CRLF (RFC 4180)."""
+    """A table with a heading; lines end in CRLF (RFC 4180). Formulas are quoted by `csv_cell`."""
     out = io.StringIO()
     writer = csv.writer(out)
     writer.writerow(COLUMNS)
-    writer.writerows([getattr(entry, name) for name in COLUMNS] for entry in entries)
+    writer.writerows([csv_cell(str(getattr(entry, name))) for name in COLUMNS] for entry in entries)
     return out.getvalue()
 
 
@@ -70,7 +71,7 @@ def from_csv(text: str, location: Location | None = None) -> list[Entry]:
             raise SourceError(f"the column '{missing[0]}' is missing", location=location, fix=f"begin with {','.join(COLUMNS)}")
         found = []
         for row in table:
-            item: dict[str, Any] = {name: row.get(name) or "" for name in COLUMNS}
+            item: dict[str, Any] = {name: csv_text(row.get(name) or "") for name in COLUMNS}
             item["count"] = int(item["count"]) if item["count"].isascii() and item["count"].isdigit() else None
             found.append(entry_of(item, f"line {table.line_num}", location))
         return found

@@ -9,6 +9,7 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
+from robosmi.quoting import terminal
 
 SCHEMA = "robosmi/1"
 
@@ -93,11 +94,14 @@ def _names(finding: Finding) -> tuple[object, ...]:
 
 
 def terminal_text(report: Report) -> str:
-    """What a person reads: the command's lines, then findings with their places, as compilers print them."""
+    """What a person reads: the command's lines, then findings with their places, as compilers print them.
+
+    Texts of files and models stay text there: they send a terminal no sequence and begin no line.
+    """
     lines = list(report.lines)
     for finding in report.findings:
         place = f"{finding.location}: " if finding.location else ""
         lines.append(f"{place}{finding.severity.name}: {finding.message} [{finding.rule}]")
         if finding.fix and finding.severity > Severity.info:
             lines.append(f"  do: {finding.fix}")
-    return "\n".join(lines)
+    return "\n".join(map(terminal, lines))

@@ -15,7 +15,8 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
-_KEY = re.compile(r"^(?P<key>\"[^\"]*\"|'[^']*'|\w[^:#]*?)\s*:(?:\s+(?P<value>.*))?$")
+_QUOTED = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:''|[^'])*'")
+_KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w[^:#]*?)\s*:(?:\s+(?P<value>.*))?$")
 _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")
 
 
@@ -142,11 +143,23 @@ def _is_item(path: tuple[str | int, ...]) -> bool:
 def _scalar(text: str) -> str:
     """The text without a comment at its end."""
     text = text.strip()
-    if text[:1] in "\"'" and text[:1]:
-        end = text.find(text[0], 1)
-        return text[: end + 1] if end > 0 else text
+    if text[:1] in ('"', "'"):
+        quoted = _QUOTED.match(text)
+        return quoted[0] if quoted else text
     return "" if text.startswith("#") else re.split(r"\s#", text, maxsplit=1)[0].strip()
 
 
 def _unquote(text: str) -> str:
-    return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'" else text
+    if not _QUOTED.fullmatch(text):
+        return text
+    if text[0] == "'":
+        return text[1:-1].replace("''", "'")
+    return re.sub(r"\\(?:x(..)|u(....)|U(.{8})|(.))", _unescaped, text[1:-1])
+
+
+def _unescaped(found: re.Match[str]) -> str:
+    number = found[1] or found[2] or found[3]
+    try:
+        return chr(int(number, 16)) if number else {"n": "\n", "t": "\t", "r": "\r", "0": "\0"}.get(found[4], found[4])
+    except (ValueError, OverflowError):  # no number, or beyond Unicode
+        return found[0]

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from robosmi import quoting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
@@ -201,12 +202,11 @@ def algorithm_1_as_printed(board: hardware.Component) -> list[tuple[hardware.Con
 
 
 def identifier(title: str) -> str:
-    """A title without what C forbids in an identifier, `_` before a leading digit; empty if nothing is left.
+    """A title as the beginning of an identifier: `_` before a leading digit, nothing reserved; empty if nothing is left.
 
     Followed by `ReadP1` and its like it can be no keyword and no macro of Arduino's: none ends in `P` and a number.
     """
-    text = re.sub(r"[^A-Za-z0-9_]", "", title)
-    return f"_{text}" if text[:1].isdigit() else text
+    return quoting.identifier(title, begins=True)
 
 
 def _map_board(board: hardware.Component, target: platform.Board | None, state: _State) -> Iterator[_Mapped]:
@@ -312,7 +312,7 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
         wanted = identifier(component.title) or identifier(component.partTitle) or "Component"
         base = wanted
         while base in taken:
-            base = f"{base}_{identifier(component.elementId).lstrip('_')}"
+            base = f"{base.rstrip('_')}_{identifier(component.elementId).lstrip('_') or 'Other'}"
         if base != wanted:
             state.report(
                 "RS227",

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration
+from robosmi.quoting import csv_cell, toml
 from robosmi.transformations.queries.circuit import pin_label
 
 _ENDINGS = (".csv", ".toml")
@@ -66,17 +66,13 @@ def _csv(rows: Sequence[dict[str, str]], board: str) -> str:
     columns = ["pin", "part", "role", "title", "connector", "driver", "through", "board"]
     writer = csv.DictWriter(stream, columns, lineterminator="\n")
     writer.writeheader()
-    writer.writerows({key: " ".join(value.split()) for key, value in (row | {"board": board}).items()} for row in rows)
+    writer.writerows({key: csv_cell(" ".join(value.split())) for key, value in (row | {"board": board}).items()} for row in rows)
     return stream.getvalue()
 
 
 def _toml(rows: Sequence[dict[str, str]], board: str) -> str:
-    lines = [f"board = {_text(board)}"] if board else []
+    lines = [f"board = {toml(board)}"] if board else []
     for row in rows:
         lines += ["", "[[pin]]"]
-        lines += [f"{key} = {'true' if key == 'driver' else _text(value)}" for key, value in row.items() if value]
+        lines += [f"{key} = {'true' if key == 'driver' else toml(value)}" for key, value in row.items() if value]
     return "\n".join(lines).lstrip("\n") + "\n"
-
-
-def _text(value: str) -> str:
-    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -22,6 +22,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
 from robosmi.project import defaults
+from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.part import ROLES, Part
 from robosmi.transformations.knowledge.part_names import Names, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify
@@ -277,7 +278,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
                 location=Location(str(path), number),
                 fix="put a cell with a comma in it in quotes",
             )
-        rows.append(_Row(number, dict(zip(header, (cell.strip() for cell in cells), strict=False))))
+        rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
     boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
     if len(boards) > 1:
         raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
