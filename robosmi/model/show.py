@@ -30,7 +30,7 @@ def label(element: Any) -> str:
 
 
 def tree(root: Any, limit: int = 200) -> str:
-    """A model or an element with all it contains, one line each, indented by what contains it; what would act on a terminal is escaped.
+    """A model or an element with all it contains, one line each, indented by what contains it, for a terminal.
 
     Args:
         root: a model or an element.
@@ -113,7 +113,8 @@ def metamodel_html(metamodel: Any) -> str:
 def element_html(element: Any) -> str:
     """The features of an element that say something, as HTML."""
     values = ((name, plain(getattr(element, name))) for name in features_of(element))
-    return f"<p>{html_attribute(label(element))}</p>{_table(('feature', 'value'), [x for x in values if x[1] not in (None, '', [])])}"
+    said = [x for x in values if x[1] not in (None, "", [])]
+    return f"<p>{html_attribute(label(element))}</p>{_table(('feature', 'value'), said)}"
 
 
 def items_html(items: Sequence[Any], limit: int = 50) -> str:
