@@ -139,7 +139,7 @@ def compile_sketch(sketch: str | Path, board: str | None = None) -> Any:
 
     Args:
         sketch: the output folder, or the sketch's own.
-        board: another board than the one in sketch.yaml.
+        board: another board than the one in the sketch's project file.
 
     Returns:
         A `robosmi.verify.compile_report.CompileReport`.

@@ -21,9 +21,19 @@ BUILT_IN = "robosmi.transformations:registry"
 
 @dataclass
 class Registry:
-    """Named content by kind: `reader`, `chain`, `generator`, `query`, `ranker`, `devices` ..."""
+    """Named content by kind, and folders of data.
+
+    Kinds are `program reader`, `drawing reader`, `driver`, `generator`, `chain`, `constraints`, `query`, `ranker` and
+    `model migration`.
+
+    Attributes:
+        entries: kind -> name -> `module:attribute`.
+        data: folders that hold data as a project's folder `.robosmi` does (`platform_repo/...`): a plug-in's boards, targets,
+            parts, and its `defaults.toml`, which says which endings its readers take.
+    """
 
     entries: dict[str, dict[str, str]] = field(default_factory=dict)
+    data: list[str] = field(default_factory=list)
 
     def add(self, kind: str, name: str, target: str) -> None:
         """Offer content. A later entry of the same kind and name replaces an earlier one.
@@ -34,6 +44,14 @@ class Registry:
             target: `module:attribute`, imported only when asked for.
         """
         self.entries.setdefault(kind, {})[name] = target
+
+    def add_data(self, folder: str) -> None:
+        """Offer a folder of data; it counts before the built-in data and behind the user's own.
+
+        Args:
+            folder: absolute path; what is not there is passed over.
+        """
+        self.data.append(folder)
 
     def names(self, kind: str) -> list[str]:
         """The names of a kind, sorted."""

@@ -6,6 +6,7 @@ misspelt choice that is silently ignored is worse than none. What the values mea
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -132,14 +133,48 @@ def _wrong(path: Path, message: str, fix: str) -> SourceError:
     return SourceError(message, location=Location(str(path)), fix=fix)
 
 
-@cache
-def defaults() -> dict[str, Any]:
-    """`platform_repo/defaults.toml`, what commands take when nothing else is said.
+def defaults(project: Path | None = None) -> dict[str, Any]:
+    """What commands take when nothing else is said: all `defaults.toml` of the platform repository as one.
+
+    A file adds its tables to those of the files behind it in search order (project, ROBOSMI_PATH, user, plug-ins, built-in);
+    where two files have a key, the first one's value counts.
+
+    Args:
+        project: the project folder; the current folder if None.
 
     Raises:
-        PlatformDataError: it is damaged.
+        PlatformDataError: a file is damaged.
     """
-    return read_data(resources.find("platform_repo", "defaults.toml"))
+    return _merged(tuple((str(path), path.stat().st_mtime_ns) for path in _default_files(project)))
+
+
+def defaults_place(table: str, key: str, project: Path | None = None) -> Path:
+    """The file whose value of a key counts, for messages; the built-in one where no file has it.
+
+    Args:
+        table: name of a table of the defaults.
+        key: in that table.
+        project: the project folder; the current folder if None.
+    """
+    files = list(_default_files(project))
+    return next((path for path in files if key in read_data(path).get(table, {})), files[-1])
+
+
+def _default_files(project: Path | None) -> Iterator[Path]:
+    return (path for folder in resources.folders("platform_repo", project) if (path := folder / "defaults.toml").is_file())
+
+
+@cache
+def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, Any]:  # by time of change: an edited file is read anew
+    merged: dict[str, Any] = {}
+    for path, _ in reversed(files):
+        for name, table in read_data(Path(path)).items():
+            if not isinstance(table, dict):
+                raise PlatformDataError(
+                    f"'{name}' must be a table", location=Location(path), fix=f"write it in a table: [{name}]"
+                )
+            merged[name] = {**merged.get(name, {}), **table}
+    return merged
 
 
 def read_data(path: Path) -> dict[str, Any]:

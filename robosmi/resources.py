@@ -77,7 +77,15 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
     for root in own:
         if os.path.isdir(folder := os.path.join(root, kind)):
             yield folder
+    yield from _of_plugins(kind)
     yield str(built_in(kind))
+
+
+@cache
+def _of_plugins(kind: str) -> tuple[str, ...]:
+    from robosmi.plugins import registry  # the registry asks entry points, which only what reads data has to wait for
+
+    return tuple(folder for root in registry().data if os.path.isdir(folder := os.path.join(root, kind)))
 
 
 def find(kind: str, name: str, project: Path | None = None) -> Path:

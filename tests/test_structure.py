@@ -140,7 +140,9 @@ def test_nothing_is_imported_by_the_folders_own_name() -> None:
 
 
 def test_no_platform_board_or_drawing_tool_is_named_in_the_framework() -> None:
-    words = re.compile("propeller|parallax|arduino|fritzing", re.IGNORECASE)
+    words = re.compile(
+        r"propeller|parallax|arduino|fritzing|kicad|wokwi|fqbn|atmega|\bavr\b|\.ino\b|sketch\.yaml|setup/loop", re.IGNORECASE
+    )
     found = [
         f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
         for path in modules("robosmi")

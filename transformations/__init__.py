@@ -31,6 +31,8 @@ _CONTENT = {
     ("chain", "plan"): "chains.migrate:plan_migration",
     ("chain", "generate"): "chains.generate:generate",
     ("chain", "check"): "chains.check:check",
+    ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",
+    ("query", "default_library_platform"): "m2m.library_ranking:default_library_platform",
     ("query", "libraries_by_header"): "m2m.library_ranking:libraries_by_header",
     ("constraints", "ccode"): "constraints.code:code",
     ("constraints", "hardware"): "constraints.hardware:circuit",

@@ -1,4 +1,4 @@
-"""What is known of source and target platforms: APIs, boards, parts, libraries, adapters. Loaded from the platform repository.
+"""What is known of source and target platforms: APIs, boards, targets, toolchains, parts, libraries, adapters. Loaded from the platform repository.
 
 Generated from platform.ecore by robosmi metamodels generate. Do not edit.
 """
@@ -19,17 +19,17 @@ from robosmi.model.strict_package import (
     MetaEClass,
     enumeration,
     find_classifier,
-    package,
 )
+from robosmi.model.strict_package import package as _package
 
 if TYPE_CHECKING:
     from robosmi.model.strict import EnumLiteral
 
 name = "platform"
-nsURI = "http://robosmi.org/platform/1"
+nsURI = "http://robosmi.org/platform/2"
 nsPrefix = "platform"
 
-eClass = package(name, nsURI, nsPrefix)
+eClass = _package(name, nsURI, nsPrefix)
 eClassifiers: dict[str, Any] = {}
 eSubpackages: list[Any] = []
 eSuperPackage: Any = None
@@ -83,6 +83,18 @@ if TYPE_CHECKING:
         manyToOne: ClassVar[AdapterKind]
         semantic: ClassVar[AdapterKind]
 
+    class UserKind(EnumLiteral):
+        """What takes a resource of a microcontroller."""
+
+        function: ClassVar[UserKind]
+        library: ClassVar[UserKind]
+
+    class EntryStructure(EnumLiteral):
+        """Where a program of a target begins."""
+
+        setupLoop: ClassVar[EntryStructure]
+        mainFunction: ClassVar[EntryStructure]
+
 else:
     HeaderKind = enumeration("HeaderKind", {"platform": 0, "standard": 1, "posix": 2})
     Meaning = enumeration(
@@ -113,6 +125,8 @@ else:
         "AdapterKind",
         {"oneToOne": 0, "oneToMany": 1, "manyToOne": 2, "semantic": 3},
     )
+    UserKind = enumeration("UserKind", {"function": 0, "library": 1})
+    EntryStructure = enumeration("EntryStructure", {"setupLoop": 0, "mainFunction": 1})
 
 
 class PlatformRepository(Element, metaclass=MetaEClass):
@@ -120,6 +134,17 @@ class PlatformRepository(Element, metaclass=MetaEClass):
 
     platforms: MutableSequence[Platform] = EReference(upper=-1, containment=True)
     """The platforms."""
+    boards: MutableSequence[Board] = EReference(upper=-1, containment=True)
+    """Boards, as hardware; platforms map them."""
+    microcontrollers: MutableSequence[Microcontroller] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """The microcontrollers of the boards."""
+    toolchains: MutableSequence[Toolchain] = EReference(upper=-1, containment=True)
+    """What compiles for targets."""
+    targets: MutableSequence[Target] = EReference(upper=-1, containment=True)
+    """What a program can be moved to."""
     parts: MutableSequence[PartFact] = EReference(upper=-1, containment=True)
     """Facts about hardware parts."""
 
@@ -129,6 +154,10 @@ class PlatformRepository(Element, metaclass=MetaEClass):
             self,
             *,
             platforms: Iterable[Platform] | None = None,
+            boards: Iterable[Board] | None = None,
+            microcontrollers: Iterable[Microcontroller] | None = None,
+            toolchains: Iterable[Toolchain] | None = None,
+            targets: Iterable[Target] | None = None,
             parts: Iterable[PartFact] | None = None,
         ) -> None: ...
 
@@ -138,6 +167,8 @@ class Platform(Element, metaclass=MetaEClass):
 
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
+    title: str = EAttribute(eType=EString, default_value="")
+    """Its full name."""
     language: str = EAttribute(eType=EString, default_value="C")
     """Language of its programs."""
     intBits: int = EAttribute(eType=EInt)
@@ -158,10 +189,29 @@ class Platform(Element, metaclass=MetaEClass):
     """Version of the target's core that a project names."""
     mainHeader: str = EAttribute(eType=EString, default_value="")
     """Header that every program of the platform includes."""
+    standardHeaders: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
+    """Headers of the C standard library that a target platform has."""
+    widths: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
+    """Types that keep the width of the source on a target platform."""
+    names: ReservedNames | None = EReference(containment=True)
+    """Names that a program shares with the core of a target platform."""
+    attributeMacros: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
+    """Macros that stand for attributes of declarations."""
+    boardMappings: MutableSequence[BoardMapping] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """How the platform calls boards and their pins."""
     headers: MutableSequence[Header] = EReference(upper=-1, containment=True)
     """Headers of its API."""
-    boards: MutableSequence[Board] = EReference(upper=-1, containment=True)
-    """Its boards."""
     libraries: MutableSequence[Library] = EReference(upper=-1, containment=True)
     """Its libraries."""
     adapters: MutableSequence[Adapter] = EReference(upper=-1, containment=True)
@@ -173,6 +223,7 @@ class Platform(Element, metaclass=MetaEClass):
             self,
             *,
             name: str | None = None,
+            title: str | None = None,
             language: str | None = None,
             intBits: int | None = None,
             longBits: int | None = None,
@@ -183,8 +234,12 @@ class Platform(Element, metaclass=MetaEClass):
             architecture: str | None = None,
             coreVersion: str | None = None,
             mainHeader: str | None = None,
+            standardHeaders: Iterable[str] | None = None,
+            widths: Iterable[TypeWidth] | None = None,
+            names: ReservedNames | None = None,
+            attributeMacros: Iterable[str] | None = None,
+            boardMappings: Iterable[BoardMapping] | None = None,
             headers: Iterable[Header] | None = None,
-            boards: Iterable[Board] | None = None,
             libraries: Iterable[Library] | None = None,
             adapters: Iterable[Adapter] | None = None,
         ) -> None: ...
@@ -205,6 +260,8 @@ class Header(Element, metaclass=MetaEClass):
     """Functions and function-like macros it declares."""
     symbols: MutableSequence[ApiSymbol] = EReference(upper=-1, containment=True)
     """Other names it declares."""
+    types: MutableSequence[ApiType] = EReference(upper=-1, containment=True)
+    """Types it declares."""
 
     if TYPE_CHECKING:
 
@@ -217,6 +274,7 @@ class Header(Element, metaclass=MetaEClass):
             includes: Iterable[str] | None = None,
             functions: Iterable[ApiFunction] | None = None,
             symbols: Iterable[ApiSymbol] | None = None,
+            types: Iterable[ApiType] | None = None,
         ) -> None: ...
 
 
@@ -239,6 +297,8 @@ class ApiFunction(Element, metaclass=MetaEClass):
     """True when it returns only after a time that matters."""
     startsCog: bool = EAttribute(eType=EBoolean)
     """True when it starts code on another core."""
+    codeArgument: int = EAttribute(eType=EInt, default_value=-1)
+    """Which argument, from 0, is the code that it starts on another core; -1 for none."""
     parameters: MutableSequence[ApiParameter] = EReference(upper=-1, containment=True)
     """Its parameters."""
     conventions: MutableSequence[PinConvention] = EReference(upper=-1, containment=True)
@@ -257,6 +317,7 @@ class ApiFunction(Element, metaclass=MetaEClass):
             functionLikeMacro: bool | None = None,
             blocking: bool | None = None,
             startsCog: bool | None = None,
+            codeArgument: int | None = None,
             parameters: Iterable[ApiParameter] | None = None,
             conventions: Iterable[PinConvention] | None = None,
         ) -> None: ...
@@ -273,6 +334,14 @@ class ApiParameter(Element, metaclass=MetaEClass):
     """What it means for migration."""
     direction: Direction = EAttribute(eType=Direction)
     """For a pin, its direction."""
+    rangeWith: int = EAttribute(eType=EInt, default_value=-1)
+    """Position of the parameter that is the other end of a range of pins; -1 for none."""
+    span: int = EAttribute(eType=EInt, default_value=1)
+    """How many pins follow each other from the argument on."""
+    numberAt: int = EAttribute(eType=EInt, default_value=-1)
+    """Position of the parameter that says how many elements of an array of pins count; -1 for none."""
+    none: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Constants that mean no pin."""
     componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component it addresses, empty when it does not matter."""
 
@@ -285,6 +354,10 @@ class ApiParameter(Element, metaclass=MetaEClass):
             spelling: str | None = None,
             meaning: Meaning | None = None,
             direction: Direction | None = None,
+            rangeWith: int | None = None,
+            span: int | None = None,
+            numberAt: int | None = None,
+            none: Iterable[str] | None = None,
             componentRole: str | None = None,
         ) -> None: ...
 
@@ -300,6 +373,11 @@ class PinConvention(Element, metaclass=MetaEClass):
     """What is connected there."""
     setBy: str = EAttribute(eType=EString, default_value="")
     """Function that replaces the convention when the program calls it."""
+    conditions: MutableSequence[ArgumentCondition] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """Arguments that a call must have for the convention to hold; none for every call."""
 
     if TYPE_CHECKING:
 
@@ -310,6 +388,7 @@ class PinConvention(Element, metaclass=MetaEClass):
             direction: Direction | None = None,
             what: str | None = None,
             setBy: str | None = None,
+            conditions: Iterable[ArgumentCondition] | None = None,
         ) -> None: ...
 
 
@@ -340,23 +419,366 @@ class ApiSymbol(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
+class ArgumentCondition(Element, metaclass=MetaEClass):
+    """An argument that a call must have."""
+
+    parameter: str = EAttribute(eType=EString, default_value="")
+    """Name of the parameter, or its position."""
+    value: int = EAttribute(eType=EInt)
+    """The argument's value."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            parameter: str | None = None,
+            value: int | None = None,
+        ) -> None: ...
+
+
+class ApiType(Element, metaclass=MetaEClass):
+    """A type of a platform's API."""
+
+    header: Header | None = EReference()
+    """The header that declares it."""
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    form: str = EAttribute(eType=EString, default_value="")
+    """How it is declared: typedef, struct, union, enum, class."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            header: Header | None = None,
+            name: str | None = None,
+            form: str | None = None,
+        ) -> None: ...
+
+
+class TypeWidth(Element, metaclass=MetaEClass):
+    """A type of a target that holds the values of a type of the source, by value only."""
+
+    sourceType: str = EAttribute(eType=EString, lower=1)
+    """Spelling of the type in the source."""
+    targetType: str = EAttribute(eType=EString, lower=1)
+    """Spelling on the target."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            sourceType: str | None = None,
+            targetType: str | None = None,
+        ) -> None: ...
+
+
+class ReservedNames(Element, metaclass=MetaEClass):
+    """Names that a program shares with the core of its target."""
+
+    declared: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Functions, variables and types that every program sees."""
+    macros: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Macros that every program sees."""
+    same: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Macros among them that mean what they mean in any C program."""
+    absent: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Standard functions that the target's library does not have."""
+    keywords: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Words of the target's language that C leaves to programs."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            declared: Iterable[str] | None = None,
+            macros: Iterable[str] | None = None,
+            same: Iterable[str] | None = None,
+            absent: Iterable[str] | None = None,
+            keywords: Iterable[str] | None = None,
+        ) -> None: ...
+
+
+class BoardMapping(Element, metaclass=MetaEClass):
+    """How a platform calls a board and its pins."""
+
+    board: Board | None = EReference()
+    """The board."""
+    boardId: str = EAttribute(eType=EString, default_value="")
+    """Full name of the board in the platform's own tools, empty where they know none."""
+    otherIds: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Other full names of the same board, with options that change nothing here."""
+    variant: str = EAttribute(eType=EString, default_value="")
+    """Name of the board's variant in the platform's core."""
+    define: str = EAttribute(eType=EString, default_value="")
+    """Macro that tells the board to a program."""
+    extraFlags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Further arguments for every compile."""
+    flashBytes: int = EAttribute(eType=EInt)
+    """Program memory in bytes that is left for a program."""
+    ramBytes: int = EAttribute(eType=EInt)
+    """Data memory in bytes."""
+    pinNames: MutableSequence[PinName] = EReference(upper=-1, containment=True)
+    """How programs of the platform call the pins."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            board: Board | None = None,
+            boardId: str | None = None,
+            otherIds: Iterable[str] | None = None,
+            variant: str | None = None,
+            define: str | None = None,
+            extraFlags: Iterable[str] | None = None,
+            flashBytes: int | None = None,
+            ramBytes: int | None = None,
+            pinNames: Iterable[PinName] | None = None,
+        ) -> None: ...
+
+
+class PinName(Element, metaclass=MetaEClass):
+    """How programs of a platform call a pin."""
+
+    pin: Pin | None = EReference()
+    """The pin."""
+    literal: str = EAttribute(eType=EString, lower=1)
+    """How a program writes it."""
+    interrupt: int = EAttribute(eType=EInt, default_value=-1)
+    """Number of its external interrupt, -1 for none."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            pin: Pin | None = None,
+            literal: str | None = None,
+            interrupt: int | None = None,
+        ) -> None: ...
+
+
+class Target(Element, metaclass=MetaEClass):
+    """What a program can be moved to: a board of a platform, with the generator that writes for it."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Name that a user gives."""
+    platform: Platform | None = EReference()
+    """The platform."""
+    board: Board | None = EReference()
+    """The board."""
+    toolchain: Toolchain | None = EReference()
+    """What compiles for it; none where nothing does."""
+    generator: str = EAttribute(eType=EString, lower=1)
+    """Name of the registered generator that writes for it."""
+    structure: EntryStructure = EAttribute(eType=EntryStructure)
+    """Where its programs begin."""
+    language: str = EAttribute(eType=EString, default_value="")
+    """Language that its programs are compiled as: C or C++."""
+    fileSuffix: str = EAttribute(eType=EString, default_value="")
+    """Ending of the main file, with its dot."""
+    moduleSuffix: str = EAttribute(eType=EString, default_value="")
+    """Ending of further files, with its dot."""
+    projectFile: str = EAttribute(eType=EString, default_value="")
+    """Name of the file that says for which board the program is, empty for none."""
+    libraryIndex: str = EAttribute(eType=EString, default_value="")
+    """Platform whose index of libraries it uses, empty for none."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            platform: Platform | None = None,
+            board: Board | None = None,
+            toolchain: Toolchain | None = None,
+            generator: str | None = None,
+            structure: EntryStructure | None = None,
+            language: str | None = None,
+            fileSuffix: str | None = None,
+            moduleSuffix: str | None = None,
+            projectFile: str | None = None,
+            libraryIndex: str | None = None,
+        ) -> None: ...
+
+
+class Toolchain(Element, metaclass=MetaEClass):
+    """What compiles for a target, as far as a plan has to know it."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    title: str = EAttribute(eType=EString, default_value="")
+    """Full name."""
+    architecture: str = EAttribute(eType=EString, default_value="")
+    """Processor architecture that libraries must declare."""
+    tools: MutableSequence[Tool] = EReference(upper=-1, containment=True)
+    """Its programs."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            title: str | None = None,
+            architecture: str | None = None,
+            tools: Iterable[Tool] | None = None,
+        ) -> None: ...
+
+
+class Tool(Element, metaclass=MetaEClass):
+    """A program of a toolchain."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """What it is for."""
+    command: str = EAttribute(eType=EString, lower=1)
+    """Its command."""
+    package: str = EAttribute(eType=EString, default_value="")
+    """The system package that has it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            command: str | None = None,
+            package: str | None = None,
+        ) -> None: ...
+
+
+class Microcontroller(Element, metaclass=MetaEClass):
+    """A microcontroller."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Name as its compiler takes it."""
+    title: str = EAttribute(eType=EString, default_value="")
+    """Full name."""
+    architecture: str = EAttribute(eType=EString, default_value="")
+    """Processor architecture."""
+    flashBytes: int = EAttribute(eType=EInt)
+    """Program memory in bytes."""
+    ramBytes: int = EAttribute(eType=EInt)
+    """Data memory in bytes."""
+    pinMilliamperes: int = EAttribute(eType=EInt)
+    """Most that one pin bears, in mA."""
+    totalMilliamperes: int = EAttribute(eType=EInt)
+    """Most that its supply pins bear, in mA."""
+    timers: MutableSequence[Timer] = EReference(upper=-1, containment=True)
+    """Its timers."""
+    buses: MutableSequence[PinBus] = EReference(upper=-1, containment=True)
+    """Its buses."""
+    uses: MutableSequence[ResourceUse] = EReference(upper=-1, containment=True)
+    """What functions and libraries take of it."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            title: str | None = None,
+            architecture: str | None = None,
+            flashBytes: int | None = None,
+            ramBytes: int | None = None,
+            pinMilliamperes: int | None = None,
+            totalMilliamperes: int | None = None,
+            timers: Iterable[Timer] | None = None,
+            buses: Iterable[PinBus] | None = None,
+            uses: Iterable[ResourceUse] | None = None,
+        ) -> None: ...
+
+
+class Timer(Element, metaclass=MetaEClass):
+    """A timer of a microcontroller."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name."""
+    bits: int = EAttribute(eType=EInt)
+    """Its width in bits."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            bits: int | None = None,
+        ) -> None: ...
+
+
+class PinBus(Element, metaclass=MetaEClass):
+    """A bus of a microcontroller."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its kind: spi, i2c, uart."""
+    signals: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Its signals, in the order of the ports."""
+    ports: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """The pins of the microcontroller that they are on."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            signals: Iterable[str] | None = None,
+            ports: Iterable[str] | None = None,
+        ) -> None: ...
+
+
+class ResourceUse(Element, metaclass=MetaEClass):
+    """What a function or a library takes of a microcontroller."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """The function or library."""
+    userKind: UserKind = EAttribute(eType=UserKind)
+    """Which of the two."""
+    timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Names of timers."""
+    pins: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Labels of pins."""
+    buses: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Names of buses."""
+    condition: str = EAttribute(eType=EString, default_value="")
+    """When it takes them, empty for always."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            userKind: UserKind | None = None,
+            timers: Iterable[str] | None = None,
+            pins: Iterable[str] | None = None,
+            buses: Iterable[str] | None = None,
+            condition: str | None = None,
+        ) -> None: ...
+
+
 class Board(Element, metaclass=MetaEClass):
-    """A board."""
+    """A board as hardware; it belongs to no platform."""
 
     name: str = EAttribute(eType=EString, lower=1)
     """Short name."""
     title: str = EAttribute(eType=EString, default_value="")
     """Full name."""
-    fqbn: str = EAttribute(eType=EString, default_value="")
-    """Fully qualified board name of the target's tools."""
-    mcu: str = EAttribute(eType=EString, default_value="")
-    """Its processor."""
-    flashBytes: int = EAttribute(eType=EInt)
-    """Program memory in bytes."""
-    ramBytes: int = EAttribute(eType=EInt)
-    """Data memory in bytes."""
+    microcontroller: Microcontroller | None = EReference()
+    """Its microcontroller."""
+    clockHertz: int = EAttribute(eType=EInt)
+    """Clock of the microcontroller in Hz."""
     volts: float = EAttribute(eType=EDouble)
     """Logic level in volts."""
+    led: str = EAttribute(eType=EString, default_value="")
+    """Label of the pin with the built-in light, empty for none."""
     pins: MutableSequence[Pin] = EReference(upper=-1, containment=True)
     """Its pins."""
 
@@ -367,11 +789,10 @@ class Board(Element, metaclass=MetaEClass):
             *,
             name: str | None = None,
             title: str | None = None,
-            fqbn: str | None = None,
-            mcu: str | None = None,
-            flashBytes: int | None = None,
-            ramBytes: int | None = None,
+            microcontroller: Microcontroller | None = None,
+            clockHertz: int | None = None,
             volts: float | None = None,
+            led: str | None = None,
             pins: Iterable[Pin] | None = None,
         ) -> None: ...
 
@@ -383,14 +804,16 @@ class Pin(Element, metaclass=MetaEClass):
     """The board."""
     label: str = EAttribute(eType=EString, lower=1)
     """Normalised label (D9, A0)."""
-    literal: str = EAttribute(eType=EString, default_value="")
-    """How a program of the platform writes it."""
+    port: str = EAttribute(eType=EString, default_value="")
+    """Name of the pin on the microcontroller."""
     aliases: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Other labels."""
     abilities: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """What it can do: digital, pwm, analog_in, interrupt, uart, i2c, spi."""
     timer: str = EAttribute(eType=EString, default_value="")
     """Timer that makes its PWM, empty for none."""
+    channel: str = EAttribute(eType=EString, default_value="")
+    """Output of that timer."""
     reserved: str = EAttribute(eType=EString, default_value="")
     """What it is reserved for, empty for nothing."""
 
@@ -401,10 +824,11 @@ class Pin(Element, metaclass=MetaEClass):
             *,
             board: Board | None = None,
             label: str | None = None,
-            literal: str | None = None,
+            port: str | None = None,
             aliases: Iterable[str] | None = None,
             abilities: Iterable[str] | None = None,
             timer: str | None = None,
+            channel: str | None = None,
             reserved: str | None = None,
         ) -> None: ...
 
@@ -463,6 +887,8 @@ class Library(Element, metaclass=MetaEClass):
     """Timers of the processor that it takes."""
     pins: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Labels of the pins that it takes."""
+    takesWhen: str = EAttribute(eType=EString, default_value="")
+    """When it takes its timers and pins, empty for always."""
     installed: bool = EAttribute(eType=EBoolean)
     """True when it was found on this machine."""
     url: str = EAttribute(eType=EString, default_value="")
@@ -480,6 +906,7 @@ class Library(Element, metaclass=MetaEClass):
             depends: Iterable[str] | None = None,
             timers: Iterable[str] | None = None,
             pins: Iterable[str] | None = None,
+            takesWhen: str | None = None,
             installed: bool | None = None,
             url: str | None = None,
         ) -> None: ...
@@ -537,27 +964,50 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     from robosmi.model.strict_package import classifier
 
     PlatformRepository.platforms.eType = Platform
+    PlatformRepository.boards.eType = Board
+    PlatformRepository.microcontrollers.eType = Microcontroller
+    PlatformRepository.toolchains.eType = Toolchain
+    PlatformRepository.targets.eType = Target
     PlatformRepository.parts.eType = PartFact
+    Platform.widths.eType = TypeWidth
+    Platform.names.eType = ReservedNames
+    Platform.boardMappings.eType = BoardMapping
     Platform.headers.eType = Header
-    Platform.boards.eType = Board
     Platform.libraries.eType = Library
     Platform.adapters.eType = Adapter
     Header.platform.eType = Platform
     Header.functions.eType = ApiFunction
     Header.symbols.eType = ApiSymbol
+    Header.types.eType = ApiType
     ApiFunction.header.eType = Header
     ApiFunction.parameters.eType = ApiParameter
     ApiFunction.conventions.eType = PinConvention
+    PinConvention.conditions.eType = ArgumentCondition
     ApiSymbol.header.eType = Header
+    ApiType.header.eType = Header
+    BoardMapping.board.eType = Board
+    BoardMapping.pinNames.eType = PinName
+    PinName.pin.eType = Pin
+    Target.platform.eType = Platform
+    Target.board.eType = Board
+    Target.toolchain.eType = Toolchain
+    Toolchain.tools.eType = Tool
+    Microcontroller.timers.eType = Timer
+    Microcontroller.buses.eType = PinBus
+    Microcontroller.uses.eType = ResourceUse
+    Board.microcontroller.eType = Microcontroller
     Board.pins.eType = Pin
     Pin.board.eType = Board
     Adapter.needs.eType = Adapter
     Platform.headers.eOpposite = Header.platform
     Header.functions.eOpposite = ApiFunction.header
     Header.symbols.eOpposite = ApiSymbol.header
+    Header.types.eOpposite = ApiType.header
     Board.pins.eOpposite = Pin.board
     classifier(__name__, HeaderKind)
     classifier(__name__, Meaning)
     classifier(__name__, Direction)
     classifier(__name__, SymbolKind)
     classifier(__name__, AdapterKind)
+    classifier(__name__, UserKind)
+    classifier(__name__, EntryStructure)

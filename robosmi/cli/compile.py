@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
-    parser.add_argument("--board", metavar="NAME", help="another board than the one in sketch.yaml")
+    parser.add_argument("--board", metavar="NAME", help="another board than the one in the sketch's project file")
 
 
 def run(arguments: argparse.Namespace) -> Report:

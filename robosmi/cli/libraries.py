@@ -7,7 +7,6 @@ from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.plugins import content
-from robosmi.project import defaults
 from robosmi.report import Report
 
 _SHOWN = 10
@@ -27,7 +26,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
-    platform = arguments.platform or defaults()["targets"][defaults()["migrate"]["target"]]["platform"]
+    platform = arguments.platform or content("query", "default_library_platform")()
     return _show(arguments.name, platform) if arguments.action == "show" else _import(arguments.folder, platform)
 
 

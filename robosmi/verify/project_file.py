@@ -1,13 +1,14 @@
 """The project file beside a sketch: which board and which libraries it was generated for.
 
-The file is YAML; its name comes from the toolchain's data. Read here is the part of YAML that such files are written in: block
-mappings and lists, comments, quoted texts. Anything else is refused with its line, not guessed. Lines are kept, because errors
-name them; that, and one dependency less, is why no YAML library is used.
+The file is YAML; its name and its keys come from the toolchain's data. Read here is the part of YAML that such files are written
+in: block mappings and lists, comments, quoted texts. Anything else is refused with its line, not guessed. Lines are kept, because
+errors name them; that, and one dependency less, is why no YAML library is used.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from robosmi.errors import SourceError
 
 _QUOTED = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:''|[^'])*'")
 _KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w[^:#]*?)\s*:(?:\s+(?P<value>.*))?$")
+PROJECT_KEYS = ("profiles", "default_profile", "default_board", "board", "libraries")
+"""What a toolchain says of the keys of its project files."""
 _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")
 
 
@@ -46,10 +49,13 @@ class ProjectFile:
     libraries: dict[str, str]
 
 
-def read_project_file(path: Path) -> ProjectFile:
-    """The board and libraries of the default profile.
+def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
+    """The board and libraries of the default profile, which is the one that the file names, or the only one there is.
 
-    The default profile is `default_profile`, or the only one there is; without profiles `default_fqbn` names the board.
+    Args:
+        path: the file.
+        keys: how the file calls `profiles`, `default_profile`, `default_board` (which names the board without profiles), and in a
+            profile `board` and `libraries`.
 
     Raises:
         SourceError: the file cannot be read, is not in the form this module knows, or its default profile does not exist.
@@ -60,8 +66,10 @@ def read_project_file(path: Path) -> ProjectFile:
         raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
     entries = parse(text, path)
     by_path = {entry.path: entry for entry in entries}
-    profiles = list(dict.fromkeys(entry.path[1] for entry in entries if entry.path[0] == "profiles" and len(entry.path) > 2))
-    default = by_path.get(("default_profile",))
+    profiles = list(
+        dict.fromkeys(entry.path[1] for entry in entries if entry.path[0] == keys["profiles"] and len(entry.path) > 2)
+    )
+    default = by_path.get((keys["default_profile"],))
     profile = default.value if default else profiles[0] if len(profiles) == 1 else None
     if default and default.value not in profiles:
         raise SourceError(
@@ -69,9 +77,9 @@ def read_project_file(path: Path) -> ProjectFile:
             location=Location(str(path), default.line),
             fix=f"name one of: {', '.join(map(str, profiles)) or 'there is none'}",
         )
-    board = by_path.get(("profiles", profile, "fqbn")) if profile is not None else None
-    board = board or by_path.get(("default_fqbn",))
-    libraries = [e.value for e in entries if profile is not None and e.path[:3] == ("profiles", profile, "libraries")]
+    board = by_path.get((keys["profiles"], profile, keys["board"])) if profile is not None else None
+    board = board or by_path.get((keys["default_board"],))
+    libraries = [e.value for e in entries if profile is not None and e.path[:3] == (keys["profiles"], profile, keys["libraries"])]
     return ProjectFile(path, board.value if board else None, board.line if board else None, dict(map(_library, libraries)))
 
 

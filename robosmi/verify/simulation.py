@@ -50,7 +50,7 @@ class Job:
     Attributes:
         elf: the linked program.
         hex: the same program as Intel HEX; engines take the form that they read.
-        mcu: name of the microcontroller, as compilers spell it (`atmega328p`).
+        mcu: name of the microcontroller, as compilers spell it.
         clock_hz: its clock.
         supply_mv: its supply and the reference of its converter, in millivolts.
         pins: label of each pin of the board -> port letter and bit (`B5`).

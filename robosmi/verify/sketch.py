@@ -14,7 +14,8 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.verify.boards import Board, find_board
-from robosmi.verify.project_file import ProjectFile, read_project_file
+from robosmi.verify.project_file import PROJECT_KEYS, ProjectFile, read_project_file
+from robosmi.verify.tables import Table
 from robosmi.verify.toolchain_data import Toolchain
 
 
@@ -114,8 +115,14 @@ def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     deep = folder / data.text("recursive")
     files = [*folder.glob("*"), *(deep.rglob("*") if deep.is_dir() else ())]
     sources = sorted(path for path in files if path.suffix in toolchain.suffixes and path.is_file())
-    project_file = folder / data.text("project_file")
-    return Sketch(folder, main, tuple(parts), tuple(sources), read_project_file(project_file) if project_file.is_file() else None)
+    name = data.text("project_file", "")
+    project_file = _project_file(folder / name, data) if name and (folder / name).is_file() else None
+    return Sketch(folder, main, tuple(parts), tuple(sources), project_file)
+
+
+def _project_file(path: Path, data: Table) -> ProjectFile:
+    keys = data.table("project_keys")
+    return read_project_file(path, {key: keys.text(key) for key in PROJECT_KEYS})
 
 
 def choose_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None = None) -> Board:

@@ -32,7 +32,7 @@ def compile_sketch(
 
     Args:
         folder_or_sketch: the generated folder, the sketch's folder in it, or its main file.
-        board: name or full name (fqbn) of a board; None takes the one of the sketch's project file.
+        board: name or full name of a board; None takes the one of the sketch's project file.
         keep: an existing folder for the program (`.elf`, `.hex`); None keeps nothing.
         project: the project folder (see `robosmi.resources`); the current folder if None.
 

@@ -218,7 +218,7 @@ def no_program(models: Path) -> None:
 
 
 def no_board(models: Path) -> None:
-    changed(models / "plan.xmi", '<board href="platform.xmi#//@platforms.1/@boards.0"/>', "")
+    changed(models / "plan.xmi", '<board href="platform.xmi#//@boards.0"/>', "")
 
 
 def no_circuit(models: Path) -> None:

@@ -123,7 +123,7 @@ def test_one_line_of_ones_own_adds_a_device_or_corrects_one(tmp_path: Path) -> N
     (folder / "ours.csv").write_text(
         "names,is,need,interface\nRoboSense 9,BMP180,,\nrelay,plain part,library,\n", encoding="utf-8"
     )
-    lexicon = device_knowledge(project=tmp_path).lexicon
+    lexicon = device_knowledge("arduino", project=tmp_path).lexicon
     assert lexicon is not None
     own = recognise(lexicon, ComponentQuery("1", "RoboSense-9"))[0]
     assert plain("BMP180") in [plain(lexicon.devices[n].name) for n, _ in lexicon.lineage(own.device)]
@@ -134,7 +134,7 @@ def test_one_line_of_ones_own_adds_a_device_or_corrects_one(tmp_path: Path) -> N
 
 
 def test_shipped_tables_say_every_name_once_and_know_their_needs() -> None:
-    lexicon = device_knowledge().lexicon
+    lexicon = device_knowledge("arduino").lexicon
     assert lexicon is not None
     names = [plain(n) + "*" * n.endswith("*") for device in lexicon.devices for n in device.names]
     assert sorted({name for name in names if names.count(name) > 1}) == []
@@ -145,7 +145,7 @@ def test_shipped_tables_say_every_name_once_and_know_their_needs() -> None:
 def test_usual_libraries_are_libraries_of_the_index_and_devices_of_the_tables() -> None:
     from robosmi.transformations.m2m.library_ranking import library_index
 
-    knowledge, known = device_knowledge(), set(library_index().names())
+    knowledge, known = device_knowledge("arduino"), set(library_index().names())
     assert knowledge.lexicon is not None
     assert [device for device in knowledge.usual if knowledge.lexicon.number_of(device) is None] == []
     assert sorted({name for names in knowledge.usual.values() for name in names if name not in known}) == []

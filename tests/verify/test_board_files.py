@@ -1,4 +1,4 @@
-"""The board files against the core's own files, and against each other."""
+"""The files of boards and microcontrollers against the core's own files, and against each other."""
 
 from __future__ import annotations
 
@@ -8,61 +8,122 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError, UsageError
-from robosmi.verify.boards import Board, find_board, load_board, load_boards
+from robosmi.metamodels import platform
+from robosmi.transformations.knowledge.board_models import board_file, board_names, load_board, load_mapping, table_of
+from robosmi.transformations.t2m.boards import drawn_board
+from robosmi.verify.boards import find_board, load_boards
 from tests.tools import KNOWN_PLACES, require_tools
 
-BOARDS = {board.name: board for board in load_boards("arduino")}
+ARDUINO = "arduino"
+BOARDS = {name: load_board(name) for name in board_names()}
+MAPPINGS = {name: load_mapping(ARDUINO, board) for name, board in BOARDS.items()}
+MICROCONTROLLERS = {str(b.microcontroller.name): b.microcontroller for b in BOARDS.values() if b.microcontroller is not None}
 ABILITIES = {"digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi"}
 
 
-def labels(board: Board, ability: str) -> set[str]:
+def labels(board: platform.Board, ability: str) -> set[str]:
     """The pins of a board with an ability."""
     return {pin.label for pin in board.pins if ability in pin.abilities}
 
 
-@pytest.mark.parametrize("board", BOARDS.values(), ids=BOARDS)
-def test_a_board_file_holds_together(board: Board) -> None:
-    assert board.path.stem == board.name
-    assert len({pin.number for pin in board.pins}) == len(board.pins)
+@pytest.mark.parametrize("name", BOARDS)
+def test_a_board_holds_together(name: str) -> None:
+    board, mapping = BOARDS[name], MAPPINGS[name]
     names = [name for pin in board.pins for name in (pin.label, *pin.aliases)]
-    assert len(names) == len(set(names))
+    assert len(names) == len(set(names)) > 10
+    ports = [pin.port for pin in board.pins]
+    assert all(ports)
+    assert len(ports) == len(set(ports))
+    interrupts = {name.pin: name.interrupt for name in mapping.pinNames}
     for pin in board.pins:
         assert set(pin.abilities) <= ABILITIES
         assert bool(pin.timer) == ("pwm" in pin.abilities) == bool(pin.channel)
-        assert (pin.interrupt is not None) == ("interrupt" in pin.abilities)
+        assert (interrupts[pin] >= 0) == ("interrupt" in pin.abilities)
     assert board.led in labels(board, "digital")
-    ids = [(drawn.tool, module) for drawn in board.drawn_as for module in drawn.modules]
-    assert ids
-    assert len(ids) == len(set(ids))
 
 
-@pytest.mark.parametrize("board", BOARDS.values(), ids=BOARDS)
-def test_a_board_file_says_what_the_core_says(board: Board) -> None:
-    """PWM, interrupts and memory as in the core's variants/*/pins_arduino.h and boards.txt."""
+@pytest.mark.parametrize("name", BOARDS)
+def test_the_timers_and_buses_of_a_board_are_its_microcontrollers(name: str) -> None:
+    board = BOARDS[name]
+    chip = board.microcontroller
+    assert chip is not None
+    assert {pin.timer for pin in board.pins if pin.timer} <= {timer.name for timer in chip.timers}
+    for bus in chip.buses:
+        on_bus = {pin.port: pin for pin in board.pins}
+        for signal, port in zip(bus.signals, bus.ports, strict=True):
+            if port in on_bus:
+                assert bus.name in on_bus[port].abilities, f"{port} of {name}"
+                known = (on_bus[port].label, *on_bus[port].aliases)
+                assert bus.name == "uart" or signal in known, f"{signal} of {name}"
+
+
+@pytest.mark.parametrize("name", MICROCONTROLLERS)
+def test_what_is_taken_of_a_microcontroller_is_there(name: str) -> None:
+    chip = MICROCONTROLLERS[name]
+    assert {use.name for use in chip.uses} >= {"tone", "Servo"}
+    for use in chip.uses:
+        assert set(use.timers) <= {timer.name for timer in chip.timers}
+        assert set(use.buses) <= {bus.name for bus in chip.buses}
+
+
+@pytest.mark.parametrize("name", MICROCONTROLLERS)
+def test_tone_takes_the_timer_that_the_core_gives_it(name: str) -> None:
+    """As Tone.cpp of the core chooses it by the compiler's macro for the microcontroller."""
     require_tools("arduino-core-avr")
+    text = (KNOWN_PLACES["arduino-core-avr"].parent / "Tone.cpp").read_text()
+    macros = {"atmega32u4": "__AVR_ATmega32U4__", "atmega2560": "__AVR_ATmega2560__"}
+    block = text[text.index("#if defined(__AVR_ATmega1280__)") :]
+    branches = re.split(r"^#(?:el)?(?:if|se)", block[: block.index("#endif")], flags=re.MULTILINE)[1:]
+    chosen = next((b for b in branches if macros.get(name, "no macro of it") in b.partition("\n")[0]), branches[-1])
+    found = re.search(r"^#define USE_TIMER(\d)", chosen, re.MULTILINE)
+    assert found is not None
+    taken = next(use for use in MICROCONTROLLERS[name].uses if use.name == "tone")
+    assert list(taken.timers) == [f"Timer{found[1]}"]
+
+
+@pytest.mark.parametrize("name", BOARDS)
+def test_a_board_is_what_the_core_says(name: str) -> None:
+    """PWM, ports, interrupts and memory as in the core's variants/*/pins_arduino.h and boards.txt."""
+    require_tools("arduino-core-avr")
+    board, mapping, chip = BOARDS[name], MAPPINGS[name], BOARDS[name].microcontroller
+    assert chip is not None
     root = KNOWN_PLACES["arduino-core-avr"].parents[2]
     listed = (root / "boards.txt").read_text()
-    for key, value in (("upload.maximum_size", board.flash_bytes), ("upload.maximum_data_size", board.ram_bytes)):
-        _, _, name, *options = board.fqbn.split(":")
-        chip = board.mcu.removesuffix("p")
-        option = options[0].removeprefix("cpu=") if options else rf"(?:16MHz)?{chip}"
-        found = re.findall(rf"^{name}\.(?:menu\.cpu\.{option}\.)?{re.escape(key)}=(\d+)", listed, re.MULTILINE)
+    for key, value in (("upload.maximum_size", mapping.flashBytes), ("upload.maximum_data_size", mapping.ramBytes)):
+        _, _, short, *options = mapping.boardId.split(":")
+        plain = chip.name.removesuffix("p")
+        option = options[0].removeprefix("cpu=") if options else rf"(?:16MHz)?{plain}"
+        found = re.findall(rf"^{short}\.(?:menu\.cpu\.{option}\.)?{re.escape(key)}=(\d+)", listed, re.MULTILINE)
         assert str(value) in found
-    assert f"build.board={board.define}\n" in listed
-    header = (root / "variants" / board.variant / "pins_arduino.h").read_text()
+    assert f"build.board={mapping.define}\n" in listed
+    header = (root / "variants" / mapping.variant / "pins_arduino.h").read_text()
     while other := re.search(r'#include "\.\./(\w+)/pins_arduino\.h"', header):  # a variant that only adds to another
         header = (root / "variants" / other[1] / "pins_arduino.h").read_text()
-    rows = re.findall(r"NOT_ON_TIMER|TIMER(\d)([ABCD])", _timers(header))
-    by_number = {pin.number: pin for pin in board.pins}
-    for number, (timer, channel) in enumerate(rows):
+    by_number = {_number(pin, board): pin for pin in board.pins}
+    for number, (timer, channel) in enumerate(re.findall(r"NOT_ON_TIMER|TIMER(\d)([ABCD])", _array(header, "timer"))):
         if number in by_number:
             pin = by_number[number]
             assert (pin.timer.removeprefix("Timer"), pin.channel) == (timer, channel), pin.label
+    ports = re.findall(r"\bP([A-L])\b", _array(header, "port"))
+    bits = re.findall(r"_BV\(\s*(?:P[A-L])?(\d)\s*\)", _array(header, "bit_mask"))
+    assert len(ports) == len(bits) > 10
+    for number, (port, bit) in enumerate(zip(ports, bits, strict=True)):
+        if number in by_number:
+            assert by_number[number].port == f"P{port}{bit}", by_number[number].label
 
 
-def _timers(header: str) -> str:
-    table = header[header.index("digital_pin_to_timer_PGM[]") :]
-    table = table[: table.index("};")]
+def _number(pin: platform.Pin, board: platform.Board) -> int:
+    """The number that the core gives a pin: a digital label's own, an analogue one's behind the last digital pin."""
+    digital = next((name for name in (pin.label, *pin.aliases) if re.fullmatch(r"D\d+", name)), "")
+    if digital:
+        return int(digital[1:])
+    first = board.pins[[p.label for p in board.pins].index("A0")]
+    return _number(first, board) + int(pin.label[1:])
+
+
+def _array(header: str, of: str) -> str:
+    table = header[header.index(f"digital_pin_to_{of}_PGM[]") :]
+    table = re.sub(r"//[^\n]*", "", table[: table.index("};")])
     return re.sub(r"#if defined\(__AVR_ATmega8__\).*?#else(.*?)#endif", r"\1", table, flags=re.DOTALL)
 
 
@@ -72,42 +133,107 @@ def test_the_uno_as_everybody_knows_it() -> None:
     assert labels(uno, "analog_in") == {f"A{n}" for n in range(6)}
     assert labels(uno, "interrupt") == {"D2", "D3"}
     assert {pin.label for pin in uno.pins if pin.reserved} == {"D0", "D1"}
-    drawn = next(d for d in uno.drawn_as if "arduino_Uno_Rev3(fix)" in d.modules)
-    assert drawn.connectors["connector61"] == "D0"
-    assert drawn.connectors["connector59"] == "A4"
 
 
-def test_all_pins_are_drawn_on_the_common_part_of_each_board() -> None:
-    for board in BOARDS.values():
-        wanted = {pin.label for pin in board.pins if pin.reserved not in ("on the ICSP header only", "not brought out")}
-        assert wanted <= set(board.drawn_as[0].connectors.values())
+def test_a_board_has_its_pins_in_order_and_its_platform_its_names() -> None:
+    uno, mapping = BOARDS["uno"], MAPPINGS["uno"]
+    assert [pin.label for pin in uno.pins] == [f"D{i}" for i in range(14)] + [f"A{i}" for i in range(6)]
+    assert [name.literal for name in mapping.pinNames][-7:] == ["13", "A0", "A1", "A2", "A3", "A4", "A5"]
+    assert (mapping.boardId, mapping.flashBytes, uno.volts) == ("arduino:avr:uno", 32256, 5.0)
+
+
+def test_an_unknown_board() -> None:
+    with pytest.raises(UsageError, match=r"no board is called 'unno' \(did you mean 'uno'\?\)"):
+        load_board("unno")
+
+
+def test_a_leonardo_has_no_timer_2_and_tone_takes_timer_3() -> None:
+    chip = BOARDS["leonardo"].microcontroller
+    assert chip is not None
+    assert "Timer2" not in {timer.name for timer in chip.timers}
+    assert [list(use.timers) for use in chip.uses if use.name == "tone"] == [["Timer3"]]
+
+
+@pytest.mark.parametrize("name", BOARDS)
+def test_what_a_tool_draws_of_a_board_are_all_its_pins(name: str) -> None:
+    """A board need not be drawn by any tool; where one draws it, its first part has all pins that are brought out."""
+    board = BOARDS[name]
+    path = board_file(name)
+    assert path is not None
+    drawn = table_of(path).tables("drawn_as", needed=False)
+    ids = [(entry.text("tool"), module) for entry in drawn for module in entry.texts("modules")]
+    assert len(ids) == len(set(ids))
+    wanted = {pin.label for pin in board.pins if pin.reserved not in ("on the ICSP header only", "not brought out")}
+    for tool, module in ids[:1]:
+        found = drawn_board(module, tool)
+        assert found is not None
+        assert wanted <= set(found.pins.values())
 
 
 @pytest.mark.parametrize("name", ["nano", "arduino:avr:nano", "arduino:avr:nano:cpu=atmega328old"])
 def test_a_board_is_found_by_each_of_its_names(name: str) -> None:
-    assert find_board(name, list(BOARDS.values())).name == "nano"
+    assert find_board(name, load_boards(ARDUINO)).name == "nano"
 
 
 def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
     with pytest.raises(UsageError, match="no board is called"):
-        find_board("arduino:avr:nano:cpu=atmega168", list(BOARDS.values()))
+        find_board("arduino:avr:nano:cpu=atmega168", load_boards(ARDUINO))
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "message"),
+    ("part", "old", "new", "message"),
     [
-        ("ram_bytes = 2048", "ram_byte = 2048", r"'ram_bytes' is missing \(did you mean 'ram_byte'\?\)"),
-        ("ram_bytes = 2048", 'ram_bytes = "2 K"', "'ram_bytes' must be a whole number"),
-        ('label = "D4"', 'label = "D5"', "'pins' has D5 twice"),
-        ('D0 = ["connector61"]', 'D99 = ["connector61"]', r"'drawn_as\[0\].connectors.D99' is no pin of this board"),
-        ("pins = [", "pins = [[", "cannot be read"),
+        ("arduino/boards", "ram_bytes = 2048", "ram_byte = 2048", r"'ram_bytes' is missing \(did you mean 'ram_byte'\?\)"),
+        ("arduino/boards", "ram_bytes = 2048", 'ram_bytes = "2 K"', "'ram_bytes' must be a whole number"),
+        ("arduino/boards", "interrupts = { D2", "interrupts = { D99", "'interrupts.D99' is no pin of this board"),
+        ("boards", 'label = "D4"', 'label = "D5"', "'pins' has D5 twice"),
+        ("boards", 'led = "D13"', 'led = "D31"', "'led' is 'D31', which is no pin of this board"),
+        (
+            "boards",
+            'mcu = "atmega328p"',
+            'mcu = "atmega328q"',
+            "'mcu' is 'atmega328q', a microcontroller of which nothing is known",
+        ),
+        ("boards", "pins = [", "pins = [[", "cannot be read"),
+        ("mcus", "ram_bytes = 2048", "ram = 2048", "'ram_bytes' is missing"),
     ],
 )
-def test_a_damaged_board_file_names_file_and_key(tmp_path: Path, old: str, new: str, message: str) -> None:
-    text = BOARDS["uno"].path.read_text()
+def test_a_damaged_file_names_file_and_key(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, part: str, old: str, new: str, message: str
+) -> None:
+    built_in = board_file("uno")
+    assert built_in is not None
+    name = "atmega328p.toml" if part == "mcus" else "uno.toml"
+    text = (built_in.parents[1] / part / name).read_text()
     assert old in text
-    path = tmp_path / "uno.toml"
+    path = tmp_path / "platform_repo" / part / name
+    path.parent.mkdir(parents=True)
     path.write_text(text.replace(old, new, 1))
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
     with pytest.raises(PlatformDataError, match=message) as caught:
-        load_board(path)
+        load_boards(ARDUINO)
     assert str(caught.value).startswith(str(path))
+
+
+def test_a_drawn_connector_of_no_pin_is_an_error_of_the_boards_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    built_in = board_file("uno")
+    assert built_in is not None
+    path = tmp_path / "platform_repo" / "boards" / "uno.toml"
+    path.parent.mkdir(parents=True)
+    path.write_text(built_in.read_text().replace('D0 = ["connector61"]', 'D99 = ["connector61"]', 1))
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is no pin of this board"):
+        drawn_board("arduino_Uno_Rev3(fix)", "fritzing")
+
+
+def test_one_file_can_hold_a_board_and_how_a_platform_calls_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    hardware, mapping = board_file("uno"), board_file("uno")
+    assert hardware is not None
+    assert mapping is not None
+    text = (hardware.parents[1] / "arduino" / "boards" / "uno.toml").read_text() + hardware.read_text()
+    path = tmp_path / "platform_repo" / "arduino" / "boards" / "mine.toml"
+    path.parent.mkdir(parents=True)
+    path.write_text(text.replace("arduino:avr:uno", "arduino:avr:mine").replace('name = "uno"', 'name = "mine"'))
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    assert find_board("arduino:avr:mine", load_boards(ARDUINO)).name == "mine"
+    assert len(load_board("mine").pins) == 20

@@ -14,7 +14,8 @@ from typing import Any
 from robosmi import __version__, inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
-from robosmi.metamodels import ccode
+from robosmi.metamodels import ccode, platform
+from robosmi.metamodels import hardware as hw
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, project_of
 from robosmi.query import ancestor_of_kind
@@ -31,10 +32,9 @@ from robosmi.transformations.queries.analysis import library_cogs, unknown_funct
 from robosmi.transformations.queries.circuit import the_board
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.plan import library_json
-from robosmi.transformations.t2m.boards import load_board
 from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.target_platform import target_facts
+from robosmi.transformations.t2m.target_platform import TargetFacts, target_facts
 
 
 def plan_migration(
@@ -93,19 +93,10 @@ def plan_migration(
     for view in seen:
         findings = [*findings, *remarks(view, stored[view.unit.path], names[view.unit.path])]
     if drawing_path is not None:
-        drawing = read_drawing(drawing_path, project.roles)
+        drawing = read_drawing(drawing_path, project.roles, facts.board)
         component = the_board(drawing.circuit)
         board = drawing.board_models.get(component.elementId)
-        if board is not None and board.name != facts.board:
-            raise SourceError(
-                f"the drawing has the board '{component.title}' ({board.title}), the target is '{facts.target}'",
-                location=Location(str(drawing_path)), fix="give the drawing of that target, or another --target",
-            )  # fmt: skip
-        if board is None:
-            raise SourceError(
-                f"nothing is known of the drawn board '{component.title}' ({component.partTitle or component.partId})",
-                location=Location(str(drawing_path)), fix=f"draw a board of the target '{facts.target}'",
-            )  # fmt: skip
+        _check_board(component, board, facts, drawing_path)
         drawn = Hardware(drawing.circuit, component, drawing.connections)
         findings = [*findings, *drawing.findings]
         places[str(drawing_path)] = f"source/{drawing_path.name}"
@@ -116,19 +107,26 @@ def plan_migration(
             *findings,
             Finding("RS210", Severity.info, "no drawing was given: ports and libraries stay open", fix="give --hardware SKETCH"),
         ]
+    settings = defaults()
     choices = Choices(
         {**project.libraries, **(libraries or {})},
         {**project.bind, **(bind or {})},
-        defaults()["choices"]["limit"],
-        defaults()["rank"]["candidates"],
+        settings["choices"]["limit"],
+        settings["rank"]["candidates"],
     )
     if choices.libraries and drawn is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
-    ranker = content("ranker", defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
+    ranker = None
+    if facts.libraries:
+        ranker = content("ranker", settings["rank"]["ranker"])(facts.libraries, architecture=facts.architecture)
+    elif choices.libraries:
+        raise UsageError(
+            f"the target '{facts.target}' has no libraries, and one is chosen", fix="leave out the choice of a library"
+        )
     earlier = ForgivingHistory(history)
     findings = [*findings, *history_findings(earlier)]
     plan, repository = make_plan(
-        _sketch_name(main), __version__, seen, drawn, board or load_board(facts.board), facts, choices, ranker,
+        _sketch_name(main), __version__, seen, drawn, board or facts.board_model, facts, choices, ranker,
         earlier, stored, findings, places,
     )  # fmt: skip
     plan.findings.extend(move_findings(plan, seen))
@@ -188,6 +186,25 @@ def migrate(
     made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made, history)
     return made
+
+
+def _check_board(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> None:
+    """Refuse a drawn board that nothing is known of, or that is not the target's.
+
+    Raises:
+        SourceError: it is one of these.
+    """
+    what = f"the board '{component.title}'"
+    if board is None:
+        raise SourceError(
+            f"nothing is known of {what} ({component.partTitle or component.partId})",
+            location=Location(str(path)), fix=f"use a board of the target '{facts.target}' there",
+        )  # fmt: skip
+    if board.name != facts.board and not facts.any_board:
+        raise SourceError(
+            f"{path.name} has {what} ({board.title}), the target is '{facts.target}'",
+            location=Location(str(path)), fix=f"give --target {board.name}, or the hardware of the target '{facts.target}'",
+        )  # fmt: skip
 
 
 def _the_main(program: ccode.Program) -> ccode.Function:

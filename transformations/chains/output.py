@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RobosmiError, StoppedError
+from robosmi.errors import RobosmiError, SourceError, StoppedError
 from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
@@ -26,7 +26,6 @@ from robosmi.recommend.history import History
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
 from robosmi.transformations.m2m.edits import derive_edits
 from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said
-from robosmi.transformations.t2m.target_platform import target_facts
 
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
@@ -133,7 +132,7 @@ def produce(
             fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
         )
     derive_edits(plan, models.files)
-    generator = content("generator", target_facts(plan.board.name if plan.board else "").generator)
+    generator = content("generator", _generator(models))
     recover(output)
     manifest, places = Manifest.load(output), Places(output)
     made: Generation = generator(plan, models.files)
@@ -163,6 +162,18 @@ def _told(output: Path, guarded: Guarded) -> list[Finding]:
     ]
     message = "its line ends or byte order mark were changed; it is made anew with its own, as a model or a copy must have"
     return deleted + [Finding("RS523", Severity.info, message, Location(str(output / name))) for name in guarded.reformed]
+
+
+def _generator(models: MigrationModels) -> str:
+    """The name of the generator, as the stored target has it.
+
+    Raises:
+        SourceError: the models have no target.
+    """
+    target = next(iter(models.repository.targets), None)
+    if target is None:
+        raise SourceError("the plan's models have no target", fix="make the plan again with migrate")
+    return str(target.generator)
 
 
 def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping[str, bytes]) -> None:

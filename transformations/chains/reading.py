@@ -12,9 +12,10 @@ from robosmi import resources
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.transformations.chains.readers import DRAWING, reader_for
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
-from robosmi.transformations.t2m.boards import drawn_board, load_board
+from robosmi.transformations.t2m.boards import drawn_board
 
 if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration, platform
@@ -81,19 +82,20 @@ class Drawing:
     findings: list[Finding]
 
 
-def read_drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
+def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = None) -> Drawing:
     """Read a drawing and map its boards' pins to its components.
 
     Args:
         path: the drawing.
         roles: COMPONENT -> role, as the project file says.
+        board_name: the board where the file does not say which; that of the default target if None.
 
     Raises:
         SourceError: it cannot be read.
         UsageError: a role or component does not exist.
     """
     circuit: hardware.Circuit
-    circuit, findings = reader_for(path, DRAWING)(path, roles=roles)
+    circuit, findings = reader_for(path, DRAWING)(path, roles=roles, board=board_name)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
         drawn = drawn_board(board.partId, circuit.tool.lower())

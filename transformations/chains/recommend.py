@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding
+from robosmi.errors import UsageError
 from robosmi.plugins import content
 from robosmi.project import defaults
 from robosmi.query import Q
@@ -83,7 +84,9 @@ def recommend(
         reached = Q(drawing.connections).collect(lambda c: c.component).select(lambda c: c is not None).distinct()
         queries = [component_query(c) for c in reached if c is not None]
     facts = target_facts(target or defaults()["migrate"]["target"])
-    rank = content("ranker", ranker or defaults()["rank"]["ranker"])(facts.platform, architecture=facts.architecture)
+    if not facts.libraries:
+        raise UsageError(f"the target '{facts.target}' has no libraries", fix="give another --target")
+    rank = content("ranker", ranker or defaults()["rank"]["ranker"])(facts.libraries, architecture=facts.architecture)
     earlier = ForgivingHistory(history)
     answers = [rank.rank(query, earlier) for query in queries]
     return Recommendations(queries, answers, [*findings, *history_findings(earlier)])

@@ -14,7 +14,7 @@ from robosmi.model import EmfModel
 from robosmi.query import ancestor_of_kind, root_of
 from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing, fault, worst_first
-from robosmi.transformations.knowledge.library_takes import Takes, library_takes
+from robosmi.transformations.knowledge.library_takes import taken_of
 from robosmi.transformations.queries.circuit import role_on
 from robosmi.transformations.queries.electrical import Role, Wiring, listed, who, wiring
 from robosmi.validate import EVL, Fail
@@ -27,7 +27,7 @@ _both.include(electrical)
 _both.include(together)
 
 TONE = "tone"
-"""The core's function that sounds a speaker, as takes.toml calls it."""
+"""The core's function that sounds a speaker, as the data of microcontrollers calls it."""
 
 
 def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
@@ -38,6 +38,7 @@ def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
     """
     if plan.circuit is None:
         return []
+    wired(plan)
     return worst_first(_both.run(EmfModel(plan.circuit, name="hardware"), EmfModel(plan, name="plan")).findings())
 
 
@@ -56,7 +57,10 @@ def is_drawn(element: Any) -> bool:
 def wired(plan: migration.MigrationPlan) -> Wiring:
     """The wiring of a plan's drawing."""
     assert plan.circuit is not None
-    return wiring(plan.circuit)
+    known = wiring(plan.circuit)
+    if plan.boardComponent is not None and plan.board is not None:
+        known.know_board(plan.boardComponent, plan.board)
+    return known
 
 
 def place(element: Any) -> Any:
@@ -175,10 +179,9 @@ def TimersAreNotShared(p: migration.MigrationPlan) -> Any:
 
 def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...], str]]:
     """Who takes timers in a plan: the chosen libraries, and the core's function for speakers; with the condition."""
-    folder = plan.target.name.lower() if plan.target is not None else ""
-    known, core = library_takes(folder), library_takes(folder, functions=True)
+    core = taken_of(plan.board, platform.UserKind.function) if plan.board is not None else {}
     found = {
-        c.chosen.name: (tuple(c.chosen.timers), known.get(c.chosen.name, Takes()).when)
+        c.chosen.name: (tuple(c.chosen.timers), c.chosen.takesWhen)
         for c in plan.libraryChoices
         if c.chosen is not None and c.chosen.timers
     }

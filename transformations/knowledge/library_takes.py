@@ -1,12 +1,13 @@
-"""What a library takes for itself, timers and pins, as the target's data has it: told with the choice, for hardware checks.
+"""What a library takes for itself on a board: timers, pins and buses, told with the choice, for hardware checks.
 
+The board's microcontroller says it first (`mcus/<name>.toml`), then the target's list for all of them (`libraries/takes.toml`).
 A library that no entry names takes nothing that is known; that is not the same as nothing. Which pins lose their PWM with
 a timer is in the board's data.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -14,9 +15,11 @@ from pathlib import Path
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
+from robosmi.metamodels import platform
 from robosmi.project import read_data
 
-_KEYS = frozenset(("names", "timers", "pins", "when"))
+_KEYS = frozenset(("names", "timers", "pins", "buses", "mcus", "when"))
+_LISTS = ("names", "timers", "pins", "buses", "mcus")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,35 +42,69 @@ class Takes:
         return f"takes {taken}{f' when {self.when}' if self.when else ''}"
 
 
-def library_takes(platform: str, project: Path | None = None, *, functions: bool = False) -> Mapping[str, Takes]:
-    """What libraries of a target take, by the library's name; empty where the target has no such data.
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    takes: Takes
+    buses: tuple[str, ...]
+    mcus: tuple[str, ...]
+
+
+def library_takes(index: str, board: platform.Board, project: Path | None = None) -> Mapping[str, Takes]:
+    """What libraries take of a board, by the library's name; empty where nothing is known of any.
 
     Args:
-        platform: folder of the target in the platform repository.
+        index: folder in the platform repository of the platform whose index of libraries is used, empty for none.
+        board: the board.
         project: the project folder; the current folder if None.
-        functions: what functions of the target's core take instead, by the function's name.
 
     Raises:
         PlatformDataError: the data are damaged.
     """
+    found = taken_of(board, platform.UserKind.library)
+    chip = board.microcontroller.name if board.microcontroller is not None else ""
     for folder in resources.folders("platform_repo", project):
-        path = folder / platform / "libraries" / "takes.toml"
-        if path.is_file():
-            return _read(path, path.stat().st_mtime_ns, "function" if functions else "library")
-    return {}
+        path = folder / index / "libraries" / "takes.toml"
+        if index and path.is_file():
+            for name, entries in _read(path, path.stat().st_mtime_ns).items():
+                entry = next((e for e in entries if not e.mcus or chip in e.mcus), None)
+                if entry is not None and name not in found:
+                    pins = (*entry.takes.pins, *bus_pins(board, entry.buses))
+                    found[name] = Takes(entry.takes.timers, pins, entry.takes.when)
+            break
+    return found
+
+
+def taken_of(board: platform.Board, kind: platform.UserKind) -> dict[str, Takes]:
+    """What functions or libraries take of a board as its microcontroller's data has it, by their names."""
+    chip = board.microcontroller
+    return {
+        use.name: Takes(tuple(use.timers), (*use.pins, *bus_pins(board, use.buses)), use.condition)
+        for use in (chip.uses if chip is not None else ())
+        if use.userKind is kind
+    }
+
+
+def bus_pins(board: platform.Board, buses: Iterable[str]) -> list[str]:
+    """The labels of a board's pins that buses of its microcontroller are on, in the order of the bus's signals."""
+    chip = board.microcontroller
+    known = {bus.name: list(bus.ports) for bus in (chip.buses if chip is not None else ())}
+    labels = {pin.port: pin.label for pin in board.pins}
+    return [labels[port] for bus in buses for port in known.get(bus, ()) if port in labels]
 
 
 @lru_cache(maxsize=4)
-def _read(path: Path, mtime_ns: int, kind: str) -> Mapping[str, Takes]:
-    found: dict[str, Takes] = {}
-    for entry in read_data(path).get(kind, []):
-        lists = [entry.get(key, []) for key in ("names", "timers", "pins")]
-        if not lists[0] or not set(entry) <= _KEYS or not all(isinstance(text, str) for each in lists for text in each):
+def _read(path: Path, mtime_ns: int) -> Mapping[str, list[_Entry]]:
+    found: dict[str, list[_Entry]] = {}
+    for entry in read_data(path).get("library", []):
+        lists = {key: entry.get(key, []) for key in _LISTS}
+        texts = all(isinstance(text, str) for each in lists.values() for text in each)
+        if not lists["names"] or not set(entry) <= _KEYS or not texts:
             raise PlatformDataError(
-                f"an entry is no {kind} with what it takes: {entry}",
+                f"an entry is no library with what it takes: {entry}",
                 location=Location(str(path)),
-                fix="write names, timers, pins",
+                fix="write names, timers, pins, buses, mcus",
             )
-        for name in lists[0]:
-            found.setdefault(name, Takes(tuple(lists[1]), tuple(lists[2]), str(entry.get("when", ""))))
+        takes = Takes(tuple(lists["timers"]), tuple(lists["pins"]), str(entry.get("when", "")))
+        for name in lists["names"]:
+            found.setdefault(name, []).append(_Entry(takes, tuple(lists["buses"]), tuple(lists["mcus"])))
     return found

@@ -13,10 +13,9 @@ from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.m2m.signatures import Signature, for_target
-from robosmi.transformations.m2m.target_names import TargetNames
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
-from robosmi.transformations.t2m.target_platform import TargetFacts
+from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
 """Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""

@@ -29,7 +29,7 @@ USUAL = "libraries/usual.csv"
 """Table of a platform: device,libraries (apart by |, the most usual first)."""
 
 
-def device_knowledge(platform: str = "arduino", project: Path | None = None) -> Knowledge:
+def device_knowledge(platform: str, project: Path | None = None) -> Knowledge:
     """The knowledge for a target, read once for each state of its files.
 
     Args:

@@ -14,6 +14,7 @@ from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement, rules_of
+from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.source_text import SourceText
 
 RETAINED = frozenset({"own-macro", "own-function", "own-declaration", "main-once", "main-repeated"})
@@ -134,7 +135,7 @@ def port_value(binding: migration.PortBinding) -> str | None:
     """What the port is called on the target: a connection's name, a pin's literal, or None when nothing is bound."""
     if binding.connection is not None:
         return binding.connection.name
-    return binding.pin.literal if binding.pin is not None else None
+    return pin_literal(binding.pin) if binding.pin is not None else None
 
 
 def port_place(element: ccode.Located) -> tuple[int, int] | None:

@@ -19,6 +19,7 @@ from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.m2m.library_ranking import library_in, library_index
 from robosmi.transformations.queries.circuit import component_named
+from robosmi.transformations.t2m.target_platform import TargetFacts
 
 NO_LIBRARY = "none"
 """What a person says, instead of a library's name, when a component needs none."""
@@ -40,16 +41,23 @@ def component_query(component: hardware.Component) -> ComponentQuery:
 
 @dataclass
 class LibraryModels:
-    """Library elements of the target's platform model by name, made when first named."""
+    """Library elements of the target's platform model by name, made when first named.
 
-    target: str
+    Attributes:
+        target: the target.
+        board: the board that they are for.
+        elements: name -> element.
+    """
+
+    target: TargetFacts
+    board: platform.Board
     elements: dict[str, platform.Library] = field(default_factory=dict)
     _index: LibraryIndex | None = None
 
     @cached_property
     def takes(self) -> Mapping[str, Takes]:
         """What libraries take of the target, by name."""
-        return library_takes(self.target)
+        return library_takes(self.target.libraries, self.board)
 
     def get(self, name: str) -> platform.Library:
         """The element of a library, with those that it depends on.
@@ -59,7 +67,7 @@ class LibraryModels:
         """
         if name not in self.elements:
             if self._index is None:
-                self._index = library_index(self.target)
+                self._index = library_index(self.target.libraries)
             facts = library_in(self._index, name)
             name = facts.name  # as the index writes it
             if name not in self.elements:
@@ -74,6 +82,7 @@ class LibraryModels:
                     installed=facts.library.installed,
                     timers=list(takes.timers),
                     pins=list(takes.pins),
+                    takesWhen=takes.when,
                 )
                 for needed in facts.dependencies:
                     self.get(needed.name)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
+from robosmi.project import defaults
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
@@ -22,6 +23,7 @@ from robosmi.recommend.layered_index import LayeredIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.recommend.tfidf_ranker import TfidfRanker
 from robosmi.transformations.m2m.device_knowledge import device_knowledge
+from robosmi.transformations.t2m.target_platform import target_facts
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import LibraryApi
@@ -69,16 +71,17 @@ class LibraryFacts:
         return (*(library.name for library in self.dependencies), *self.unknown)
 
 
-def library_index(platform: str = "arduino", project: Path | None = None) -> LibraryIndex:
+def library_index(platform: str | None = None, project: Path | None = None) -> LibraryIndex:
     """The index of a target's libraries, opened once for each state of its files; with it those that the user has imported.
 
     Args:
-        platform: folder of the target in the platform repository.
+        platform: folder of the platform in the repository; that of the default target if None.
         project: the project folder; the current folder if None.
 
     Raises:
         PlatformDataError: there is none, or it is damaged.
     """
+    platform = platform or default_library_platform()
     paths = [resources.find("platform_repo", f"{platform}/libraries/index.sqlite", project)]
     if (own := installed_index(platform)).is_file():
         paths.append(own)
@@ -86,6 +89,19 @@ def library_index(platform: str = "arduino", project: Path | None = None) -> Lib
         return _opened(tuple(paths), tuple(path.stat().st_mtime_ns for path in paths))
     except OSError as error:
         raise PlatformDataError(f"{paths[0]}: cannot be read: {error.strerror}", fix="install robosmi again") from error
+
+
+def default_library_platform() -> str:
+    """The platform whose libraries the default target uses.
+
+    Raises:
+        UsageError: the default target has none.
+        PlatformDataError: its data is damaged.
+    """
+    facts = target_facts(str(defaults()["migrate"]["target"]))
+    if not facts.libraries:
+        raise UsageError(f"the target '{facts.target}' has no libraries", fix="name the platform that the libraries are for")
+    return facts.libraries
 
 
 def installed_index(platform: str) -> Path:
@@ -98,11 +114,11 @@ def _opened(paths: tuple[Path, ...], times: tuple[int, ...]) -> LibraryIndex:  #
     return LibraryIndex(paths[0]) if len(paths) == 1 else LayeredIndex(paths)
 
 
-def tfidf_ranker(platform: str = "arduino", *, architecture: str | None = None, project: Path | None = None) -> Ranker:
+def tfidf_ranker(platform: str | None = None, *, architecture: str | None = None, project: Path | None = None) -> Ranker:
     """The paper's ranker over a target's libraries; registered as ranker "tfidf".
 
     Args:
-        platform: folder of the target in the platform repository.
+        platform: folder of the platform in the repository; that of the default target if None.
         architecture: the target's architecture as libraries name it (`avr`), for remarks; None for no remarks.
         project: the project folder; the current folder if None.
 
@@ -112,17 +128,18 @@ def tfidf_ranker(platform: str = "arduino", *, architecture: str | None = None, 
     return TfidfRanker(library_index(platform, project), architecture)
 
 
-def device_ranker(platform: str = "arduino", *, architecture: str | None = None, project: Path | None = None) -> DeviceRanker:
+def device_ranker(platform: str | None = None, *, architecture: str | None = None, project: Path | None = None) -> DeviceRanker:
     """The default ranker over a target's libraries; registered as ranker "devices".
 
     Args:
-        platform: folder of the target in the platform repository.
+        platform: folder of the platform in the repository; that of the default target if None.
         architecture: the target's architecture as libraries name it (`avr`); None if it does not matter.
         project: the project folder; the current folder if None.
 
     Raises:
         PlatformDataError: there is no index, or a data file is damaged.
     """
+    platform = platform or default_library_platform()
     return _device_ranker(library_index(platform, project), device_knowledge(platform, project), architecture)
 
 
@@ -136,7 +153,7 @@ def rank_component(
     history: Choices | None = None,
     limit: int | None = None,
     *,
-    platform: str = "arduino",
+    platform: str | None = None,
     architecture: str | None = None,
     project: Path | None = None,
 ) -> Recommendation:
@@ -144,7 +161,7 @@ def rank_component(
     return device_ranker(platform, architecture=architecture, project=project).rank(query, history, limit)
 
 
-def library_by_name(name: str, platform: str = "arduino", project: Path | None = None) -> LibraryFacts:
+def library_by_name(name: str, platform: str | None = None, project: Path | None = None) -> LibraryFacts:
     """The library of that name, letter for letter, else without regard to case if that is unique.
 
     Raises:
@@ -163,7 +180,7 @@ def library_in(index: LibraryIndex, name: str) -> LibraryFacts:
     return _with_dependencies(index, found)
 
 
-def library_api(name: str, platform: str = "arduino", project: Path | None = None) -> LibraryApi:
+def library_api(name: str, platform: str | None = None, project: Path | None = None) -> LibraryApi:
     """What a library offers to a program: classes, methods, functions, constants; nothing where the index knows nothing of it.
 
     Raises:
@@ -177,7 +194,7 @@ def library_api(name: str, platform: str = "arduino", project: Path | None = Non
     return LibraryApi(found.name, found.version, index.api(found.id))
 
 
-def libraries_by_header(file: str, platform: str = "arduino", project: Path | None = None) -> tuple[Library, ...]:
+def libraries_by_header(file: str, platform: str | None = None, project: Path | None = None) -> tuple[Library, ...]:
     """The libraries that offer a header of that bare file name; empty if none does.
 
     Order: those that mean it to be included, then those that are named like it, then the more popular, then by name.

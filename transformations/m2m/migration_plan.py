@@ -6,6 +6,7 @@ with their digests, so that a stored plan can tell whether it still belongs to i
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -21,7 +22,9 @@ from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import partition
 from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.t2m.target_platform import TargetFacts, target_model
+from robosmi.transformations.t2m.target_platform import TargetFacts, target_repository
+
+_WORD = re.compile(rb"\b[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True)
@@ -58,7 +61,7 @@ def make_plan(
     board: platform.Board,
     target: TargetFacts,
     choices: Choices,
-    ranker: Ranker,
+    ranker: Ranker | None,
     history: EarlierChoices,
     files: Mapping[str, bytes],
     findings: list[Finding],
@@ -74,7 +77,7 @@ def make_plan(
         board: the target board.
         target: the target.
         choices: what persons said.
-        ranker: ranks libraries.
+        ranker: ranks libraries; None for a target that has none.
         history: earlier choices.
         files: path relative to the models' folder -> bytes of what was read.
         findings: what readers and mappings found.
@@ -98,17 +101,17 @@ def make_plan(
     bindings = bind_ports(views, dependence.source, connections, board, choices.bind, choices.limit)
     for binding in bindings:
         trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
-    libraries = LibraryModels(target.platform)
+    libraries = LibraryModels(target, board)
     library_choices = []
-    if drawn is not None:
+    if drawn is not None and ranker is not None:
         reached = [c for c in Q(connections).collect(lambda c: c.component).distinct() if c is not None]
         library_choices = choose_libraries(
             drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit
         )
         for choice in library_choices:
             trace.link("library ranking", "libraries", [choice.component], [choice])
-    platform_target = target_model(target, board, list(libraries.elements.values()))
-    repository = platform.PlatformRepository(platforms=[dependence.source, platform_target])
+    words = {word.decode() for data in files.values() for word in _WORD.findall(data)}
+    repository = target_repository(target, dependence.source, board, list(libraries.elements.values()), words)
     divided = any(d.loop is not None for d in dependence.divisions)
     plan = migration.MigrationPlan(
         name=name,
@@ -117,7 +120,7 @@ def make_plan(
         program=program,
         circuit=drawn.circuit if drawn else None,
         source=dependence.source,
-        target=platform_target,
+        target=target.model.platform,
         board=board,
         boardComponent=drawn.board if drawn else None,
         inputs=[

@@ -27,7 +27,6 @@ from robosmi.transformations.m2m.placeholders import (
     wanted_types,
 )
 from robosmi.transformations.m2m.renaming import REDEFINE, RENAME, redefined, renamings
-from robosmi.transformations.m2m.target_names import TargetNames, target_names
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of
@@ -35,7 +34,7 @@ from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, function_type
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.target_platform import TargetFacts
+from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
 TEXT_RULES = LANGUAGE_RULES | {RENAME}
@@ -64,7 +63,7 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
     """
     result = Dependence()
     program, api = views[0].program, views[0].api
-    names = target_names(target.platform)
+    names = target.names
     called = called_functions(views, target, names)
     used = used_symbols(views, called, target, names)
     includes = [i.header for u in program.units for i in u.includes]

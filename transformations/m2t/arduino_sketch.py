@@ -16,6 +16,7 @@ from robosmi.transformations.m2t.adapters import adapters, made_apart, with_own_
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.m2t.task_list import report
+from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.source_text import SourceText, is_header
 
 
@@ -42,7 +43,7 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
     )
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         text = texts[unit]
-        return own_header(text) if is_header(unit) else {"plan": plan, **program_text(plan, text, late)}
+        return own_header(text) if is_header(unit) else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late)}
 
     @g.rule(template="arduino/adapters.h.j2", target=f"{plan.name}/adapters.h")
     def Adapters() -> dict[str, Any]:

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
-from robosmi.metamodels import hardware, migration
-from robosmi.query import Q
+from robosmi.metamodels import hardware, migration, platform
+from robosmi.query import Q, root_of
 from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.m2m.connector_mapping import behind, either_side
-from robosmi.transformations.t2m.boards import pin_literal
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -73,9 +72,25 @@ def component_named(circuit: hardware.Circuit, name: str) -> hardware.Component:
     )
 
 
-def port_interfaces(connections: Iterable[migration.Connection]) -> dict[str, str]:
-    """The name of every connection with its pin as a program writes it, in their order (paper 3.4, generatePortInterfaces)."""
-    return {connection.name: _literal(connection) for connection in connections}
+def port_interfaces(connections: Iterable[migration.Connection], mapping: platform.BoardMapping) -> dict[str, str]:
+    """The name of every connection with its pin as a program writes it, in their order (paper 3.4, generatePortInterfaces).
+
+    Args:
+        connections: of one board.
+        mapping: how the target's platform calls that board's pins; a pin that it does not name is written by its label.
+    """
+    literals = {name.pin.label: name.literal for name in mapping.pinNames if name.pin is not None}
+    return {connection.name: literals.get(pin_label(connection), pin_label(connection)) for connection in connections}
+
+
+def pin_literal(pin: platform.Pin) -> str:
+    """How programs of the target write a pin: the name in the repository that the pin is in, else its label."""
+    repository = root_of(pin)
+    if isinstance(repository, platform.PlatformRepository):
+        for name in (n for t in repository.targets if t.platform for m in t.platform.boardMappings for n in m.pinNames):
+            if name.pin is pin:
+                return str(name.literal)
+    return str(pin.label)
 
 
 def pin_label(connection: migration.Connection) -> str:
@@ -141,10 +156,6 @@ def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.C
         ],
         "mappings": [_mapping(connection, beyond) for connection in connections],
     }
-
-
-def _literal(connection: migration.Connection) -> str:
-    return (connection.pin.literal if connection.pin is not None else "") or pin_literal(pin_label(connection))
 
 
 def _mapping(

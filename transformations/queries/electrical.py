@@ -13,9 +13,10 @@ from typing import Any, NamedTuple, TypeVar
 
 from robosmi.metamodels import hardware, platform
 from robosmi.query.run import ext
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts, Electrical, electrical
 from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, names
-from robosmi.transformations.t2m.boards import drawn_board, load_board
+from robosmi.transformations.t2m.boards import drawn_board
 
 T = TypeVar("T")
 Role = hardware.Role
@@ -99,6 +100,10 @@ class Wiring:
             drawn = drawn_board(board.partId, self.circuit.tool.lower())
             self._board_models[board] = load_board(drawn.name) if drawn is not None else None
         return self._board_models[board]
+
+    def know_board(self, board: hardware.Component, model: platform.Board) -> None:
+        """Take a board's model from a plan instead of the repository."""
+        self._board_models[board] = model
 
     def pin_model(self, board: hardware.Component, label: str) -> platform.Pin | None:
         """The platform's pin of that label."""

@@ -1,26 +1,19 @@
-"""Target boards: `arduino/boards/<name>.toml` of the platform repository as `platform.Board`, and which board a part is.
+"""How boards are drawn: which board a part of a drawing tool's catalogue is, and what the labels of its connectors mean.
 
-Also the normalisation of the labels that drawings give to a board's connectors ("D9 PWM", "~9" and "IO9" are D9), for boards
-that have no entry. The toolchain's keys of the same files are read elsewhere; this module looks at pins and at how the board
-is drawn.
+A board's file says so under `drawn_as`. Labels such as "D9 PWM", "~9" and "IO9" (all D9) are normalised for boards that have no
+file. The boards themselves are `board_models`' business.
 """
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
-from typing import Any
 
-from robosmi import inputs
-from robosmi.data_text import toml_of
-from robosmi.diagnostics import Location
-from robosmi.errors import PlatformDataError, UsageError, did_you_mean
-from robosmi.metamodels import platform
-from robosmi.resources import folders
+from robosmi.errors import did_you_mean
+from robosmi.transformations.knowledge.board_models import hardware_files, table_of, text_of
+from robosmi.verify.tables import Table
 
 PIN_TABLE = "pin table"
 """The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
@@ -35,29 +28,6 @@ class DrawnBoard:
     pins: Mapping[str, str]
 
 
-def board_names(project: Path | None = None) -> list[str]:
-    """The short names of all boards, sorted."""
-    return sorted({path.stem for path in _files(project)})
-
-
-def load_board(name: str, project: Path | None = None) -> platform.Board:
-    """A new model of a board with its pins, in the order of their numbers.
-
-    Args:
-        name: short name (`uno`).
-        project: the project folder; the current folder if None.
-
-    Raises:
-        UsageError: no board has that name.
-        PlatformDataError: the entry is damaged.
-    """
-    for path in _files(project):
-        if path.stem == name:
-            return _board(_table(str(path), path.stat().st_mtime_ns), str(path))
-    known = board_names(project)
-    raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
-
-
 def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBoard | None:
     """The board that a part of a drawing tool's catalogue stands for, or None.
 
@@ -69,27 +39,35 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
     Raises:
         PlatformDataError: an entry is damaged.
     """
-    for path in _files(project):
-        changed = path.stat().st_mtime_ns
+    for path in hardware_files(project):
         if tool == PIN_TABLE:
             if path.stem == part_id:
-                table = _table(str(path), changed)
-                labels = [pin["label"] for pin in table.get("pins", ())]
-                return DrawnBoard(path.stem, table.get("title", path.stem), {label: label for label in labels})
+                table = table_of(path)
+                labels = [pin.text("label") for pin in table.tables("pins")]
+                return DrawnBoard(path.stem, table.text("title", path.stem), {label: label for label in labels})
             continue
-        if f'"{part_id}"' not in _text(str(path), changed):  # parsing is a hundred times as long
+        if f'"{part_id}"' not in text_of(path):  # parsing is a hundred times as long
             continue
-        table = _table(str(path), changed)
-        for drawn in table.get("drawn_as", ()):
-            if drawn.get("tool") == tool and part_id in drawn.get("modules", ()):
-                pins = {connector: label for label, connectors in drawn.get("connectors", {}).items() for connector in connectors}
-                return DrawnBoard(path.stem, table.get("title", path.stem), pins)
+        table = table_of(path)
+        for drawn in table.tables("drawn_as", needed=False):
+            if drawn.text("tool") == tool and part_id in drawn.texts("modules"):
+                return DrawnBoard(path.stem, table.text("title", path.stem), _connectors(drawn, table))
     return None
 
 
-def pin_literal(label: str) -> str:
-    """How an Arduino program writes the pin of that label: `9` for D9, else the label itself (`A0`)."""
-    return label[1:] if re.fullmatch(r"D\d+", label) else label
+def _connectors(drawn: Table, board: Table) -> dict[str, str]:
+    """Connector -> label of its pin."""
+    labels = [pin.text("label") for pin in board.tables("pins")]
+    table = drawn.table("connectors")
+    found: dict[str, str] = {}
+    for label in table.values:
+        if label not in labels:
+            raise table.error(label, f"is no pin of this board{did_you_mean(label, labels)}")
+        for connector in table.texts(label):
+            if connector in found:
+                raise table.error(label, f"has {connector}, which is {found[connector]} already")
+            found[connector] = label
+    return found
 
 
 _NOT_PINS = re.compile(
@@ -133,60 +111,3 @@ def normalised_label(name: str, arduino: bool = True) -> str:
 
 
 _BUS_WORDS = frozenset({"RX", "TX", "SDA", "SCL", "MOSI", "MISO", "SCK", "SS", "INT", "LED"})
-
-
-def _files(project: Path | None) -> Iterator[Path]:
-    for folder in folders("platform_repo", project):
-        for platform_folder in sorted(entry.path for entry in os.scandir(folder) if entry.is_dir()):
-            if os.path.isdir(place := f"{platform_folder}/boards"):
-                yield from _listed(place, os.stat(place).st_mtime_ns)
-
-
-@cache
-def _listed(folder: str, changed: int) -> tuple[Path, ...]:  # `changed` keys the cache: a file more or less is noticed
-    return tuple(sorted(Path(folder).glob("*.toml")))
-
-
-def _board(table: Mapping[str, Any], path: str) -> platform.Board:
-    try:
-        pins = [
-            platform.Pin(
-                label=pin["label"],
-                literal=pin.get("literal") or pin_literal(pin["label"]),
-                aliases=list(pin.get("aliases", ())),
-                abilities=list(pin.get("abilities", ())),
-                timer=pin.get("timer", ""),
-                reserved=pin.get("reserved", ""),
-            )
-            for pin in table["pins"]
-        ]
-        return platform.Board(
-            name=table["name"],
-            title=table.get("title", table["name"]),
-            fqbn=table.get("fqbn", ""),
-            mcu=table.get("mcu", ""),
-            flashBytes=table.get("flash_bytes", 0),
-            ramBytes=table.get("ram_bytes", 0),
-            volts=float(table.get("volts", 0.0)),
-            pins=pins,
-        )
-    except (KeyError, TypeError, ValueError) as error:
-        raise PlatformDataError(
-            f"the board is damaged: {error!r}", location=Location(path), fix="compare it with another board"
-        ) from error
-
-
-@cache
-def _text(path: str, changed: int) -> str:
-    try:
-        return inputs.read_text(path, inputs.SETTINGS)
-    except (OSError, UnicodeDecodeError) as error:
-        raise PlatformDataError(f"cannot be read: {error}", location=Location(path), fix="mend or remove the file") from error
-
-
-@cache
-def _table(path: str, changed: int) -> dict[str, Any]:
-    try:
-        return toml_of(_text(path, changed))
-    except ValueError as error:
-        raise PlatformDataError(f"not valid TOML: {error}", location=Location(path), fix="mend the file") from error

@@ -23,11 +23,13 @@ from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
 from robosmi.project import defaults
 from robosmi.quoting import csv_text
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.part import ROLES, Part
 from robosmi.transformations.knowledge.part_names import Names, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify
-from robosmi.transformations.t2m.boards import PIN_TABLE, load_board, normalised_label
+from robosmi.transformations.t2m.boards import PIN_TABLE, normalised_label
 from robosmi.transformations.t2m.given_roles import given_roles
+from robosmi.transformations.t2m.target_platform import target_facts
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
 """The columns; the first two must be there."""
@@ -60,7 +62,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read_circuit(
-    path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None
+    path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None, board: str | None = None
 ) -> tuple[hardware.Circuit, list[Finding]]:
     """Read a pin table.
 
@@ -68,6 +70,7 @@ def read_circuit(
         path: a `.csv` or `.toml` file.
         project: the project folder, whose own data on parts and boards goes first; the current folder if None.
         roles: roles that the user gives to components, by title or `#number`; they go before all else.
+        board: short name of the board where the table names none; that of the default target if None.
 
     Returns:
         The circuit, and a finding (RS203) for each part whose role nothing tells.
@@ -79,11 +82,11 @@ def read_circuit(
     file = Path(path)
     data = _bytes_of(file)
     name, rows = _rows(file, data)
-    board = load_board(name or _default_board(), project)
-    table = _Table(str(path), board, names(project), project)
+    model = load_board(name or board or _default_board(), project)
+    table = _Table(str(path), model, names(project), project)
     for row in rows:
         table.add(row)
-    table.given = given_roles(roles or {}, {"1": board.title} | {c: title for c, title, _ in table.components()})
+    table.given = given_roles(roles or {}, {"1": model.title} | {c: title for c, title, _ in table.components()})
     circuit = table.circuit(file.stem)
     circuit.digest = hashlib.sha256(data).hexdigest()
     return circuit, table.findings
@@ -97,7 +100,9 @@ class _Table:
         self.board = board
         self.names = known
         self.project = project
-        self.labels = {word.lower(): pin.label for pin in board.pins for word in (*pin.aliases, pin.literal, pin.label)}
+        self.labels = {
+            word.lower(): pin.label for pin in board.pins for word in (*pin.aliases, pin.label.removeprefix("D"), pin.label)
+        }
         self.rows: dict[str, list[_Row]] = {}
         self.given: dict[str, str] = {}
         self.findings: list[Finding] = []
@@ -232,8 +237,7 @@ class _Table:
 
 
 def _default_board() -> str:
-    chosen = defaults()
-    return str(chosen["targets"][chosen["migrate"]["target"]]["board"])
+    return target_facts(str(defaults()["migrate"]["target"])).board
 
 
 def _bytes_of(path: Path) -> bytes:

@@ -1,102 +1,321 @@
-"""The target platform: `<platform>/platform.toml` of the repository as a model, and the facts that rules read.
+"""Targets: what `[targets.NAME]` and the platforms' own `[target]` say, as elements of `platform.ecore`, and a view of them.
 
-`TargetFacts` holds what has no place in the platform metamodel (the table of types, which standard headers there are).
-Boards are `boards`' business.
+A target is a board of a platform with the generator that writes for it. Every board that a platform with `by_board` maps is
+one, by its short name and by its full name in the platform's tools. Boards themselves are read in `board_models`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cache
+from collections.abc import Collection, Iterator, Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Any
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
-from robosmi.project import defaults, read_data
+from robosmi.plugins import registry
+from robosmi.project import defaults, defaults_place, read_data
+from robosmi.transformations.knowledge.board_models import KIND, load_board, load_mapping, mapped_boards, mapping_file, table_of
+from robosmi.verify.tables import Table
+
+STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
+"""How data calls the places where programs begin."""
+LANGUAGES = ("C", "C++")
+_NUMBERS = ("intBits", "longBits", "pointerBits", "doubleBits")
+_NAMES = ("declared", "macros", "same", "absent", "keywords")
+_KEYS = (
+    "platform", "board", "generator", "toolchain", "structure", "language", "suffix", "module_suffix", "project_file",
+    "libraries", "any_board", "by_board",
+)  # fmt: skip
 
 
-@dataclass(frozen=True)
-class TargetFacts:
-    """A target: a board of a platform, with the generator that writes for it.
+class TargetNames:
+    """The names that a program shares with the core of its target, as sets.
 
-    Attributes:
-        target: the name a user gives.
-        platform: name of the platform, a folder of the repository.
-        board: short name of the board.
-        generator: name of the registered generator.
-        architecture: as libraries declare it.
-        core: version of the platform's core.
-        include: header that every program includes.
-        standard_headers: C headers that the platform has.
-        widths: type of the source by value -> type that holds the same values.
+    Args:
+        names: the element; None for a target that shares none.
     """
 
-    target: str
-    platform: str
-    board: str
-    generator: str
-    architecture: str
-    core: str
-    include: str
-    standard_headers: frozenset[str]
-    widths: Mapping[str, str]
+    def __init__(self, names: platform.ReservedNames | None) -> None:
+        def of(kind: str) -> frozenset[str]:
+            return frozenset(getattr(names, kind)) if names is not None else frozenset()
+
+        self.declared, self.macros, self.same, self.absent, self.keywords = (of(kind) for kind in _NAMES)
 
 
-_NUMBERS = ("intBits", "longBits", "pointerBits", "doubleBits")
+class TargetFacts:
+    """A view of a target for rules: what they ask, by the words they use.
+
+    Args:
+        model: the target, loaded from the repository or from stored models.
+        any_board: whether a drawing may have another board than the target's.
+    """
+
+    def __init__(self, model: platform.Target, any_board: bool = False) -> None:
+        if model.platform is None:
+            raise PlatformDataError(f"the target '{model.name}' has no platform", fix="make the models again")
+        self.model = model
+        self.any_board = any_board
+        self._platform: platform.Platform = model.platform
+
+    @property
+    def target(self) -> str:
+        """The name that the user gave, or the board's."""
+        return str(self.model.name)
+
+    @property
+    def platform(self) -> str:
+        """Name of the platform."""
+        return str(self._platform.name)
+
+    @property
+    def board_model(self) -> platform.Board:
+        """The board.
+
+        Raises:
+            PlatformDataError: the target has none.
+        """
+        if self.model.board is None:
+            raise PlatformDataError(f"the target '{self.model.name}' has no board", fix="make the models again")
+        return self.model.board
+
+    @property
+    def board(self) -> str:
+        """Short name of the board."""
+        return str(self.board_model.name)
+
+    @property
+    def generator(self) -> str:
+        """Name of the registered generator."""
+        return str(self.model.generator)
+
+    @property
+    def architecture(self) -> str:
+        """Processor architecture as libraries declare it."""
+        return str(self._platform.architecture)
+
+    @property
+    def include(self) -> str:
+        """Header that every program includes, or empty."""
+        return str(self._platform.mainHeader)
+
+    @property
+    def libraries(self) -> str:
+        """Platform whose index of libraries the target uses, empty for none."""
+        return str(self.model.libraryIndex)
+
+    @property
+    def keeps_main(self) -> bool:
+        """Whether programs of the target begin with main, so that it stays as it is."""
+        return self.model.structure is platform.EntryStructure.mainFunction
+
+    @property
+    def language(self) -> str:
+        """C or C++."""
+        return str(self.model.language)
+
+    @cached_property
+    def standard_headers(self) -> frozenset[str]:
+        """C headers that the platform has."""
+        return frozenset(self._platform.standardHeaders)
+
+    @cached_property
+    def widths(self) -> Mapping[str, str]:
+        """Type of the source by value -> type that holds the same values."""
+        return {w.sourceType: w.targetType for w in self._platform.widths}
+
+    @cached_property
+    def names(self) -> TargetNames:
+        """The names that programs share with the platform's core."""
+        return TargetNames(self._platform.names)
 
 
-@cache
-def target_facts(target: str) -> TargetFacts:
-    """The facts of a target.
+def target_names(project: Path | None = None) -> list[str]:
+    """The names of all targets, sorted; each can also be given by its board's full name."""
+    listed = set(defaults(project).get("targets", {}))
+    for name, _ in _platforms_by_board(project):
+        listed |= set(mapped_boards(name, project))
+    return sorted(listed)
+
+
+def target_facts(target: str, project: Path | None = None) -> TargetFacts:
+    """A target, as new elements.
+
+    Args:
+        target: name of a target, or a board's full name in a platform's tools.
+        project: the project folder; the current folder if None.
 
     Raises:
         UsageError: there is no such target.
-        PlatformDataError: its data is damaged.
+        PlatformDataError: its data is damaged, or names a generator or toolchain that does not exist.
     """
-    targets = defaults()["targets"]
-    if target not in targets:
-        raise UsageError(
-            f"no target is called '{target}'{did_you_mean(target, targets)}", fix=f"use one of: {', '.join(sorted(targets))}"
-        )
-    entry = targets[target]
-    path = resources.find("platform_repo", f"{entry['platform']}/platform.toml")
-    data = read_data(path)
+    table, name = _entry(target, project)
+    own = platform_table(table.text("platform"), table, project)
+    board = load_board(table.text("board"), project)
+    made = _platform(own, table.text("platform"), project)
+    made.boardMappings.append(load_mapping(table.text("platform"), board, project))
+    toolchain = table.text("toolchain", "")
+    model = platform.Target(
+        name=name,
+        platform=made,
+        board=board,
+        generator=_known(table, "generator", registry().names("generator")),
+        toolchain=_toolchain(toolchain, table, project) if toolchain else None,
+        structure=STRUCTURES[_known(table, "structure", STRUCTURES)],
+        language=_known(table, "language", LANGUAGES),
+        fileSuffix=table.text("suffix"),
+        moduleSuffix=table.text("module_suffix"),
+        projectFile=table.text("project_file", ""),
+        libraryIndex=table.text("libraries", ""),
+    )
+    return TargetFacts(model, bool(table.values.get("any_board", False)))
+
+
+def _known(table: Table, key: str, known: Collection[str]) -> str:
+    value = table.text(key)
+    if value not in known:
+        raise table.error(key, f"is '{value}', which is none of: {', '.join(sorted(known))}{did_you_mean(value, known)}")
+    return value
+
+
+def _entry(target: str, project: Path | None) -> tuple[Table, str]:
+    """What is said of a target, and its name: its own table over the platform's."""
+    listed = defaults(project).get("targets", {})
+    if target in listed:
+        place = defaults_place("targets", target, project)
+        if not isinstance(listed[target], dict):
+            raise Table(place, listed, "targets.").error(target, "must be a table")
+        return _whole(listed[target], place, f"targets.{target}.", project), target
+    for name, path in _platforms_by_board(project):
+        for board in mapped_boards(name, project):
+            file = mapping_file(name, board, project)
+            table = table_of(file) if file is not None else None
+            full = (table.text("fqbn", ""), *table.texts("fqbn_also", ())) if table is not None else ()
+            if target in (board, *full):
+                return _whole({"platform": name, "board": board}, path, "target.", project), board
+    known = target_names(project)
+    raise UsageError(f"no target is called '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
+
+
+def _whole(own: dict[str, Any], place: Path, prefix: str, project: Path | None) -> Table:
+    table = Table(place, own, prefix)
+    for key in own:
+        if key not in _KEYS:
+            raise table.error(key, f"is no key of a target{did_you_mean(key, _KEYS)}")
+    base = platform_table(table.text("platform"), table, project).values.get("target", {})
+    return Table(place, {**base, **own}, prefix)
+
+
+def platform_table(name: str, named_in: Table, project: Path | None) -> Table:
+    """The settings of a platform that a target names.
+
+    Raises:
+        PlatformDataError: there is no platform of that name, or its settings cannot be read.
+    """
+    for folder in resources.folders(KIND, project):
+        if (path := folder / name / "platform.toml").is_file():
+            return table_of(path)
+    raise named_in.error("platform", f"is '{name}', a platform of which nothing is known")
+
+
+def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:
+    """Name and settings of the platforms whose boards are targets."""
+    seen: set[str] = set()
+    for folder in resources.folders(KIND, project):
+        for path in sorted(folder.glob("*/platform.toml")):
+            if path.parent.name not in seen:
+                seen.add(path.parent.name)
+                if table_of(path).values.get("target", {}).get("by_board"):
+                    yield path.parent.name, path
+
+
+def _platform(table: Table, folder: str, project: Path | None) -> platform.Platform:
     try:
-        return TargetFacts(
-            target,
-            entry["platform"],
-            entry["board"],
-            entry["generator"],
-            data["architecture"],
-            data["core"],
-            data["include"],
-            frozenset(data["standard_headers"]),
-            data["widths"],
+        data = table.values
+        return platform.Platform(
+            name=data["name"],
+            title=data.get("title", data["name"]),
+            language=data["language"],
+            charSigned=data["charSigned"],
+            hasCogs=data["hasCogs"],
+            architecture=data["architecture"],
+            coreVersion=data["core"],
+            mainHeader=data["include"],
+            standardHeaders=data["standard_headers"],
+            widths=[platform.TypeWidth(sourceType=wide, targetType=kept) for wide, kept in data["widths"].items()],
+            names=_names(folder, project),
+            **{key: data[key] for key in _NUMBERS},
         )
     except KeyError as error:
-        raise PlatformDataError(f"the key {error} is missing", location=Location(str(path)), fix="add it") from None
+        raise PlatformDataError(f"the key {error} is missing", location=Location(str(table.path)), fix="add it") from None
 
 
-def target_model(facts: TargetFacts, board: platform.Board, libraries: list[platform.Library]) -> platform.Platform:
-    """The part of the target's platform model that a plan refers to.
+def _names(folder: str, project: Path | None) -> platform.ReservedNames:
+    path = resources.find(KIND, f"{folder}/names.json", project)
+    try:
+        data = json_of(inputs.read_bytes(path, inputs.DATA))
+        return platform.ReservedNames(**{key: data[key] for key in _NAMES})
+    except (OSError, ValueError, KeyError) as error:
+        raise PlatformDataError(
+            f"the names cannot be read: {error}", location=Location(str(path)), fix="correct the file"
+        ) from error
+
+
+def _toolchain(name: str, named_in: Table, project: Path | None) -> platform.Toolchain:
+    known: list[str] = []
+    for folder in resources.folders(KIND, project):
+        for path in sorted(folder.glob("*/toolchain.toml")):
+            data = read_data(path)
+            known.append(str(data.get("name", "")))
+            if known[-1] == name:
+                table = Table(path, data)
+                tools = table.table("tools")
+                return platform.Toolchain(
+                    name=name,
+                    title=table.text("title"),
+                    architecture=table.text("architecture"),
+                    tools=[
+                        platform.Tool(name=key, command=tool.text("command"), package=tool.text("package", ""))
+                        for key, value in tools.values.items()
+                        if isinstance(value, dict) and (tool := tools.table(key))
+                    ],
+                )
+    raise named_in.error("toolchain", f"is '{name}', which is none of: {', '.join(sorted(known))}{did_you_mean(name, known)}")
+
+
+def target_repository(
+    facts: TargetFacts,
+    source: platform.Platform,
+    board: platform.Board,
+    libraries: list[platform.Library],
+    words: Collection[str],
+) -> platform.PlatformRepository:
+    """The part of the platform models that a plan refers to.
 
     Args:
         facts: the target.
-        board: its board.
+        source: the part of the source platform.
+        board: the plan's board.
         libraries: the libraries that the plan names.
+        words: the names in the program; names of the target's core are kept as far as they are among them.
     """
-    data = read_data(resources.find("platform_repo", f"{facts.platform}/platform.toml"))
-    return platform.Platform(
-        name=data["name"],
-        language=data["language"],
-        charSigned=data["charSigned"],
-        hasCogs=data["hasCogs"],
-        architecture=data["architecture"],
-        coreVersion=facts.core,
-        mainHeader=facts.include,
+    target, made = facts.model, facts.model.platform
+    assert made is not None
+    if target.board is not board:
+        target.board = board
+        made.boardMappings.clear()
+        made.boardMappings.append(load_mapping(facts.platform, board))
+    made.libraries.extend(libraries)
+    if made.names is not None:
+        made.names = platform.ReservedNames(**{kind: [n for n in getattr(made.names, kind) if n in words] for kind in _NAMES})
+    chip = board.microcontroller
+    return platform.PlatformRepository(
+        platforms=[source, made],
         boards=[board],
-        libraries=libraries,
-        **{key: data[key] for key in _NUMBERS},
+        microcontrollers=[chip] if chip is not None else [],
+        toolchains=[target.toolchain] if target.toolchain is not None else [],
+        targets=[target],
     )

@@ -11,7 +11,7 @@ from robosmi.metamodels import ccode, hardware, migration, platform
 def a_plan(**features: Any) -> migration.MigrationPlan:
     """A plan with a program of one statement, a board with two pins, a target platform with one library."""
     board = platform.Board(name="b", title="Board", pins=[platform.Pin(label="D1"), platform.Pin(label="D2")])
-    target = platform.Platform(name="target", boards=[board], libraries=[platform.Library(name="Servo")])
+    target = platform.Platform(name="target", libraries=[platform.Library(name="Servo")])
     unit = ccode.SourceUnit(path="a.c", size=100, declarations=[ccode.Variable(name="v", line=1, startOffset=0, endOffset=5)])
     program = ccode.Program(name="p", units=[unit])
     made = migration.MigrationPlan(name="p", toolVersion="0", program=program, target=target, board=board)

@@ -15,11 +15,13 @@ import pytest
 from robosmi.diagnostics import Finding
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import migration
+from robosmi.transformations.knowledge.board_models import load_board, load_mapping
 from robosmi.transformations.m2m.connector_mapping import algorithm_1_as_printed, identifier, map_connectors
 from robosmi.transformations.queries.circuit import boards, component_named, hardware_report, port_interfaces, the_board
-from robosmi.transformations.t2m.boards import load_board
 from robosmi.transformations.t2m.fritzing import read_circuit
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, LABELS, SHARED, zipped
+
+UNO = load_mapping("arduino", load_board("uno"))
 
 
 def report(path: Path) -> tuple[dict[str, Any], list[Finding]]:
@@ -75,13 +77,13 @@ def test_port_interfaces_are_the_paper_s_map(case: str) -> None:
     circuit, _ = read_circuit(CASES[case])
     connections, _ = map_connectors(circuit, {the_board(circuit).elementId: load_board("uno")})
     wanted = {name.replace("-", ""): str(pin) for name, pin in label["paper_map"].items()}
-    assert port_interfaces(connections) == wanted
-    assert list(port_interfaces(connections)) == sorted(wanted, key=lambda name: (int(wanted[name]), name))
+    assert port_interfaces(connections, UNO) == wanted
+    assert list(port_interfaces(connections, UNO)) == sorted(wanted, key=lambda name: (int(wanted[name]), name))
 
 
 def test_line_follower_as_the_paper_prints_it() -> None:
     circuit, _ = read_circuit(CASES["line_following_robot"])
-    assert port_interfaces(map_connectors(circuit)[0]) == {
+    assert port_interfaces(map_connectors(circuit)[0], UNO) == {
         "BasicServo2WriteP1": "8",
         "BasicServo1WriteP1": "9",
         "HIH40302ReadP1": "10",
@@ -271,7 +273,7 @@ def test_a_pin_that_the_target_has_not() -> None:
     connections, findings = map_connectors(circuit, {"1": uno})
     assert [f.rule for f in findings] == ["RS223"]
     assert connections[0].pin is None
-    assert port_interfaces(connections) == {"ArmWriteP1": "9"}
+    assert port_interfaces(connections, UNO) == {"ArmWriteP1": "9"}
 
 
 def test_connections_refer_to_the_board_s_pins() -> None:

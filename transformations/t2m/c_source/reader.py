@@ -15,6 +15,7 @@ from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.model.lean import collector_at_rest
+from robosmi.project import defaults
 from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.linking import Linker
@@ -30,7 +31,7 @@ PathLike = str | os.PathLike[str]
 def read_program(
     paths: PathLike | Iterable[PathLike],
     *,
-    platform: str = "propeller",
+    platform: str | None = None,
     include_dirs: Sequence[PathLike] = (),
     defines: Sequence[str] = (),
 ) -> tuple[ccode.Program, list[Finding]]:
@@ -39,7 +40,7 @@ def read_program(
     Args:
         paths: one file, or all that are compiled together; a folder stands for the sources in it, `compile_commands.json` for
             those that it names. `SourceUnit.path` is what is given here.
-        platform: name of the source platform in the repository.
+        platform: name of the source platform in the repository; that of the defaults if None.
         include_dirs: folders with headers, searched after the file's own.
         defines: macros from outside, `NAME` or `NAME=VALUE`.
 
@@ -55,7 +56,7 @@ def read_program(
     given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     if not given:
         raise UsageError("no source file is given", fix="name at least one C file")
-    api = ApiIndex.load(platform)
+    api = ApiIndex.load(platform or str(defaults()["migrate"]["source_platform"]))
     folders = [os.fspath(d) for d in include_dirs]
     contexts: list[Context] = []
     files = source_files(given, folders, defines)

@@ -27,7 +27,7 @@ from robosmi.transformations.t2m.fritzing.views import believed
 
 
 def read_circuit(
-    path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None
+    path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None, board: str | None = None
 ) -> tuple[hardware.Circuit, list[Finding]]:
     """Read a Fritzing sketch.
 
@@ -35,6 +35,7 @@ def read_circuit(
         path: a `.fz` or `.fzz` file.
         project: the project folder, whose own data on parts and boards goes first; the current folder if None.
         roles: roles that the user gives to components, by title or `#model_index`; they go before all else.
+        board: the board where a file does not say which; a sketch always does.
 
     Returns:
         The circuit, and what was unknown, odd or left out (rules RS201 to RS213).

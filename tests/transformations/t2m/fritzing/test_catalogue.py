@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.cli.main import main
-from robosmi.errors import PlatformDataError, UsageError
+from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import Phrases, conducts_by_bus_only, connector_kind, name_direction, names
 from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
@@ -225,25 +225,6 @@ def test_damaged_entries_name_file_and_line(text: str, cause: str, line: int | N
     assert caught.value.location.path == str(path)
     if line is not None:
         assert caught.value.location.line == line
-
-
-def test_boards_have_their_pins_in_order() -> None:
-    uno = boards.load_board("uno")
-    assert [pin.label for pin in uno.pins] == [f"D{i}" for i in range(14)] + [f"A{i}" for i in range(6)]
-    assert [pin.literal for pin in uno.pins][-7:] == ["13", "A0", "A1", "A2", "A3", "A4", "A5"]
-    assert "pwm" in uno.pins[9].abilities
-    assert (uno.fqbn, uno.flashBytes, uno.volts) == ("arduino:avr:uno", 32256, 5.0)
-
-
-@pytest.mark.parametrize("name", boards.board_names())
-def test_every_board_loads(name: str) -> None:
-    board = boards.load_board(name)
-    assert len({pin.label for pin in board.pins}) == len(board.pins) > 10
-
-
-def test_an_unknown_board() -> None:
-    with pytest.raises(UsageError, match=r"no board is called 'unno' \(did you mean 'uno'\?\)"):
-        boards.load_board("unno")
 
 
 def test_parts_that_are_boards() -> None:

@@ -1,0 +1,115 @@
+"""Targets as data: tables of a project beside the built-in ones, and what is said of one that is wrong."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import PlatformDataError, SourceError, UsageError
+from robosmi.project import defaults
+from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.t2m.target_platform import target_facts
+from tests.running import run
+
+PROGRAM = Path(__file__).parent / "program"
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the program, from which commands are run."""
+    shutil.copytree(PROGRAM, tmp_path / "project")
+    monkeypatch.chdir(tmp_path / "project")
+    return tmp_path / "project"
+
+
+def say(project: Path, text: str) -> Path:
+    """Write the project's own defaults."""
+    path = project / ".robosmi" / "platform_repo" / "defaults.toml"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    return path
+
+
+def test_a_projects_targets_add_to_the_built_in_ones(project: Path) -> None:
+    say(project, '[targets.my-nano]\nplatform = "arduino"\nboard = "nano"\n')
+    assert target_facts("my-nano").board == "nano"
+    assert target_facts("uno").board == "uno"
+    assert defaults()["readers"][".c"] == "c_source"
+    outcome = run("migrate", "beacon.c", "--target", "my-nano", "-o", "out")
+    assert outcome.code in (0, 1), outcome.err
+    assert [t.name for t in load_models(project / "out" / "models" / "plan.xmi").repository.targets] == ["my-nano"]
+    assert "fqbn: arduino:avr:nano\n" in (project / "out" / "beacon" / "sketch.yaml").read_text()
+
+
+def test_of_two_files_the_nearer_one_counts_key_by_key(project: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    far = tmp_path / "far" / "platform_repo"
+    far.mkdir(parents=True)
+    (far / "defaults.toml").write_text('[rank]\ncandidates = 3\nranker = "tfidf"\n')
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path / "far"))
+    say(project, "[rank]\ncandidates = 4\n")
+    assert defaults()["rank"] == {"candidates": 4, "ranker": "tfidf"}
+    say(project, "[rank]\ncandidates = 55\n")
+    assert defaults()["rank"]["candidates"] == 55
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        ('platform = "arduino"\nboard = "uno"\ngenerator = "arduino"', "'targets.x.generator' is 'arduino', which is none of: "),
+        ('platform = "arduino"\nboard = "uno"\ntoolchain = "gcc"', "'targets.x.toolchain' is 'gcc', which is none of: "),
+        ('platform = "arduino"\nboard = "uno"\nstructure = "loop"', "'targets.x.structure' is 'loop', which is none of: "),
+        ('platform = "arduino"\nboard = "uno"\nlanguage = "Rust"', "'targets.x.language' is 'Rust', which is none of: C, C"),
+        ('platform = "arduino"\nboard = "uno"\ncompiler = "gcc"', "'targets.x.compiler' is no key of a target"),
+        ('platform = "arduino"', "'targets.x.board' is missing"),
+        ('board = "uno"', "'targets.x.platform' is missing"),
+        ('platform = "mars"\nboard = "uno"', "'targets.x.platform' is 'mars', a platform of which nothing is known"),
+    ],
+)
+def test_a_wrong_target_names_its_file_and_key(project: Path, table: str, message: str) -> None:
+    path = say(project, f"[targets.x]\n{table}\n")
+    with pytest.raises(PlatformDataError) as caught:
+        target_facts("x")
+    assert message in caught.value.message
+    assert caught.value.location is not None
+    assert caught.value.location.path == str(path)
+
+
+def test_a_table_that_is_none_is_an_error_of_its_file(project: Path) -> None:
+    path = say(project, 'targets = "uno"\n')
+    with pytest.raises(PlatformDataError, match="'targets' must be a table") as caught:
+        defaults()
+    assert caught.value.location is not None
+    assert caught.value.location.path == str(path)
+
+
+def test_an_unknown_target_offers_the_nearest(project: Path) -> None:
+    with pytest.raises(UsageError, match=r"no target is called 'nanno' \(did you mean 'nano'\?\)"):
+        target_facts("nanno")
+
+
+def test_a_pin_table_without_a_board_means_the_targets(project: Path) -> None:
+    robosmi.migrate(["beacon.c"], "out", target="arduino:avr:mega")
+    plan = load_models(project / "out" / "models" / "plan.xmi").plan
+    assert plan.board is not None
+    assert plan.board.name == "mega"
+
+
+def test_a_pin_table_of_another_board_is_named_as_what_it_is(project: Path) -> None:
+    table = project / "wiring.csv"
+    table.write_text(table.read_text().replace("connector\n", "connector,board\n").replace("anode\n", "anode,nano\n"))
+    with pytest.raises(SourceError) as caught:
+        robosmi.migrate(["beacon.c"], "out", target="uno")
+    assert caught.value.message == "wiring.csv has the board 'Arduino Nano' (Arduino Nano), the target is 'uno'"
+    assert caught.value.fix is not None
+    assert "drawing" not in caught.value.message + caught.value.fix
+
+
+@pytest.mark.parametrize(("board", "lost"), [("uno", False), ("leonardo", True)])
+def test_what_tone_takes_is_the_microcontrollers(tmp_path: Path, board: str, lost: bool) -> None:
+    """On D5 the Uno has the PWM of Timer0, the Leonardo that of Timer3, which tone() takes there."""
+    made = robosmi.migrate([PROGRAM.parent / "speaker" / "beacon.c"], tmp_path / "out", target=board)
+    said = [f.message for f in made.findings if f.rule == "RS264"]
+    assert any("Timer3" in message and "tone()" in message for message in said) == lost, said

@@ -1,0 +1,40 @@
+"""Boards of a platform as the compile check wants them (`robosmi.verify.boards`), from the elements of `board_models`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from robosmi.errors import PlatformDataError
+from robosmi.metamodels import platform
+from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards
+from robosmi.verify.boards import Board
+
+
+def boards_to_compile_for(platform_name: str, project: Path | None = None) -> list[Board]:
+    """The boards that a platform maps; the registry's query of that name.
+
+    Args:
+        platform_name: the platform's folder in the repository.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: the data of a board is damaged.
+    """
+    return [_board(platform_name, load_board(name, project), project) for name in mapped_boards(platform_name, project)]
+
+
+def _board(platform_name: str, board: platform.Board, project: Path | None) -> Board:
+    mapping, chip = load_mapping(platform_name, board, project), board.microcontroller
+    if chip is None:
+        raise PlatformDataError(f"the board '{board.name}' has no microcontroller", fix="add 'mcu' to its file")
+    return Board(
+        name=str(board.name),
+        title=str(board.title),
+        full_names=tuple(filter(None, (mapping.boardId, *mapping.otherIds))),
+        values={
+            "mcu": str(chip.name), "f_cpu": str(board.clockHertz), "variant": str(mapping.variant), "define": str(mapping.define),
+        },
+        extra_flags=tuple(mapping.extraFlags),
+        flash_bytes=int(mapping.flashBytes),
+        ram_bytes=int(mapping.ramBytes),
+    )  # fmt: skip
