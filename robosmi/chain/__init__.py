@@ -1,4 +1,4 @@
-"""Chains: workflows of load, validate, transform, migrate and generate, with what each step reads and makes said explicitly.
+"""Chains: workflows of load, validate, transform, migrate, generate and plain functions, with what each reads and makes explicit.
 
 `Chain` is written in Python, `read_chain` reads one from a TOML file; a run does only the steps whose inputs have changed. The
 languages of the steps are in the rooms below (`validate`, `transform`, `generate`); here is only what holds them together.
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from robosmi.chain.chain import Chain
 from robosmi.chain.reading import read_chain
-from robosmi.chain.run import ChainResult
+from robosmi.chain.run import ChainResult, Run
 from robosmi.chain.steps import Step, StepResult
 
-__all__ = ["Chain", "ChainResult", "Step", "StepResult", "read_chain"]
+__all__ = ["Chain", "ChainResult", "Run", "Step", "StepResult", "read_chain"]

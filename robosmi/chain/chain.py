@@ -1,4 +1,4 @@
-"""`Chain`: steps that read and make models and files, done in the order of their dependencies and only where something changed.
+"""`Chain`: steps that read and make models, values and files, done in the order of their dependencies, where something changed.
 
     c = Chain(folder)
     c.load("library", "library.xmi", metamodel="library.ecore")
@@ -7,7 +7,16 @@
     c.generate(pages, models=["site"], folder="out", templates="templates")
     c.run()
 
-How a step is done is `steps`' business, when and in which order `run`'s, what depends on what `graph`'s.
+Steps may be plain functions over values in memory, too; then a run is kept, asked and told something else:
+
+    c = Chain(None)
+    c.given("numbers")
+    c.call(lambda numbers: sum(numbers), makes="total")
+    run = c.start(numbers=[1, 2])
+    run.value("total")           # 3
+    run.give(numbers=[1, 2, 3])  # what depends on it is done again when it is asked for, and nothing else
+
+How a step is done is `languages`' business, when and in which order `run`'s, what depends on what `graph`'s.
 """
 
 from __future__ import annotations
@@ -16,15 +25,16 @@ import inspect
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import networkx as nx
-
-from robosmi.chain.graph import graph_of, in_order, missing
-from robosmi.chain.run import ChainResult, Run
-from robosmi.chain.steps import Step, relative
+from robosmi.chain.graph import Dependencies, graph_of, in_order, missing
+from robosmi.chain.run import ChainResult, Progress, Run
+from robosmi.chain.steps import CALL, GIVEN, Step, relative
 from robosmi.diagnostics import Location, Severity
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, did_you_mean
+
+if TYPE_CHECKING:
+    import networkx as nx  # longer to import than most chains take
 
 Names = str | Sequence[str]
 Paths = str | Path | Sequence[str | Path]
@@ -34,13 +44,14 @@ class Chain:
     """A workflow.
 
     Args:
-        folder: what paths are relative to, and beside what the state is kept (`.robosmi/chains`).
+        folder: what paths are relative to, and beside what the state is kept (`.robosmi/chains`); None for a chain of values
+            alone, which reads and makes no files of its own and remembers nothing longer than a run lives.
         name: the chain's name; two chains in one folder have different ones.
         place: where it is declared, for errors.
     """
 
-    def __init__(self, folder: str | Path = ".", name: str = "chain", place: Location | None = None) -> None:
-        self.folder = Path(folder).resolve()
+    def __init__(self, folder: str | Path | None = ".", name: str = "chain", place: Location | None = None) -> None:
+        self.folder = Path(folder).resolve() if folder is not None else None
         self.name = name
         self.place = place
         self.steps: list[Step] = []
@@ -151,13 +162,59 @@ class Chain:
         """  # fmt: skip
         self._add(step, "generate", function, models, folder=folder, templates=templates, reads=reads)
 
+    def given(self, *names: str) -> None:
+        """Declare values that are given from outside when a run starts."""
+        for name in names:
+            self.steps.append(Step(f"given {name}", GIVEN, makes=name))
+
+    def call(self, function: Callable[..., Any], *, makes: str, step: str = "") -> None:
+        """Make a value of others by a plain function.
+
+        Args:
+            function: its parameters are the names of the models and values that it reads; it changes none of them.
+            makes: name of the value that it returns.
+            step: the step's name, which is what progress shows; the value's if not given.
+        """
+        self.steps.append(self._call(function, makes, step or makes))
+
+    def _call(self, function: Callable[..., Any], makes: str, title: str) -> Step:
+        code = inspect.getsourcefile(function) if self.folder is not None else None
+        code_files = (Path(code).resolve(),) if code and Path(code).is_file() else ()
+        return Step(title, CALL, function, tuple(inspect.signature(function).parameters), makes, code=code_files)
+
+    def replace(self, name: str, function: Callable[..., Any]) -> None:
+        """Put another function in the place of a step of values; it makes the same value, of whatever values it asks for.
+
+        Args:
+            name: the step's name, or that of the value that it makes.
+            function: as for `call`.
+
+        Raises:
+            SourceError: there is no such step of values.
+        """
+        for number, step in enumerate(self.steps):
+            if step.kind == CALL and name in (step.name, step.makes):
+                self.steps[number] = self._call(function, step.makes, step.name)
+                return
+        known = [step.name for step in self.steps if step.kind == CALL]
+        raise SourceError(
+            f"the chain has no step of values '{name}'{did_you_mean(name, known)}",
+            location=self.place, fix=f"use one of: {', '.join(known) or 'none is there'}",
+        )  # fmt: skip
+
     def _add(self, name: str, kind: str, function: Callable[..., Any] | None, models: Names, **options: Any) -> None:
+        if self.folder is None:
+            raise SourceError(
+                f"a step of kind '{kind}' reads or makes files, and the chain has no folder",
+                location=self.place, fix="give the chain a folder",
+            )  # fmt: skip
+        folder = self.folder
         for key in ("file", "trace", "folder", "templates"):
             if options.get(key) is not None:
-                options[key] = self.folder / options[key]
+                options[key] = folder / options[key]
         for key in ("metamodel", "reads"):
             given = options.get(key, ())
-            options[key] = tuple(self.folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
+            options[key] = tuple(folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
         code = inspect.getsourcefile(function) if function is not None else None
         listed = (models,) if isinstance(models, str) else tuple(models)
         title = name or getattr(function, "__name__", kind)
@@ -171,10 +228,26 @@ class Chain:
     # Running
 
     def graph(self) -> nx.DiGraph[str]:
-        """What depends on what: nodes `step NAME`, `model NAME`, `file PATH`.
+        """What depends on what: nodes `step NAME`, `model NAME`, `file PATH`, with the attribute `kind` (step, model, file).
 
         Raises:
             SourceError: two steps make the same, or a model is used that no step makes.
+        """
+        import networkx as nx
+
+        graph: nx.DiGraph[str] = nx.DiGraph()
+        depends = self.dependencies()
+        for name, kind in depends.kinds.items():
+            graph.add_node(name, kind=kind)
+        for first, then, gate in depends.edges():
+            graph.add_edge(first, then, **({"gate": True} if gate else {}))
+        return graph
+
+    def dependencies(self) -> Dependencies:
+        """The same as plain data.
+
+        Raises:
+            SourceError: as for `graph`.
         """
         return graph_of(self.steps, self.folder, self.place)
 
@@ -185,11 +258,11 @@ class Chain:
             SourceError: the chain has a circle, a model that no step makes, a file that is not there, or a trace of a model
                 without a file.
         """
-        graph = self.graph()
+        graph = self.dependencies()
         ordered = in_order(self.steps, graph, self.place)
         for step, path in missing(ordered, graph, self.folder):
             raise SourceError(
-                f"the step '{step.name}' reads '{relative(path, self.folder)}', which does not exist and no step makes",
+                f"the step '{step.name}' reads '{relative(path, self.folder or path)}', which does not exist and no step makes",
                 location=self.place or Location(str(path)),
                 fix="correct the path, relative to the chain's folder; nothing was done",
             )
@@ -204,18 +277,36 @@ class Chain:
                     )
         return ordered
 
-    def run(self, *, dry_run: bool = False, keep: bool = True, force: bool = False) -> ChainResult:
+    def run(self, *, dry_run: bool = False, keep: bool = True, force: bool = False, **values: Any) -> ChainResult:
         """Do the steps whose inputs have changed since they were done last, or whose outputs are gone.
 
         Args:
             dry_run: write nothing; the result says what would be written.
             keep: keep what persons changed in generated files outside of regions too.
             force: do every step.
+            values: those that are given from outside.
 
         Raises:
-            SourceError: the chain is wrong, or a file cannot be read or written.
+            SourceError: the chain is wrong, a value is not given, or a file cannot be read or written.
             RuleError: a rule or template is wrong, or raises.
             StoppedError: what a person changed would be lost.
         """
-        ordered = self.check()
-        return Run(ordered, self.folder, self.name, dry_run=dry_run, keep=keep, force=force).run()
+        return self.start(dry_run=dry_run, keep=keep, force=force, **values).run()
+
+    def start(
+        self, *, dry_run: bool = False, keep: bool = True, force: bool = False, progress: Progress | None = None, **values: Any
+    ) -> Run:
+        """A run in which nothing is done yet: to be asked for values, told others, and asked again.
+
+        Args:
+            dry_run, keep, force, values: as for `run`.
+            progress: told of each step before it is done, and with its result afterwards.
+
+        Raises:
+            SourceError: the chain is wrong, or a value is given that the chain does not know.
+        """  # fmt: skip
+        run = Run(
+            self.check(), self.dependencies(), self.folder, self.name, dry_run=dry_run, keep=keep, force=force, progress=progress
+        )
+        run.give(**values)
+        return run

@@ -2,44 +2,82 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import heapq
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
-import networkx as nx
-
-from robosmi.chain.steps import Step, relative
+from robosmi.chain.steps import GIVEN, Step, relative
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, did_you_mean
 
 
-def graph_of(steps: Sequence[Step], folder: Path, place: Location | None = None) -> nx.DiGraph[str]:
-    """The graph: what is read -> step -> what is made.
+@dataclass
+class Dependencies:
+    """A directed graph: what is read -> step -> what is made.
+
+    Attributes:
+        kinds: `step NAME`, `model NAME` or `file PATH` -> `step`, `model` or `file`; in the order of first mention.
+        before: the same names -> what they depend on, each with whether it only holds them back (a validation).
+    """
+
+    kinds: dict[str, str] = field(default_factory=dict)
+    before: dict[str, dict[str, bool]] = field(default_factory=dict)
+
+    def node(self, name: str) -> None:
+        """Add `step NAME`, `model NAME` or `file PATH`; nothing changes where it is there."""
+        self.kinds.setdefault(name, name.partition(" ")[0])
+        self.before.setdefault(name, {})
+
+    def edge(self, first: str, then: str, *, gate: bool = False) -> None:
+        """Say that one depends on the other."""
+        self.node(first)
+        self.node(then)
+        self.before[then][first] = gate
+
+    def edges(self) -> Iterator[tuple[str, str, bool]]:
+        """From, to, and whether it only holds back."""
+        for then, firsts in self.before.items():
+            for first, gate in firsts.items():
+                yield first, then, gate
+
+    def needed(self, names: Iterable[str]) -> set[str]:
+        """These and all that they depend on."""
+        found: set[str] = set()
+        left = list(names)
+        while left:
+            name = left.pop()
+            if name not in found:
+                found.add(name)
+                left += self.before.get(name, ())
+        return found
+
+
+def graph_of(steps: Sequence[Step], folder: Path | None, place: Location | None = None) -> Dependencies:
+    """The graph of a chain.
 
     Args:
         steps: in the order of their declaration.
-        folder: what paths are relative to.
+        folder: what paths are relative to; None where no step reads or makes a file.
         place: where the chain is declared, for errors.
-
-    Returns:
-        Nodes `step NAME`, `model NAME` and `file PATH`, with the attribute `kind` (step, model, file).
 
     Raises:
         SourceError: two steps make the same, or a model is used that no step makes.
     """
-    graph: nx.DiGraph[str] = nx.DiGraph()
+    graph = Dependencies()
     makers: dict[str, Step] = {}
     for step in steps:
         node = f"step {step.name}"
-        if node in graph:
+        if node in graph.kinds:
             raise _wrong(f"two steps are called '{step.name}'", "give one of them another name", place)
-        graph.add_node(node, kind="step")
-        for made in [*([f"model {step.makes}"] if step.makes else []), *(f"file {relative(p, folder)}" for p in step.outputs())]:
+        graph.node(node)
+        for made in [*([f"model {step.makes}"] if step.makes else []), *(_file(p, folder) for p in step.outputs())]:
             if made in makers and not (step.kind == "generate" and makers[made].kind == "generate"):
                 both = f"'{makers[made].name}' and '{step.name}'"
                 raise _wrong(f"two steps make the {made}: {both}", "give one of them another name or file", place)
             makers[made] = step
-            graph.add_node(made, kind=made.partition(" ")[0])
-            graph.add_edge(node, made)
+            graph.edge(node, made)
     for step in steps:
         for model in step.models:
             if f"model {model}" not in makers:
@@ -49,18 +87,20 @@ def graph_of(steps: Sequence[Step], folder: Path, place: Location | None = None)
                     f"use one of: {', '.join(known) or 'none is made'}, or add a step that makes it",
                     place,
                 )
-            graph.add_edge(f"model {model}", f"step {step.name}")
+            graph.edge(f"model {model}", f"step {step.name}")
         for path in step.inputs():
-            name = f"file {relative(path, folder)}"
-            if name not in graph:
-                graph.add_node(name, kind="file")
-            graph.add_edge(name, f"step {step.name}")
+            name = _file(path, folder)
+            graph.edge(name, f"step {step.name}")
             for other in steps:  # a file in a folder that another step fills
                 if other.folder is not None and other is not step and other.folder in path.parents:
-                    graph.add_edge(f"file {relative(other.folder, folder)}", name)
+                    graph.edge(_file(other.folder, folder), name)
     for gate, step in _gates(steps):
-        graph.add_edge(f"step {gate.name}", f"step {step.name}", gate=True)
+        graph.edge(f"step {gate.name}", f"step {step.name}", gate=True)
     return graph
+
+
+def _file(path: Path, folder: Path | None) -> str:
+    return f"file {relative(path, folder) if folder is not None else path}"
 
 
 def _gates(steps: Sequence[Step]) -> Iterable[tuple[Step, Step]]:
@@ -72,32 +112,54 @@ def _gates(steps: Sequence[Step]) -> Iterable[tuple[Step, Step]]:
                     yield gate, step
 
 
-def in_order(steps: Sequence[Step], graph: nx.DiGraph[str], place: Location | None = None) -> list[Step]:
+def in_order(steps: Sequence[Step], graph: Dependencies, place: Location | None = None) -> list[Step]:
     """The steps, each behind those it depends on, else as they are declared.
 
     Raises:
         SourceError: they depend on each other in a circle.
     """
     position = {f"step {step.name}": number for number, step in enumerate(steps)}
-    by_node = {f"step {step.name}": step for step in steps}
+    waits = {name: len(firsts) for name, firsts in graph.before.items()}
+    then: dict[str, list[str]] = {name: [] for name in graph.kinds}
+    for first, second, _ in graph.edges():
+        then[first].append(second)
+    ready = [(position.get(name, -1), name) for name, count in waits.items() if not count]
+    heapq.heapify(ready)
+    ordered: list[Step] = []
+    done = 0
+    while ready:
+        number, name = heapq.heappop(ready)
+        done += 1
+        if number >= 0:
+            ordered.append(steps[number])
+        for second in then[name]:
+            waits[second] -= 1
+            if not waits[second]:
+                heapq.heappush(ready, (position.get(second, -1), second))
+    if done < len(waits):
+        told = " -> ".join(_circle(graph.before))
+        raise _wrong(f"the chain goes in a circle: {told}", "take out one of these dependencies", place)
+    return ordered
+
+
+def _circle(before: Mapping[str, Iterable[str]]) -> list[str]:
     try:
-        nodes = list(nx.lexicographical_topological_sort(graph, key=lambda node: (position.get(node, -1), node)))
-    except nx.NetworkXUnfeasible:
-        circle = [edge[0] for edge in nx.find_cycle(graph)]
-        told = " -> ".join([*circle, circle[0]])
-        raise _wrong(f"the chain goes in a circle: {told}", "take out one of these dependencies", place) from None
-    return [by_node[node] for node in nodes if node in by_node]
+        TopologicalSorter(before).prepare()
+    except CycleError as error:
+        circle: list[str] = error.args[1]  # each is read by the next one
+        return circle
+    return []
 
 
-def missing(steps: Sequence[Step], graph: nx.DiGraph[str], folder: Path) -> list[tuple[Step, Path]]:
+def missing(steps: Sequence[Step], graph: Dependencies, folder: Path | None) -> list[tuple[Step, Path]]:
     """Files and folders that a step reads, that are not there and that no step makes."""
-    found = []
-    for step in steps:
-        for path in step.inputs():
-            made = graph.in_degree(f"file {relative(path, folder)}") > 0
-            if not made and not path.exists():
-                found.append((step, path))
-    return found
+    return [
+        (step, path)
+        for step in steps
+        if step.kind != GIVEN
+        for path in step.inputs()
+        if not graph.before[_file(path, folder)] and not path.exists()
+    ]
 
 
 def _wrong(message: str, fix: str, place: Location | None) -> SourceError:

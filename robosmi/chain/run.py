@@ -1,21 +1,27 @@
 """One run of a chain: which steps have to be done, the models between them, and what is remembered of it.
 
 A step is up to date when the digest of all that it reads is the one of its last run, and what it made is still there. A model
-is read or made only when a step needs it.
+is read or made only when a step needs it. A run may be kept: asked for a value, told another (`give`), asked again; what is
+done then is what depends on it. A value that is made anew and equals the old one changes nothing behind it.
 """
 
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import robosmi
+from robosmi.chain.graph import Dependencies
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from
-from robosmi.chain.steps import DOES, Doing, Step, StepResult, relative
+from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location
-from robosmi.errors import StoppedError
-from robosmi.model.driver import Model
+from robosmi.errors import SourceError, StoppedError, did_you_mean
+
+Progress = Callable[[Step, StepResult | None], None]
+"""Told of a step: without a result before it is done, with it afterwards."""
 
 
 @dataclass
@@ -59,38 +65,101 @@ class Run:
 
     Args:
         ordered: the steps, each behind those it depends on.
-        folder: what paths are relative to.
+        graph: what depends on what.
+        folder: what paths are relative to; None where there are values only.
         name: the chain's name, under which its state is kept.
         dry_run: write nothing.
         keep: keep what persons changed in generated files outside of regions too.
         force: do every step.
+        progress: told of each step that is done.
     """
 
-    def __init__(self, ordered: list[Step], folder: Path, name: str, *, dry_run: bool, keep: bool, force: bool) -> None:
-        self.ordered, self.folder = ordered, folder
-        self.dry_run, self.keep, self.force = dry_run, keep, force
-        self.state = State(folder / ".robosmi" / "chains" / f"{name}.json")
+    def __init__(
+        self,
+        ordered: list[Step],
+        graph: Dependencies,
+        folder: Path | None,
+        name: str,
+        *,
+        dry_run: bool = False,
+        keep: bool = True,
+        force: bool = False,
+        progress: Progress | None = None,
+    ) -> None:
+        self.ordered, self.graph, self.folder = ordered, graph, folder if folder is not None else Path()
+        self.dry_run, self.keep, self.force, self.progress = dry_run, keep, force, progress
+        self.state = State(folder / ".robosmi" / "chains" / f"{name}.json" if folder is not None else None)
         self.makers = {step.makes: step for step in ordered if step.makes}
-        self.models: dict[str, Model] = {}
+        self.models: dict[str, Any] = {}
         self.content: dict[str, str] = {}
         self.stopped: set[str] = set()
+        self._told = 0
 
-    def run(self) -> ChainResult:
-        """Do the steps that have to be done."""
+    # Values
+
+    def give(self, **values: Any) -> None:
+        """Say what values are that come from outside; what depends on one that differs from before is done again.
+
+        Raises:
+            SourceError: the chain has no such value.
+        """
+        for name, value in values.items():
+            if name not in self.makers or self.makers[name].kind != GIVEN:
+                known = [step.makes for step in self.ordered if step.kind == GIVEN]
+                fix = f"use one of: {', '.join(known) or 'none is asked for'}"
+                raise SourceError(f"the chain asks for no value '{name}'{did_you_mean(name, known)}", fix=fix)
+            self._set(name, value)
+
+    def value(self, name: str) -> Any:
+        """A model or value, once the steps that it needs are done or up to date.
+
+        Raises:
+            SourceError: no step makes it, or a value that it needs was not given; and what the steps raise.
+        """
+        if name not in self.makers:
+            raise SourceError(f"no step makes '{name}'{did_you_mean(name, self.makers)}", fix="ask for what a step makes")
+        self.run([name])
+        return self.model(name)
+
+    def _set(self, name: str, value: Any) -> None:
+        """Keep a value. What it says to later steps is a new number if it differs, or its text where that outlives the run."""
+        if name in self.models and (self.models[name] is value or _same(self.models[name], value)):
+            return
+        self._told += 1
+        self.models[name] = value
+        self.content[name] = f"value {self._told}" if self.state.path is None else f"value {value!r}"
+
+    # Steps
+
+    def run(self, goals: Iterable[str] | None = None) -> ChainResult:
+        """Do the steps that have to be done.
+
+        Args:
+            goals: names of the models and values that are wanted; None for everything.
+        """
         begun = time.perf_counter()
+        self.stopped.clear()
         results = []
         known = {step.name for step in self.ordered}
+        wanted = None if goals is None else self.graph.needed(f"model {name}" for name in goals)
         self.state.steps = {name: entry for name, entry in self.state.steps.items() if name in known}
         try:
             for step in self.ordered:
-                start = time.perf_counter()
-                result = self.step(step)
-                result.seconds = time.perf_counter() - start
-                results.append(result)
+                if step.kind == GIVEN:
+                    self._check_given(step, wanted)
+                elif wanted is None or f"step {step.name}" in wanted:
+                    start = time.perf_counter()
+                    result = self.step(step)
+                    result.seconds = time.perf_counter() - start
+                    results.append(result)
         finally:
             if not self.dry_run:
                 self.state.save()  # of what was done, also where a later step fails
         return ChainResult(results, time.perf_counter() - begun)
+
+    def _check_given(self, step: Step, wanted: set[str] | None) -> None:
+        if step.makes not in self.models and (wanted is None or f"step {step.name}" in wanted):
+            raise SourceError(f"the value '{step.makes}' was not given", fix=f"give it: {step.makes}=...")
 
     def step(self, step: Step) -> StepResult:
         """Do a step if it has to be done."""
@@ -98,7 +167,8 @@ class Run:
             self.stopped |= {step.makes} - {""}
             return StepResult(step, "not run")
         inputs = self.inputs(step)
-        self.content[step.makes] = inputs
+        if step.kind != CALL or self.state.path is not None:
+            self.content[step.makes] = inputs
         known = self.state.steps.get(step.name)
         if known is not None and not self.force and known.inputs == inputs and self.intact(step, known):
             result = StepResult(step, "up to date", findings=[finding_from(f) for f in known.findings], outputs=known.outputs)
@@ -108,7 +178,11 @@ class Run:
             if known is not None and known.outputs and not self.dry_run:
                 known.outputs = {}
                 self.state.save()  # who is killed now must not find his own file changed
+            if self.progress is not None:
+                self.progress(step, None)
             result = self.do(step)
+            if self.progress is not None:
+                self.progress(step, result)
             self.remember(step, inputs, result)
         if result.state == "failed":
             self.stopped |= set(step.models)
@@ -128,6 +202,8 @@ class Run:
 
     def intact(self, step: Step, known: StepState) -> bool:
         """Whether what the step made is still there, as it was made."""
+        if step.kind == CALL and self.state.path is None:
+            return step.makes in self.models
         if step.kind == "load" or (step.makes and step.file is None):
             return True  # nothing but a model in memory, which is made when it is needed
         return all(digest_of(self.folder / name) == value for name, value in known.outputs.items())
@@ -146,6 +222,16 @@ class Run:
     def do(self, step: Step) -> StepResult:
         """Do a step, with the models that it needs."""
         models = {name: self.model(name) for name in step.models}
+        if step.kind == CALL:
+            assert step.function is not None
+            made = step.function(**models)
+            if self.state.path is None:
+                self._set(step.makes, made)
+            else:
+                self.models[step.makes] = made
+            return StepResult(step, "done")
+        from robosmi.chain.languages import DOES, Doing  # all languages at once, which a chain of functions does not need
+
         files = {name: self.makers[name].file for name in step.models}
         result, made = DOES[step.kind](step, Doing(self.folder, models, files, self.dry_run, self.keep))
         if made is not None:
@@ -154,8 +240,8 @@ class Run:
             result.state = "would run"
         return result
 
-    def model(self, name: str) -> Model:
-        """A model, made by its step or read from the file that the step has made."""
+    def model(self, name: str) -> Any:
+        """A model or value, made by its step or read from the file that the step has made."""
         if name not in self.models:
             maker = self.makers[name]
             if maker.kind != "load" and maker.file is not None and maker.file.is_file():
@@ -171,3 +257,11 @@ class Run:
         result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
         self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed")
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two values are equal; those that cannot be compared are not."""
+    try:
+        return type(one) is type(other) and bool(one == other)
+    except (TypeError, ValueError):
+        return False

@@ -36,13 +36,13 @@ class State:
     """The memory of a chain.
 
     Args:
-        path: its file; nothing is remembered where there is none.
+        path: its file, which need not be there yet; None to remember nothing longer than the run lives.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path | None) -> None:
         self.path = path
         self.steps: dict[str, StepState] = {}
-        if path.is_file():
+        if path is not None and path.is_file():
             try:
                 data = json_of(inputs.read_text(path, inputs.RECORD))
                 if data["schema"] == SCHEMA:
@@ -55,7 +55,9 @@ class State:
                 ) from error
 
     def save(self) -> None:
-        """Write it, whole or not at all; nothing where nothing changed."""
+        """Write it, whole or not at all; nothing where nothing changed, or where nothing is to be remembered."""
+        if self.path is None:
+            return
         steps = {name: vars(entry) for name, entry in self.steps.items()}
         data = (json.dumps({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
         if inputs.read_bytes(self.path, inputs.RECORD) != data if self.path.is_file() else bool(steps):

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from robosmi.chain import Chain, ChainResult, read_chain
-from robosmi.chain.steps import DOES
+from robosmi.chain.languages import DOES
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError
 from robosmi.metamodels import trace
 from robosmi.model.emf import EmfModel

@@ -1,0 +1,127 @@
+"""How each kind of step is done: what it reads and makes, and the call of the user's function.
+
+A function gets the language's object first, then the models by their names: `constraints(v, library)`, `pages(g, site)`,
+`to_site(t, library, site)`, `to_v2(f, old, new)`; one of values gets these by name alone. When a step has to be done at all is
+`run`'s business.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from robosmi.chain.steps import Step, StepResult, relative
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import RuleError
+from robosmi.generate import Gen
+from robosmi.model import save_model
+from robosmi.model.driver import Model
+from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
+from robosmi.model.opening import open_model
+from robosmi.query import ModelView
+from robosmi.query.erl import place_of, technology
+from robosmi.transform import ETL, Flock
+from robosmi.validate import EVL
+
+
+@dataclass
+class Doing:
+    """What a step needs while it is done: the models and their files, where paths are relative to, the options of the run."""
+
+    folder: Path
+    models: Mapping[str, Model]
+    files: Mapping[str, Path | None]
+    dry_run: bool
+    keep: bool
+
+
+def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
+    """Read a model."""
+    assert step.file is not None
+    options = {"metamodel": Metamodel.load(*step.metamodel)} if step.metamodel else {}
+    return StepResult(step, "done"), ModelView(open_model(step.file, step.driver, step.makes, **options))
+
+
+def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
+    """Check constraints; the step fails when a finding is worse than it may be."""
+    v = EVL(*doing.models.values())
+    call(step, v, doing.models)
+    findings = [_located(finding, doing.files) for finding in v.run().findings()]
+    failed = any(finding.severity > step.greatest for finding in findings)
+    return StepResult(step, "failed" if failed else "done", findings=findings), None
+
+
+def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
+    """The finding with the file of the model that its element is in, where the constraint gives no place."""
+    file = files.get((finding.element or "").partition("!")[0])
+    return replace(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
+
+
+def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
+    """Make a model of others, by ETL or Flock, and save it where it has a file."""
+    made = ModelView(EmfModel((), Metamodel.load(*step.metamodel), step.makes))
+    models = {**doing.models, step.makes: made}
+    module: ETL | Flock = ETL(*models.values()) if step.kind == "transform" else Flock(*list(models.values())[-2:])
+    call(step, module, models)
+    module.run()
+    result = StepResult(step, "done", findings=[Finding("RS530", Severity.warning, text) for text in module.warnings])
+    result.written = [relative(path, doing.folder) for path in step.stored()]
+    if not doing.dry_run:
+        for path in step.stored():
+            path.parent.mkdir(parents=True, exist_ok=True)
+        if step.file is not None:
+            made.save(step.file)
+        if step.trace is not None and isinstance(module, ETL):
+            files = {**doing.files, step.makes: step.file}
+            stored = {relative(path, step.trace.parent): models[name] for name, path in files.items() if path is not None}
+            save_model(module.trace.to_model(), step.trace, {p: list(m.roots) for p, m in _of_emf(stored)})
+    return result, made
+
+
+def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:
+    for name, model in models.items():
+        if isinstance(own := technology(model), EmfModel):
+            yield name, own
+
+
+def generate(step: Step, doing: Doing) -> tuple[StepResult, None]:
+    """Make the files of a folder."""
+    assert step.folder is not None
+    g = Gen(step.folder, step.templates, list(doing.models.values()), keep=f".robosmi/{step.name}" if doing.keep else False)
+    call(step, g, doing.models)
+    made = g.run(dry_run=doing.dry_run)
+    root = relative(step.folder, doing.folder)
+    result = StepResult(step, "done", findings=made.findings, diff=made.diff())
+    result.written = [f"{root}/{name}" for name in made.written]
+    result.removed = [f"{root}/{name}" for name in made.removed]
+    result.outputs = {f"{root}/{file.name}": "" for file in made.files}
+    return result, None
+
+
+DOES: dict[str, Callable[[Step, Doing], tuple[StepResult, Model | None]]] = {
+    "load": load, "validate": validate, "transform": transform, "migrate": transform, "generate": generate,
+}  # fmt: skip
+"""How each kind is done."""
+
+
+def call(step: Step, language: Any, models: Mapping[str, Model]) -> None:
+    """Call the user's function: the language's object, then the models by name.
+
+    Raises:
+        RuleError: it does not take these.
+    """
+    assert step.function is not None
+    try:
+        inspect.signature(step.function).bind(language, **models)
+    except TypeError as error:
+        takes = ", ".join(["the language", *models])
+        raise RuleError(
+            f"the function of the step '{step.name}' does not fit: {error}",
+            location=place_of(step.function),
+            fix=f"give it these parameters: {takes}",
+        ) from None
+    step.function(language, **models)
