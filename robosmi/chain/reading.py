@@ -54,11 +54,11 @@ def read_chain(path: str | Path) -> Chain:
         raise _wrong(place, "the chain has no steps", "write each step as [[step]]")
     chain = Chain(file.parent, file.stem, place)
     for number, step in enumerate(steps, 1):
-        _add(chain, dict(step), number, place)
+        _add(chain, dict(step), number, file.parent.resolve(), place)
     return chain
 
 
-def _add(chain: Chain, step: dict[str, Any], number: int, place: Location) -> None:
+def _add(chain: Chain, step: dict[str, Any], number: int, folder: Path, place: Location) -> None:
     kinds = [key for key in step if key in KINDS]
     if len(kinds) != 1:
         said = "says nothing of what it does" if not kinds else f"does two things: {' and '.join(kinds)}"
@@ -78,7 +78,7 @@ def _add(chain: Chain, step: dict[str, Any], number: int, place: Location) -> No
     if kind == "load":
         chain.load(target, step=title, **step)
         return
-    getattr(chain, kind)(function(target, chain.folder, place), step=title, **step)
+    getattr(chain, kind)(function(target, folder, place), step=title, **step)
 
 
 def _text(place: Location, number: int, key: str, value: Any) -> str:

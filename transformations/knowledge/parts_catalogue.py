@@ -109,7 +109,8 @@ def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
 @cache
 def _table(path: str, line: int, chunk: str) -> dict[str, Any]:
     table: dict[str, Any] = parse_toml(chunk, path, line)["part"][0]
-    lists = [*ids.values()] if isinstance(ids := table.get("ids"), dict) else [ids]
+    ids: Any = table.get("ids")
+    lists: list[Any] = [*ids.values()] if isinstance(ids, dict) else [ids]
     if not all(isinstance(texts, list) and texts for texts in lists) or not lists:
         raise PlatformDataError("a part has no ids", location=Location(path, line), fix='give it ids = ["..."]')
     if (role := table.get("role", "Unknown")) not in ROLES:
