@@ -9,6 +9,9 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+# Nothing here reads or writes the data of the person who runs it: history, imported libraries, parts and platforms.
+export ROBOSMI_HOME := $(CURDIR)/out/data
+unexport ROBOSMI_HISTORY
 .PHONY: demo test lint bench evaluate fuzz wheel readme metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
@@ -52,6 +55,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.c_source
 	$(BIN)/python -m tests.fuzz.precompiled
 	$(BIN)/python -m tests.fuzz.history
+	$(BIN)/python -m tests.fuzz.edits
 
 wheel:
 	@sh .ci/wheel

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -10,13 +11,22 @@ import pytest
 from tests.written_models_judge import MARKS, Judge
 
 ROOT = Path(__file__).resolve().parents[1]
+_HOME = pytest.StashKey["tempfile.TemporaryDirectory[str]"]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Have real EMF judge every model that a test writes."""
+    """Have real EMF judge every model that a test writes, and keep fixtures of modules, too, out of the data of the person."""
+    folder = config.stash[_HOME] = tempfile.TemporaryDirectory(prefix="robosmi-tests-")
+    os.environ["ROBOSMI_HOME"] = folder.name
+    os.environ["ROBOSMI_HISTORY"] = str(Path(folder.name) / "history.sqlite")
     for mark, meaning in MARKS.items():
         config.addinivalue_line("markers", f"{mark}(reason): {meaning}")
     config.pluginmanager.register(Judge(), "written models")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Remove what fixtures of modules have written."""
+    config.stash[_HOME].cleanup()
 
 
 @pytest.fixture(autouse=True)

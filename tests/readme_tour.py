@@ -26,7 +26,8 @@ def filled(text: str, folder: Path) -> str:
         text: the README.
         folder: an empty folder that stands for the `out` of the tour.
     """
-    environment = {**os.environ, "ROBOSMI_HISTORY": str(folder / "history.sqlite"), "PYTHONPATH": str(ROOT)}
+    environment = {**os.environ, "ROBOSMI_HOME": str(folder), "PYTHONPATH": str(ROOT)}
+    environment.pop("ROBOSMI_HISTORY", None)
 
     def fill(match: re.Match[str]) -> str:
         what = match["what"]

@@ -8,7 +8,7 @@ anywhere survives or becomes a marked conflict; a region whose element is gone s
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -113,7 +113,9 @@ class _Merge:
         gone = {i for i in old if i not in new}
         returning = {i for i in old if i in new and i not in before}
         theirs = Parts([self._their(piece, old, before) for piece in self.theirs.pieces])
-        ours, orphans = _without(self.ours, gone | returning)
+        behind = _behind(self.before) if self.before is not None else {}
+        own = {i for i, text in _behind(self.ours).items() if i in gone and text.strip() and text != behind.get(i)}
+        ours, orphans = _without(self.ours, gone | returning, own)
         ours_lines, theirs_lines = _lines(ours), _lines(theirs.text())
         if self.before is not None:
             base = Parts([self._base(piece, old) for piece in self.before.pieces])
@@ -239,19 +241,35 @@ def _open_conflict(text: str, *made: str) -> int | None:
     return next((number for number, line in enumerate(text.split("\n"), 1) if line.strip() in marks), None)
 
 
-def _without(parts: Parts, identities: set[str]) -> tuple[str, list[tuple[int, Region, str]]]:
-    """The text without some regions, and these: behind how many lines each stood, and its text in whole lines."""
+def _behind(parts: Parts) -> dict[str, str]:
+    """Id of a region -> what stands behind its last marker in the same line."""
+    pairs = zip(parts.pieces, parts.pieces[1:], strict=False)
+    return {one.identity: next_.partition("\n")[0] for one, next_ in pairs if isinstance(one, Region) and isinstance(next_, str)}
+
+
+def _without(parts: Parts, identities: set[str], with_line: Collection[str] = ()) -> tuple[str, list[tuple[int, Region, str]]]:
+    """The text without some regions, and these: behind how many lines each stood, and its text in whole lines.
+
+    Args:
+        parts: the text.
+        identities: the ids of these regions.
+        with_line: those of them that take along what stands behind their last marker in the same line.
+    """
     kept: list[str] = []
     taken: list[tuple[int, Region, str]] = []
+    behind = _behind(parts) if with_line else {}
+    rest = ""  # what a region that was taken out takes along of the text behind it
     swallow = False  # the line break of a marker that was taken out
     for piece in parts.pieces:
         text = piece if isinstance(piece, str) else piece.text()
+        text, rest = text.removeprefix(rest), ""
         if isinstance(piece, Region) and piece.identity in identities:
             before, _, margin = kept[-1].rpartition("\n") if kept else ("", "", "")
             alone = not margin.strip(" \t") and (bool(_) or len(kept) < 2)
             if alone and kept:
                 kept[-1] = before + _
-            taken.append((sum(part.count("\n") for part in kept), piece, f"{margin if alone else ''}{text}\n"))
+            rest = behind[piece.identity] if alone and piece.identity in with_line else ""
+            taken.append((sum(part.count("\n") for part in kept), piece, f"{margin if alone else ''}{text}{rest}\n"))
             swallow = alone
         else:
             kept.append(text.removeprefix("\n") if swallow else text)

@@ -1,0 +1,177 @@
+"""What must be true of a file after a regeneration, judged by its lines alone: nothing of the merge is used here.
+
+`Round` holds the five texts of one file: what was made last, what is made now (both made into empty folders), the file with a
+person's edits before the run and after it, and the old file kept beside it, with what the run said of it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+BOM = b"\xef\xbb\xbf"
+LEFT = {"RS516", "RS522"}
+"""Findings of files that were left as they are."""
+OLD_KEPT = {"RS511", "RS518"}
+"""Findings of files that have their old text beside them."""
+TOLD = {"RS510", "RS513", "RS519", "RS520", *OLD_KEPT, *LEFT}
+"""Findings that tell a person to look at the file."""
+_MARKS = ("<<<<<<< yours", "||||||| last generated", "=======", ">>>>>>> generated")
+_REGION = re.compile(r"protected region (\S+) (on begin|off begin|end)\b")
+
+
+@dataclass
+class Round:
+    """One file in one run; None where there is no such file."""
+
+    name: str
+    base: bytes | None
+    edited: bytes | None
+    made: bytes | None
+    after: bytes | None
+    rules: set[str] = field(default_factory=set)
+    old: list[bytes] = field(default_factory=list)
+
+
+def lines(data: bytes) -> list[str]:
+    """The lines of a file without their ends, whatever these are."""
+    return re.split("\r\n|\r|\n", data.removeprefix(BOM).decode(errors="surrogateescape"))
+
+
+def ends(data: bytes) -> set[bytes]:
+    """The line ends of a file."""
+    return set(re.findall(rb"\r\n|\r|\n", data))
+
+
+def outside(found: list[str]) -> Iterator[str]:
+    """The lines that stand in no region and are no marker."""
+    inside = False
+    for line in found:
+        marker = _REGION.search(line)
+        if marker is not None:
+            inside = marker[2] != "end"
+        elif not inside:
+            yield line
+
+
+def faults(one: Round) -> Iterator[str]:
+    """What is wrong: an edit that is neither in the file nor reported with the old file beside it, or what is made not there."""
+    if one.edited is None:
+        if one.after is None and one.made is not None:
+            yield "the deleted file was not made again"
+        if one.after is not None and one.base is not None and "RS517" not in one.rules:
+            yield "the deleted file was made again without a word"
+        return
+    if one.base is None:
+        return  # nobody can have edited what was not there
+    untouched = lines(one.edited) == lines(one.base)
+    if one.made is None:
+        if untouched and one.after is not None and ends(one.edited) == ends(one.base):
+            yield "a file that is no longer made stays though nobody changed it"
+        if not untouched and (one.after != one.edited or "RS514" not in one.rules):
+            yield "an edited file that is no longer made is gone, or nothing is said of it"
+        return
+    if one.after is None:
+        yield "the file is gone"
+        return
+    if one.rules & LEFT:
+        if one.after != one.edited:
+            yield "a file that was said to be left was changed"
+        return
+    if one.rules & {"RS511"} and one.edited not in one.old:
+        yield "a conflict, and no old file beside it"
+    if one.edited not in one.old:
+        yield from _lost(one)
+    yield from _form(one)
+    yield from _new(one)
+    if "RS511" not in one.rules and any(mark in lines(one.after) for mark in (_MARKS[0], _MARKS[3])):
+        yield "a conflict is marked and not reported"
+
+
+def _lost(one: Round) -> Iterator[str]:
+    assert one.base is not None
+    assert one.edited is not None
+    assert one.made is not None
+    assert one.after is not None
+    base, edited, made, after = (Counter(lines(data)) for data in (one.base, one.edited, one.made, one.after))
+    for line in edited:
+        if edited[line] > base[line] and after[line] < edited[line] - max(0, base[line] - made[line]):
+            yield f"lost: {line!r}"
+    if one.rules & TOLD:
+        return
+    for line in base:
+        if edited[line] < base[line] and line.strip() and after[line] > edited[line] + max(0, made[line] - base[line]):
+            yield f"back: {line!r}"
+    yield from _misplaced(one)
+
+
+def _misplaced(one: Round) -> Iterator[str]:
+    """Lines of a person that stand in another function than the one they were written into."""
+    assert one.base is not None
+    assert one.edited is not None
+    assert one.after is not None
+    there, then = _functions(lines(one.edited)), _functions(lines(one.after))
+    known = set(lines(one.base))
+    for line, heads in there.items():
+        if line in known or len(heads) != 1 or len(then.get(line, ())) != 1:
+            continue
+        (head,), (now,) = heads, then[line]
+        if head in known and head != now and head in lines(one.after):
+            yield f"misplaced: {line!r} stood in {head!r} and stands in {now!r}"
+
+
+def _functions(found: Iterable[str]) -> dict[str, list[str]]:
+    """Line -> the heads of the functions it stands in: lines that begin at the margin and end with a brace."""
+    head, heads = "", dict[str, list[str]]()
+    for line in found:
+        if line[:1].strip() and line.rstrip().endswith("{"):
+            head = line
+        elif line.startswith("}"):
+            head = ""
+        elif "EDIT" in line:
+            heads.setdefault(line, []).append(head)
+    return heads
+
+
+def _form(one: Round) -> Iterator[str]:
+    assert one.base is not None
+    assert one.edited is not None
+    assert one.after is not None
+    if one.edited.startswith(BOM) != one.after.startswith(BOM):
+        yield "the byte order mark came or went"
+    kinds = ends(one.edited)
+    if kinds and not ends(one.after) <= kinds:
+        yield f"line ends: {kinds} before, {ends(one.after)} after"
+    whole, was, now = (data.endswith((b"\n", b"\r")) for data in (one.edited, one.base, one.after))
+    if one.edited and whole != was and now != whole:
+        yield "the last line break came or went"
+    places = {line: end for line, end in _own_ends(one.edited).items() if len(kinds) > 1}
+    for line, end in _own_ends(one.after).items():
+        if places.get(line, end) != end and line not in _MARKS:
+            yield f"the line end of {line!r} was {places[line]!r} and is {end!r}"
+
+
+def _own_ends(data: bytes) -> dict[str, bytes]:
+    """The line ends of the lines that stand in a file once."""
+    parts = re.split(rb"(\r\n|\r|\n)", data.removeprefix(BOM))
+    count = Counter(parts[::2])
+    return {
+        line.decode(errors="surrogateescape"): end for line, end in zip(parts[::2], parts[1::2], strict=False) if count[line] == 1
+    }
+
+
+def _new(one: Round) -> Iterator[str]:
+    """What is newly made and did not come, outside of regions."""
+    assert one.base is not None
+    assert one.edited is not None
+    assert one.made is not None
+    assert one.after is not None
+    if one.rules & TOLD:
+        return
+    base, edited, made = (Counter(outside(lines(data))) for data in (one.base, one.edited, one.made))
+    after = Counter(lines(one.after))
+    for line in made:
+        if made[line] > base[line] and after[line] < made[line] - max(0, base[line] - edited[line]):
+            yield f"not made: {line!r}"
