@@ -1,0 +1,129 @@
+"""What adapters do, measured: a program that calls them is compiled with just the pieces that it needs, and runs on a simulator.
+
+A case is a function with `@proves(...)`: it runs programs on the `Uno` that it is given and asserts what the documentation of the source's
+library says. The same cases are run again with each adapter that they prove broken on purpose, and then have to fail (`mutants`).
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from pathlib import Path
+
+from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.t2m.adapter_files import Piece, read_adapter_file
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.simulation import DeviceUse, Trace, simulate
+from robosmi.verify.toolchain import compile_sketch
+
+ROOT = Path(__file__).parents[2]
+ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
+UNO = {**{f"D{number}": number for number in range(14)}, **{f"A{number}": 14 + number for number in range(6)}}
+NO_PIN = "255"
+
+
+@cache
+def pieces() -> tuple[Piece, ...]:
+    """All pieces of all adapter files."""
+    return tuple(piece for path in sorted(ADAPTERS.glob("*.cpp")) for piece in read_adapter_file(path))
+
+
+class NotBuiltError(Exception):
+    """A case's program does not compile, or not without warnings: no case is judged by that."""
+
+
+@dataclass
+class Uno:
+    """A bench with an Uno for programs that call adapters.
+
+    Attributes:
+        changed: `header/name` of a piece -> its text instead of the file's: adapters that are broken on purpose.
+        ports: name of a conventional port -> the literal of its pin.
+    """
+
+    changed: Mapping[str, str] = field(default_factory=dict)
+    ports: Mapping[str, str] = field(default_factory=dict)
+
+    def sketch(self, program: str, uses: Sequence[str]) -> str:
+        """The text of a sketch: the pieces that `uses` (`header/name`) need, then the program; `setup` begins with what they need there."""
+        known = AdapterPieces(
+            replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
+        )
+        needed = known.needed([(header, name) for header, name in (use.split("/") for use in uses)], "atmega328p")
+        if needed.unserved:
+            raise NotBuiltError(needed.unserved)
+        setup = "".join(f"\n  {statement}" for piece in needed.pieces for statement in piece.setup)
+        text = f"#include <Arduino.h>\n{adapter_text(needed.pieces, self.ports, NO_PIN)}\n{program}"
+        return text.replace("void setup() {", f"void setup() {{{setup}", 1)
+
+    def run(
+        self, program: str, uses: Sequence[str], milliseconds: float, devices: Sequence[DeviceUse] = (), engine: str | None = None
+    ) -> Trace:
+        """Compile a program (with `setup` and `loop`), run it, and tell what was seen. Warnings of the compiler are failures."""
+        with tempfile.TemporaryDirectory() as place:
+            folder = Path(place) / "case"
+            folder.mkdir()
+            (folder / "case.ino").write_text(self.sketch(program, uses))
+            report = compile_sketch(folder, "uno", keep=Path(place))
+            said = [finding for finding in report.diagnostics if finding.severity.name != "info"]
+            if not report.ok or (said and not self.changed) or report.elf is None or report.hex is None:
+                raise NotBuiltError(said)
+            asked = job(report.elf, report.hex, "atmega328p", 16_000_000, UNO, milliseconds * 1000, devices)
+            return simulate(asked, engine)
+
+
+Case = Callable[[Uno], None]
+CASES: dict[str, tuple[Case, tuple[str, ...]]] = {}
+"""Name of each case -> the case, and `header/name` of the adapters that it proves."""
+
+
+def proves(*adapters: str) -> Callable[[Case], Case]:
+    """Register a case as proof of adapters: it fails when one of them does nothing, answers 0 or takes its arguments the other way round."""
+
+    def register(case: Case) -> Case:
+        assert case.__name__ not in CASES
+        CASES[case.__name__] = case, adapters
+        return case
+
+    return register
+
+
+def notices(case: Case, adapter: str, text: str) -> bool:
+    """Whether a case fails with that text in the place of an adapter's.
+
+    Raises:
+        NotBuiltError: that text does not compile, which judges nothing.
+    """
+    try:
+        case(Uno({adapter: text}))
+    except NotBuiltError:
+        raise
+    except Exception:  # an assertion, or a pulse that is not there to be looked at
+        return True
+    return False
+
+
+_SIGNATURE = re.compile(r"\b(?P<name>\w+)\s*\((?P<parameters>[^()]*)\)\s*\{")
+_LAST_NAME = re.compile(r"(\w+)\s*$")
+
+
+def broken(piece: Piece) -> dict[str, str]:
+    """An adapter broken in each way that makes sense for it: name of the way -> the text."""
+    name = piece.target_name or piece.name
+    found = next(match for match in _SIGNATURE.finditer(piece.text) if match["name"] == name)
+    given = [each.strip() for each in found["parameters"].split(",") if each.strip() not in ("", "void")]
+    line = piece.text[: found.start()].rsplit("\n", 1)[-1]
+    returned = line.replace("inline", "").replace("static", "").strip()
+    nothing = "" if returned.endswith("void") else f"return ({returned})0; "
+    names = [match[1] for each in given if "..." not in each and (match := _LAST_NAME.search(each.split("=")[0]))]
+    unused = "".join(f"(void){each}; " for each in names)
+    ways = {"does nothing": f"{piece.text[: found.end()]} {unused}{nothing}}}"}
+    kinds = [_LAST_NAME.sub("", each.split("=")[0]).strip() for each in given]
+    if len(given) > 1 and kinds[0] == kinds[1] and "=" not in found["parameters"]:
+        swapped = ", ".join([given[1], given[0], *given[2:]])
+        ways["swaps its arguments"] = piece.text[: found.start("parameters")] + swapped + piece.text[found.end("parameters") :]
+    return ways

@@ -1,0 +1,39 @@
+"""Every case of every adapter, with the adapters as they are, on the simulator."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+
+import pytest
+
+from tests.adapters.bench import CASES, Uno, broken, notices, pieces
+from tests.tools import require_engine, require_tools
+
+for module in sorted(Path(__file__).parent.glob("cases_*.py")):
+    importlib.import_module(f"tests.adapters.{module.stem}")
+
+
+@pytest.fixture(autouse=True)
+def _tools() -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    require_engine("simavr")
+
+
+@pytest.mark.parametrize("name", sorted(CASES))
+def test_adapters_do_what_the_library_documents(name: str) -> None:
+    CASES[name][0](Uno())
+
+
+def test_cases_prove_what_is_there() -> None:
+    known = {f"{piece.header}/{piece.name}" for piece in pieces() if piece.kind != "helper"}
+    wrong = [(name, adapter) for name, (_, adapters) in CASES.items() for adapter in adapters if adapter not in known]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("name", sorted(CASES)[::10])
+def test_some_cases_fail_when_an_adapter_is_broken(name: str) -> None:
+    """A sample; `python -m tests.adapters.mutants` does it for all of them."""
+    case, adapters = CASES[name]
+    piece = next(piece for piece in pieces() if f"{piece.header}/{piece.name}" == adapters[0])
+    assert [way for way, text in broken(piece).items() if not notices(case, adapters[0], text)] == []

@@ -1,0 +1,250 @@
+"""Adapter files: C or C++ texts with marker comments, one file for each header of the source platform, as pieces with declared needs.
+
+A piece begins with a line `//# KIND NAME` and goes on with lines `//#   KEY: VALUE`; behind them stands its text, up to the next piece.
+Kinds and keys are described in docs/reference/adapter-files.md. Here they are read and checked one by one; whether what they
+declare is what the text uses, and which of them a program needs, is told elsewhere (`queries.adapter_needs`, the tests).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
+
+MARK = "//#"
+KINDS = ("adapter", "constant", "register", "variable", "helper")
+"""A function, a constant, a register or a variable of the source platform, or something that only adapters use."""
+RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
+"""How calls correspond (paper 3.4): one to one, to several statements, several to one, another mechanism with the same effect."""
+CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
+DIRECTIONS = ("in", "out", "both")
+_LISTS = ("needs", "include", "timer", "vector", "mcu", "library")
+_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name")
+_PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
+_PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
+
+
+@dataclass(frozen=True)
+class PinParameter:
+    """A parameter of an adapter that is a pin of the target.
+
+    Attributes:
+        name: the parameter.
+        capability: what the pin must be able to do, one of `CAPABILITIES`.
+        direction: one of `DIRECTIONS`, seen from the microcontroller.
+        signed: whether a negative value has a meaning of its own, as in `square_wave(-26, ...)`.
+        role: kind of component that is expected there, empty for any.
+    """
+
+    name: str
+    capability: str
+    direction: str
+    signed: bool
+    role: str
+
+
+@dataclass(frozen=True)
+class ConventionalPort:
+    """A pin that an adapter uses without being told: a constant that is declared with the pin to which the port is bound.
+
+    Attributes:
+        constant: its name in the text.
+        name: how a person names the port, `abdrive.left_servo`.
+        number: the port on the source platform.
+        capability, direction, role: as of a pin parameter.
+    """
+
+    constant: str
+    name: str
+    number: int
+    capability: str
+    direction: str
+    role: str
+
+
+@dataclass
+class Piece:
+    """A piece of an adapter file.
+
+    Attributes:
+        kind: one of `KINDS`.
+        name: what the source platform calls it; of a helper, what the text defines.
+        header: header of the source platform.
+        location: where it begins.
+        text: its C or C++ text.
+        signatures: of the source's functions that it stands for.
+        relation: one of `RELATIONS`; empty for a helper.
+        needs: names of other pieces.
+        includes: headers of the target, as `<Servo.h>`.
+        libraries: libraries of the target.
+        role: kind of component that the hardware has to have, empty for none.
+        setup: statements for the start of the program.
+        timers: timers that it takes.
+        vectors: interrupts that it handles.
+        mcus: microcontrollers that this variant is for; empty for all.
+        pins: its parameters that are pins.
+        ports: pins that it uses by convention.
+        fidelity: how faithful it is.
+        limits: what it does not do.
+        target_name: its name on the target, where that has one of its own already.
+    """
+
+    kind: str
+    name: str
+    header: str
+    location: Location
+    text: str = ""
+    signatures: list[str] = field(default_factory=list)
+    relation: str = ""
+    needs: list[str] = field(default_factory=list)
+    includes: list[str] = field(default_factory=list)
+    libraries: list[str] = field(default_factory=list)
+    role: str = ""
+    setup: list[str] = field(default_factory=list)
+    timers: list[str] = field(default_factory=list)
+    vectors: list[str] = field(default_factory=list)
+    mcus: list[str] = field(default_factory=list)
+    pins: list[PinParameter] = field(default_factory=list)
+    ports: list[ConventionalPort] = field(default_factory=list)
+    fidelity: str = ""
+    limits: list[str] = field(default_factory=list)
+    target_name: str = ""
+
+
+def read_adapter_file(path: Path) -> list[Piece]:
+    """The pieces of an adapter file, in their order.
+
+    Raises:
+        PlatformDataError: the file cannot be read, or a marker is wrong: an unknown kind or key, a value that is none of
+            those allowed, text before the first piece, a piece without text or named twice for one microcontroller.
+    """
+    try:
+        lines = inputs.read_text(path, inputs.DATA).split("\n")
+    except (OSError, ValueError) as error:
+        raise PlatformDataError(f"the adapter file cannot be read: {error}", location=Location(str(path))) from error
+    pieces = list(_pieces(path, lines))
+    seen: set[tuple[str, str]] = set()
+    for piece in pieces:
+        if not piece.text.strip():
+            raise _wrong(piece.location, f"'{piece.name}' has no text", "write it behind its markers, or remove the piece")
+        if piece.kind == "adapter" and not piece.signatures:
+            raise _wrong(
+                piece.location, f"the adapter '{piece.name}' does not say for which function it is", f"add `{MARK}   for: ...`"
+            )
+        if piece.kind == "adapter" and not piece.relation:
+            raise _wrong(piece.location, f"the adapter '{piece.name}' has no kind", f"add `{MARK}   kind: ...`")
+        for mcu in piece.mcus or [""]:
+            if (piece.name, mcu) in seen:
+                where = f" for {mcu}" if mcu else ""
+                raise _wrong(piece.location, f"'{piece.name}' is there twice{where}", "remove one, or give them `mcu`")
+            seen.add((piece.name, mcu))
+    return pieces
+
+
+def _wrong(location: Location, message: str, fix: str) -> PlatformDataError:
+    return PlatformDataError(message, location=location, fix=fix)
+
+
+def _pieces(path: Path, lines: list[str]) -> Iterator[Piece]:
+    header, piece, text, marking = "", None, [], False
+    for number, line in enumerate(lines, 1):
+        place = Location(str(path), number)
+        if not line.startswith(MARK):
+            if piece is not None:
+                text.append(line)
+                marking = False
+            elif line.strip() and not line.startswith("//"):
+                raise _wrong(place, "there is text before the first piece", f"begin a piece with `{MARK} KIND NAME`")
+            continue
+        said = line[len(MARK) :]
+        if said.startswith("   "):
+            if piece is None or not marking:
+                raise _wrong(place, "a marker stands outside of the head of a piece", "move it up, behind `//# KIND NAME`")
+            _take(piece, said.strip(), place)
+            continue
+        if piece is not None:
+            piece.text = "\n".join(text).strip("\n")
+            yield piece
+        words = said.split()
+        if len(words) == 2 and words[0] == "header":
+            header, piece, text = words[1], None, []
+            continue
+        if len(words) != 2 or words[0] not in KINDS:
+            wrong = words[0] if words else ""
+            raise _wrong(
+                place, f"a piece of kind '{wrong}' is not known{did_you_mean(wrong, KINDS)}",
+                f"write `{MARK} KIND NAME` with one of: {', '.join(KINDS)}",
+            )  # fmt: skip
+        if not header:
+            raise _wrong(place, "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
+        piece, text, marking = Piece(words[0], words[1], header, place), [], True
+    if piece is not None:
+        piece.text = "\n".join(text).strip("\n")
+        yield piece
+
+
+def _take(piece: Piece, said: str, place: Location) -> None:
+    """Take one line of a piece's head."""
+    key, colon, value = said.partition(":")
+    value = value.strip()
+    if not colon or key not in (*_LISTS, *_TEXTS) or not value:
+        raise _wrong(
+            place, f"'{said}' is no marker{did_you_mean(key, [*_LISTS, *_TEXTS])}",
+            f"write KEY: VALUE with one of: {', '.join(sorted((*_LISTS, *_TEXTS)))}",
+        )  # fmt: skip
+    if key in _LISTS:
+        attribute = {"needs": "needs", "include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus"}.get(
+            key, "libraries"
+        )
+        known: list[str] = getattr(piece, attribute)
+        known += [value] if key == "library" else value.split()
+    elif key in ("for", "setup", "limit"):
+        {"for": piece.signatures, "setup": piece.setup, "limit": piece.limits}[key].append(value)
+    elif key == "kind":
+        piece.relation = _one_of(value, RELATIONS, place)
+    elif key == "name":
+        piece.target_name = value
+    elif key == "role":
+        piece.role = value
+    elif key == "fidelity":
+        piece.fidelity = f"{piece.fidelity} {value}".strip()
+    elif key == "pin":
+        found = _PIN.fullmatch(value)
+        if found is None:
+            raise _wrong(place, f"'{value}' is no pin", "write: pin: PARAMETER CAPABILITY DIRECTION [signed] [ROLE]")
+        piece.pins.append(
+            PinParameter(
+                found[1],
+                _one_of(found[2], CAPABILITIES, place),
+                _one_of(found[3], DIRECTIONS, place),
+                bool(found[4]),
+                found[5] or "",
+            )
+        )
+    elif key == "port":
+        port = _PORT.fullmatch(value)
+        if port is None:
+            raise _wrong(
+                place, f"'{value}' is no port", "write: port: CONSTANT = LIBRARY.NAME NUMBER CAPABILITY DIRECTION [ROLE]"
+            )
+        piece.ports.append(
+            ConventionalPort(
+                port[1],
+                port[2],
+                int(port[3]),
+                _one_of(port[4], CAPABILITIES, place),
+                _one_of(port[5], DIRECTIONS, place),
+                port[6] or "",
+            )
+        )
+
+
+def _one_of(value: str, known: tuple[str, ...], place: Location) -> str:
+    if value not in known:
+        raise _wrong(place, f"'{value}' is not known here{did_you_mean(value, known)}", f"use one of: {', '.join(known)}")
+    return value
