@@ -1,7 +1,8 @@
 """What adapters do, measured: a program that calls them is compiled with just the pieces that it needs, and runs on a simulator.
 
-A case is a function with `@proves(...)`: it runs programs on the `Uno` that it is given and asserts what the documentation of the source's
-library says. The same cases are run again with each adapter that they prove broken on purpose, and then have to fail (`mutants`).
+A case is a function with `@proves(...)`: it runs programs on the `Uno` that it is given and asserts what the documentation of
+the source's library says. The same cases are run again with each adapter that they prove broken on purpose, and then have to
+fail (`mutants`).
 """
 
 from __future__ import annotations
@@ -49,7 +50,10 @@ class Uno:
     ports: Mapping[str, str] = field(default_factory=dict)
 
     def sketch(self, program: str, uses: Sequence[str]) -> str:
-        """The text of a sketch: the pieces that `uses` (`header/name`) need, then the program; `setup` begins with what they need there."""
+        """The text of a sketch:
+
+        the pieces that `uses` (`header/name`) need, then the program with their statements in `setup`.
+        """
         known = AdapterPieces(
             replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
         )
@@ -82,7 +86,7 @@ CASES: dict[str, tuple[Case, tuple[str, ...]]] = {}
 
 
 def proves(*adapters: str) -> Callable[[Case], Case]:
-    """Register a case as proof of adapters: it fails when one of them does nothing, answers 0 or takes its arguments the other way round."""
+    """Register a case as proof of adapters: it fails when one of them is broken."""
 
     def register(case: Case) -> Case:
         assert case.__name__ not in CASES

@@ -1,4 +1,7 @@
-"""Breaks every adapter that a case proves, in each way, and prints which cases do not notice: `python -m tests.adapters.mutants [NAME]`."""
+"""Breaks every adapter that a case proves, in each way, and prints the cases that do not notice.
+
+`python -m tests.adapters.mutants [NAME]` takes the cases whose names contain that text.
+"""
 
 from __future__ import annotations
 

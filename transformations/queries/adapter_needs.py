@@ -1,12 +1,12 @@
 """Which pieces of adapter files a program needs, and in which order they stand: the closure of what the adapters declare.
 
-Names are looked up in the piece's own header first, then among all; `servo.h/servo_set` names a piece of another header. A variant for a
-microcontroller counts before one for all.
+Names are looked up in the piece's own header first, then among all; `servo.h/servo_set` names a piece of another header. A
+variant for a microcontroller counts before one for all.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from robosmi.errors import PlatformDataError
@@ -86,7 +86,7 @@ class AdapterPieces:
         return found
 
     def _unserved(self, key: tuple[str, str], mcu: str, chain: dict[tuple[str, str], Piece], above: list[tuple[str, str]]) -> str:
-        """Put a piece and what it needs into the chain, needs first; why that is not possible on the microcontroller, if it is not."""
+        """Put a piece, behind what it needs, into the chain; what is not there for the microcontroller, else an empty text."""
         if key in chain:
             return ""
         piece = self.variant(key, mcu)
@@ -106,12 +106,3 @@ class AdapterPieces:
                 return why
         chain[key] = piece
         return ""
-
-
-def ports_of(pieces: Iterable[Piece]) -> Mapping[str, tuple[Piece, int]]:
-    """Name of each conventional port of these pieces -> the first piece that has it, and the port's number on the source platform."""
-    found: dict[str, tuple[Piece, int]] = {}
-    for piece in pieces:
-        for port in piece.ports:
-            found.setdefault(port.name, (piece, port.number))
-    return found

@@ -1,8 +1,9 @@
-"""Adapter files: C or C++ texts with marker comments, one file for each header of the source platform, as pieces with declared needs.
+"""Adapter files: C or C++ with marker comments, one file for each header of the source platform, as pieces with declared needs.
 
-A piece begins with a line `//# KIND NAME` and goes on with lines `//#   KEY: VALUE`; behind them stands its text, up to the next piece.
-Kinds and keys are described in docs/reference/adapter-files.md. Here they are read and checked one by one; whether what they
-declare is what the text uses, and which of them a program needs, is told elsewhere (`queries.adapter_needs`, the tests).
+A piece begins with a line `//# KIND NAME` and goes on with lines `//#   KEY: VALUE`; behind them stands its text, up to the
+next piece. Kinds and keys are described in docs/reference/adapter-files.md. Here they are read and checked one by one; whether
+what they declare is what the text uses, and which of them a program needs, is told elsewhere (`queries.adapter_needs`, the
+tests).
 """
 
 from __future__ import annotations

@@ -1,0 +1,138 @@
+"""The adapter files as texts: each adapter compiles without a warning with just what it declares, and declares what it uses.
+
+avr-g++ compiles; what a piece uses is asked of libclang, which parses all adapters of a header with what they need as one text.
+"""
+
+from __future__ import annotations
+
+import glob
+import subprocess
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import clang.cindex
+import pytest
+
+from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.t2m.adapter_files import Piece
+from tests.adapters.bench import NO_PIN, pieces
+from tests.tools import require_tools
+
+CORE = Path("/usr/share/arduino/hardware/arduino/avr")
+STAND_INS = Path(__file__).parents[2] / "platform_repo" / "arduino" / "stand_ins"
+VARIANTS = {"atmega328p": "standard", "atmega2560": "mega", "atmega32u4": "leonardo"}
+HEADERS = sorted({piece.header for piece in pieces()})
+KEYS = [(piece.header, piece.name) for piece in pieces() if piece.kind != "helper"]
+DEFINES = ["-DF_CPU=16000000L", "-DARDUINO=10819", "-DARDUINO_ARCH_AVR", "-DUSB_VID=0x2341", "-DUSB_PID=0x8036", "-std=gnu++11"]
+KIND = clang.cindex.CursorKind
+USING = (
+    KIND.DECL_REF_EXPR, KIND.OVERLOADED_DECL_REF, KIND.MACRO_INSTANTIATION, KIND.TYPE_REF, KIND.TEMPLATE_REF,
+    KIND.MEMBER_REF_EXPR,
+)  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def _tools() -> None:
+    require_tools("avr-g++", "arduino-core-avr")
+
+
+def folders(mcu: str) -> list[str]:
+    """Where headers of the target are found."""
+    found = [CORE / "cores" / "arduino", CORE / "variants" / VARIANTS[mcu], *(CORE / "libraries").glob("*/src")]
+    return [f"-I{path}" for path in (*found, *STAND_INS.glob("*"), *STAND_INS.glob("*/src"))]
+
+
+def warnings(text: str, mcu: str, folder: Path) -> str:
+    """What avr-g++ says of a text itself, with all warnings."""
+    (folder / "adapters.cpp").write_text(text)
+    command = ["avr-g++", f"-mmcu={mcu}", *DEFINES, "-Os", "-Wall", "-Wextra", *folders(mcu), "-c", "adapters.cpp"]
+    done = subprocess.run([*command, "-o", "adapters.o"], capture_output=True, text=True, check=False, cwd=folder)
+    return "\n".join(line for line in done.stderr.splitlines() if line.startswith("adapters.cpp:") or "error" in line)
+
+
+def program(needed: list[Piece], wanted: set[tuple[str, str]]) -> str:
+    """The pieces as a program that uses those wanted."""
+    functions = [piece for piece in needed if piece.kind == "adapter" and (piece.header, piece.name) in wanted]
+    names = [piece.target_name or piece.name for piece in functions if "template" not in piece.text]
+    taken = "".join(f"  (void)&{name};\n" for name in names)
+    return f"#include <Arduino.h>\n{adapter_text(needed, {}, NO_PIN)}\nvoid use() {{\n{taken}}}\n"
+
+
+@pytest.mark.parametrize("mcu", VARIANTS)
+@pytest.mark.parametrize("header", HEADERS)
+def test_all_of_a_header_compile_together(header: str, mcu: str, tmp_path: Path) -> None:
+    wanted = {key for key in KEYS if key[0] == header}
+    known = AdapterPieces(pieces())
+    needed = known.needed(sorted(wanted), mcu)
+    assert warnings(program(needed.pieces, wanted - needed.unserved.keys()), mcu, tmp_path) == ""
+
+
+def alone(key: tuple[str, str], folder: Path) -> str:
+    """What the compiler says of one adapter with just what it needs."""
+    needed = AdapterPieces(pieces()).needed([key], "atmega328p")
+    return warnings(program(needed.pieces, {key}), "atmega328p", folder) if not needed.unserved else ""
+
+
+@pytest.mark.parametrize("key", KEYS[::8], ids="/".join)
+def test_some_compile_alone(key: tuple[str, str], tmp_path: Path) -> None:
+    """A sample; `make adapters` compiles each."""
+    assert alone(key, tmp_path) == ""
+
+
+@cache
+def uses(header: str) -> dict[tuple[str, str], set[tuple[str, str]]]:
+    """What each piece of a header names of other pieces, as libclang sees it."""
+    wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header]
+    needed = AdapterPieces(pieces()).needed(wanted, "atmega328p").pieces
+    text = f"#include <Arduino.h>\n{adapter_text(needed, {}, NO_PIN)}"
+    arguments = ["-target", "avr", "-mmcu=atmega328p", *DEFINES, "-nostdinc", "-isystem/usr/lib/avr/include"]
+    arguments += [*folders("atmega328p"), *(f"-isystem{path}" for path in glob.glob("/usr/lib/gcc/avr/*/include"))]
+    unit = clang.cindex.Index.create().parse("adapters.cpp", arguments, [("adapters.cpp", text)], options=1)
+    wrong = [str(each) for each in unit.diagnostics if each.severity >= 3 and "adapters.cpp" in str(each.location)]
+    assert wrong == []
+    lines = text.split("\n")
+    places: list[tuple[int, int, tuple[str, str]]] = []
+    at = 0
+    for piece in needed:
+        own = piece.text.split("\n")
+        at = next(line for line in range(at, len(lines)) if lines[line : line + len(own)] == own)
+        places.append((at + 1, at + len(own), (piece.header, piece.name)))
+        at += len(own)
+
+    def piece_at(place: clang.cindex.SourceLocation) -> tuple[str, str] | None:
+        if place.file is None or place.file.name != "adapters.cpp":
+            return None
+        return next((key for first, last, key in places if first <= place.line <= last), None)
+
+    def meant(cursor: clang.cindex.Cursor) -> Iterator[clang.cindex.Cursor]:
+        if cursor.kind == KIND.OVERLOADED_DECL_REF:
+            library = clang.cindex.conf.lib
+            for number in range(library.clang_getNumOverloadedDecls(cursor)):
+                yield library.clang_getOverloadedDecl(cursor, number)
+        elif cursor.referenced is not None:
+            yield cursor.referenced
+
+    found: dict[tuple[str, str], set[tuple[str, str]]] = {key: set() for _, _, key in places}
+    for cursor in unit.cursor.walk_preorder():
+        here = piece_at(cursor.location) if cursor.kind in USING else None
+        for other in meant(cursor) if here is not None else ():
+            there = piece_at(other.location)
+            if here is not None and there is not None and there != here:
+                found[here].add(there)
+    return found
+
+
+@pytest.mark.parametrize("piece", pieces(), ids=lambda piece: f"{piece.header}/{piece.name}")
+def test_what_is_declared_is_what_the_text_uses(piece: Piece) -> None:
+    known = AdapterPieces(pieces())
+    if piece.mcus and "atmega328p" not in piece.mcus:
+        return
+    declared = {key for name in piece.needs if (key := known.key(name, piece.header))}
+    used = uses(piece.header)[piece.header, piece.name]
+    assert used - declared == set(), "used, but not declared as needed"
+    assert declared - used == set(), "declared as needed, but not used"
+    for name in (*(port.constant for port in piece.ports), *(pin.name for pin in piece.pins), *piece.vectors):
+        assert name in piece.text
+    assert piece.text.count("ISR(") == len(piece.vectors)

@@ -1,0 +1,128 @@
+"""Reading adapter files, and the closure of what pieces need."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from robosmi.errors import PlatformDataError
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.t2m.adapter_files import ConventionalPort, PinParameter, read_adapter_file
+
+WHOLE = """//# header drive.h
+// Read from a library.
+
+//# helper wheel
+//#   include: <Servo.h> <math.h>
+//#   timer: Timer1
+static Servo wheel;
+
+//# adapter drive
+//#   for: void drive(int left, int pin)
+//#   kind: semantic
+//#   needs: wheel tools.h/low
+//#   pin: pin pwm out signed servo
+//#   port: drive_left = drive.left 12 digital out servo
+//#   setup: wheel.attach(9);
+//#   library: Adafruit NeoPixel
+//#   fidelity: one frame
+//#   fidelity: late
+//#   limit: no ramp
+//#   limit: no encoder
+//#   mcu: atmega328p
+void drive(int32_t left, int32_t pin) {
+  wheel.write(left);
+}
+
+//# header tools.h
+//# adapter low
+//#   for: void low(int pin)
+//#   kind: oneToOne
+void low(int32_t pin) { digitalWrite(pin, 0); }
+"""
+
+
+def read(tmp_path: Path, text: str) -> AdapterPieces:
+    """The pieces of a text."""
+    path = tmp_path / "drive.cpp"
+    path.write_text(text)
+    return AdapterPieces(read_adapter_file(path))
+
+
+def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None:
+    wheel, drive, low = read(tmp_path, WHOLE)
+    assert (wheel.kind, wheel.includes, wheel.timers) == ("helper", ["<Servo.h>", "<math.h>"], ["Timer1"])
+    assert wheel.text == "static Servo wheel;"
+    assert drive.signatures == ["void drive(int left, int pin)"]
+    assert (drive.relation, drive.needs, drive.setup) == ("semantic", ["wheel", "tools.h/low"], ["wheel.attach(9);"])
+    assert drive.pins == [PinParameter("pin", "pwm", "out", True, "servo")]
+    assert drive.ports == [ConventionalPort("drive_left", "drive.left", 12, "digital", "out", "servo")]
+    assert (drive.libraries, drive.mcus) == (["Adafruit NeoPixel"], ["atmega328p"])
+    assert (drive.fidelity, drive.limits) == ("one frame late", ["no ramp", "no encoder"])
+    assert drive.location.line == 9
+    assert drive.text.startswith("void drive(")
+    assert (low.header, low.name) == ("tools.h", "low")
+
+
+def test_what_a_program_needs_stands_in_order(tmp_path: Path) -> None:
+    known = read(tmp_path, WHOLE)
+    needed = known.needed([("drive.h", "drive"), ("drive.h", "fly"), ("drive.h", "drive")], "atmega328p")
+    assert [piece.name for piece in needed.pieces] == ["wheel", "low", "drive"]
+    assert needed.unserved == {("drive.h", "fly"): "there is no adapter for it"}
+
+
+def test_a_variant_for_another_microcontroller_does_not_serve(tmp_path: Path) -> None:
+    known = read(tmp_path, WHOLE)
+    unserved = known.needed([("drive.h", "drive")], "atmega2560").unserved
+    assert unserved == {("drive.h", "drive"): "'drive' is not there for the atmega2560"}
+
+
+def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
+    low = "//# adapter low\n//#   for: void low(int pin)\n//#   kind: oneToOne\n"
+    known = read(tmp_path, f"//# header tools.h\n{low}one();\n{low}//#   mcu: atmega2560 atmega1280\ntwo();\n")
+    texts = [known.needed([("tools.h", "low")], mcu).pieces[0].text for mcu in ("atmega328p", "atmega2560", "atmega1280")]
+    assert texts == ["one();", "two();", "two();"]
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        ("int x;\n", 1, "text before the first piece"),
+        ("//# helper x\nint x;\n", 1, "the header of the source platform is not named"),
+        ("//# header a.h\n//# helpr x\nint x;\n", 2, "a piece of kind 'helpr' is not known"),
+        ("//# header a.h\n//# helper\nint x;\n", 2, "write"),
+        ("//# header a.h\n//# helper x\n", 2, "'x' has no text"),
+        ("//# header a.h\n//# helper x\n//#   nees: y\nint x;\n", 3, "is no marker"),
+        ("//# header a.h\n//# helper x\n//#   needs:\nint x;\n", 3, "is no marker"),
+        ("//# header a.h\n//# helper x\nint x;\n//#   needs: y\n", 4, "outside of the head"),
+        ("//# header a.h\n//# adapter x\n//#   kind: oneToOne\nint x;\n", 2, "does not say for which function"),
+        ("//# header a.h\n//# adapter x\n//#   for: int x()\nint x;\n", 2, "has no kind"),
+        ("//# header a.h\n//# adapter x\n//#   kind: one\nint x;\n", 3, "'one' is not known"),
+        ("//# header a.h\n//# helper x\n//#   pin: p digital\nint x;\n", 3, "is no pin"),
+        ("//# header a.h\n//# helper x\n//#   pin: p quantum in\nint x;\n", 3, "'quantum' is not known"),
+        ("//# header a.h\n//# helper x\n//#   port: left 12 digital out\nint x;\n", 3, "is no port"),
+        ("//# header a.h\n//# helper x\nint x;\n//# helper x\nint y;\n", 4, "'x' is there twice"),
+    ],
+)
+def test_a_mistake_is_an_error_with_its_line(text: str, line: int, said: str, tmp_path: Path) -> None:
+    with pytest.raises(PlatformDataError) as caught:
+        read(tmp_path, text)
+    assert said in str(caught.value)
+    assert caught.value.location is not None
+    assert caught.value.location.line == line
+    assert caught.value.fix
+
+
+@pytest.mark.parametrize(
+    ("needs", "said"), [("y", "'x' needs 'y', which is not there"), ("x", "adapters need each other: x -> x")]
+)
+def test_needs_that_cannot_be_met_are_errors(needs: str, said: str, tmp_path: Path) -> None:
+    known = read(tmp_path, f"//# header a.h\n//# helper x\n//#   needs: {needs}\nint x;\n")
+    with pytest.raises(PlatformDataError, match=said):
+        known.needed([("a.h", "x")], "atmega328p")
+
+
+def test_a_missing_file_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(PlatformDataError, match="cannot be read"):
+        read_adapter_file(tmp_path / "gone.cpp")
