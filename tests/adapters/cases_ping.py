@@ -20,7 +20,7 @@ Serial.println(ping_inches(7)); delay(30); }
         1900,
         [DeviceUse("ranger", {"signal": "D7"}, {"points": points})],
     )
-    read = [tuple(map(int, line.split())) for line in trace.text.splitlines() if line.count(" ") == 2]
+    read = [tuple(map(int, line.split())) for line in trace.text.splitlines() if len(line.split()) == 3]
     near, far = read[0], next(line for line in read if line[0] > 200)
     assert near[0] == 10
     assert abs(near[1] - 10.4 * 58) <= 8
