@@ -14,6 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.t2m.adapter_files import Piece, read_adapter_file
@@ -23,7 +24,6 @@ from robosmi.verify.toolchain import compile_sketch
 
 ROOT = Path(__file__).parents[2]
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
-UNO = {**{f"D{number}": number for number in range(14)}, **{f"A{number}": 14 + number for number in range(6)}}
 NO_PIN = "255"
 
 
@@ -76,7 +76,7 @@ class Uno:
             said = [finding for finding in report.diagnostics if finding.severity.name != "info"]
             if not report.ok or (said and not self.changed) or report.elf is None or report.hex is None:
                 raise NotBuiltError(said)
-            asked = job(report.elf, report.hex, "atmega328p", 16_000_000, UNO, milliseconds * 1000, devices)
+            asked = job(report.elf, report.hex, load_board("uno"), milliseconds * 1000, devices)
             return simulate(asked, engine)
 
 

@@ -1,6 +1,6 @@
-"""From a compiled program and a board to a job for an engine: which port is behind each pin, and the microcontroller's timers.
+"""From a compiled program and a board to a job for an engine: the port behind each pin, and the microcontroller's timers.
 
-What simulators need to know of microcontrollers is data: `platform_repo/simulation`.
+The board is an element of `platform.ecore`; what else simulators have to know is in `platform_repo/simulation`.
 """
 
 from __future__ import annotations
@@ -13,11 +13,13 @@ from typing import Any
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError
+from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.verify.simulation import DeviceUse, Job
 
 _DATA = "simulation/avr.toml"
 _ANALOG = re.compile(r"A(\d+)")
+_PORT = re.compile(r"P([A-Z]\d)")
 
 
 @cache
@@ -31,43 +33,31 @@ def simulated_microcontrollers() -> list[str]:
     return sorted(_facts()[1])
 
 
-def job(
-    elf: Path,
-    hex_file: Path,
-    mcu: str,
-    clock_hz: int,
-    pins: Mapping[str, int],
-    horizon_us: float,
-    devices: Sequence[DeviceUse] = (),
-    supply_volts: float = 5.0,
-) -> Job:
+def job(elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = ()) -> Job:
     """The job of running a program on a board.
 
     Args:
         elf, hex_file: the program, in both forms.
-        mcu: the board's microcontroller.
-        clock_hz: its clock.
-        pins: label of each pin -> the number that programs give it.
+        board: the board.
         horizon_us: how long to run.
         devices: what is connected.
-        supply_volts: the board's supply.
 
     Raises:
-        UsageError: nothing is known of the microcontroller.
+        UsageError: too little is known of the board's microcontroller.
         PlatformDataError: what is known of it is damaged.
     """
+    mcu = board.microcontroller.name if board.microcontroller is not None else ""
     path, known = _facts()
     if mcu not in known:
         raise UsageError(
             f"no simulator is told enough about the microcontroller '{mcu}'", fix=f"use one of: {', '.join(sorted(known))}"
         )
     try:
-        ports, channels, timers = (known[mcu][key] for key in ("ports", "analog", "timers"))
+        channels, timers = known[mcu]["analog"], known[mcu]["timers"]
     except KeyError as error:
         raise PlatformDataError(f"'{mcu}' in {path} lacks {error}", fix="add it") from None
-    places = {label: ports[number] for label, number in pins.items() if number < len(ports)}
+    pins = {pin.label: found[1] for pin in board.pins if (found := _PORT.fullmatch(pin.port))}
     numbers = {label: int(found[1]) for label in pins if (found := _ANALOG.fullmatch(label))}
     analog = {label: channels[number] for label, number in numbers.items() if number < len(channels)}
-    return Job(
-        str(elf), str(hex_file), mcu, clock_hz, round(supply_volts * 1000), places, analog, timers, horizon_us, tuple(devices)
-    )
+    supply = round(board.volts * 1000)
+    return Job(str(elf), str(hex_file), mcu, board.clockHertz, supply, pins, analog, timers, horizon_us, tuple(devices))

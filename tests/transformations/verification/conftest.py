@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, Job
 from robosmi.verify.toolchain import compile_sketch
 from tests.tools import require_engine, require_tools
 
 SKETCHES = Path(__file__).parent / "sketches"
-PINS = {**{f"D{number}": number for number in range(14)}, **{f"A{number}": 14 + number for number in range(6)}}
 Run = Callable[[str, float, Sequence[DeviceUse]], Job]
 
 
@@ -47,6 +47,6 @@ def job_of(built: Callable[[str], tuple[Path, Path]]) -> Run:
     """The job of running a sketch on an Uno for some milliseconds with these devices."""
 
     def made(name: str, milliseconds: float, devices: Sequence[DeviceUse]) -> Job:
-        return job(*built(name), "atmega328p", 16_000_000, PINS, milliseconds * 1000, devices)
+        return job(*built(name), load_board("uno"), milliseconds * 1000, devices)
 
     return made

@@ -11,10 +11,11 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import MissingToolError, UsageError, VerificationError
+from robosmi.metamodels import platform
 from robosmi.transformations.verification.jobs import job, simulated_microcontrollers
 from robosmi.verify.simulation import DeviceUse, engine_names, simulate
 from tests.tools import require_engine
-from tests.transformations.verification.conftest import PINS, Run
+from tests.transformations.verification.conftest import Run
 
 
 def test_both_engines_are_known() -> None:
@@ -130,7 +131,7 @@ def test_what_no_engine_knows_is_refused(job_of: Run) -> None:
     with pytest.raises(UsageError, match="no engine knows the microcontroller 'esp32'"):
         simulate(replace(job_of("pins", 1, ()), mcu="esp32"))
     with pytest.raises(UsageError, match="no simulator is told enough about the microcontroller 'esp32'"):
-        job(Path("a.elf"), Path("a.hex"), "esp32", 1, PINS, 1)
+        job(Path("a.elf"), Path("a.hex"), platform.Board(microcontroller=platform.Microcontroller(name="esp32")), 1)
 
 
 def test_an_engine_that_is_not_installed_says_how_to_install_it(job_of: Run, monkeypatch: pytest.MonkeyPatch) -> None:
