@@ -152,7 +152,8 @@ def _wrong(location: Location, message: str, fix: str) -> PlatformDataError:
 
 
 def _pieces(path: Path, lines: list[str]) -> Iterator[Piece]:
-    header, piece, text, marking = "", None, [], False
+    header, piece, marking = "", None, False
+    text: list[str] = []
     for number, line in enumerate(lines, 1):
         place = Location(str(path), number)
         if not line.startswith(MARK):
