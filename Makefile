@@ -56,6 +56,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.precompiled
 	$(BIN)/python -m tests.fuzz.history
 	$(BIN)/python -m tests.fuzz.edits
+	$(BIN)/python -m tests.fuzz.valid_c
 
 wheel:
 	@sh .ci/wheel

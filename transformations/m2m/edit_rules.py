@@ -12,7 +12,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.signature_text import nothing
-from robosmi.transformations.queries.source_text import SourceText, is_header
+from robosmi.transformations.queries.source_text import SourceText, inside, is_header
 from robosmi.transformations.queries.tokens import name_tokens
 
 Replacement = tuple[int, int, str]
@@ -110,7 +110,7 @@ def _parameters_behind(element: Any, choice: str, text: SourceText) -> list[Repl
 
 
 def _return_at_end(element: Any, choice: str, text: SourceText) -> list[Replacement]:
-    brace = element.body.endOffset - 1
+    brace = inside(text.data, element.body)[1]
     start = text.line_start(brace)
     if text.blank(start, brace):
         indent = text.data[start:brace].decode("latin-1")

@@ -68,7 +68,9 @@ def missing_returns(view: CodeView, data: bytes, functions: Mapping[str, Functio
     """A function that ends without its value: harmless in C where nobody uses the value, undefined in C++ in any case."""
     for function in view.of_kind(ccode.Function):
         body, returned = function.body, function.returnType
-        if body is None or returned is None or function.name == "main" or data[body.endOffset - 1 : body.endOffset] != b"}":
+        if body is None or returned is None or function.name == "main":
+            continue
+        if not data[body.endOffset - 2 : body.endOffset].endswith((b"}", b"%>")):
             continue
         result = nothing(returned.spelling)
         if result and not _leaves(body.statements[-1] if body.statements else None):

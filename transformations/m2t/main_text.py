@@ -17,7 +17,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import rules_of
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.queries.expression_type import of_use
-from robosmi.transformations.queries.source_text import Piece, SourceText, comments_in, reindent
+from robosmi.transformations.queries.source_text import Piece, SourceText, comments_in, inside, reindent
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,8 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     cuts = [_moved(source, d.element) for d in hoisted if d.rule == "hoist-local" and d.element is not None]
     body = main.body
     statements = list(body.statements)
-    start, end = _first_line(source, body.startOffset + 1), body.endOffset - 1
+    start, end = inside(source.data, body)
+    start = _first_line(source, start)
     yield from _comments(source, main.startOffset, body.startOffset, main)
     if not isinstance(loop, ccode.Loop):
         yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, _parameters(main))
@@ -93,8 +94,9 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     inner = loop.body
     if isinstance(inner, ccode.Block):
         yield from _comments(source, loop.startOffset, inner.startOffset, loop)
-        first = _first_line(source, inner.startOffset + 1)
-        yield from _function("loop", source, first, _last_line(source, inner.endOffset - 1), list(inner.statements), loop)
+        first, behind = inside(source.data, inner)
+        behind = _last_line(source, behind)
+        yield from _function("loop", source, _first_line(source, first), behind, list(inner.statements), loop)
         last = inner.endOffset
     elif inner is None or isinstance(inner, ccode.EmptyStatement):
         yield from _function("loop", source, loop.endOffset, loop.endOffset, [], loop)
@@ -108,7 +110,7 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
 
 def _statement_end(source: SourceText, statement: ccode.Located) -> int:
     """Behind a statement with its semicolon."""
-    if source.data[statement.endOffset - 1 : statement.endOffset] in (b";", b"}"):
+    if source.data[statement.endOffset - 2 : statement.endOffset].endswith((b";", b"}", b"%>")):
         return int(statement.endOffset)
     found = source.data.find(b";", statement.endOffset)
     return found + 1 if found >= 0 else int(statement.endOffset)

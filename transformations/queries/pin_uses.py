@@ -53,6 +53,14 @@ class PinUse:
         }
 
 
+_HALF = 1 << 31
+
+
+def pin_number(value: int) -> int:
+    """What a parameter for a pin, of 32 bits, makes of a value that is passed for it."""
+    return (value + _HALF) % (2 * _HALF) - _HALF
+
+
 def pin_uses(views: Sequence[CodeView]) -> list[PinUse]:
     """The pins that a program uses, by unit and line.
 
@@ -97,8 +105,9 @@ def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinPar
     if text in parameter.none:
         return
     for value in _pins(parameter, arguments, argument, values):
-        if value.number is None or value.number >= 0:
-            yield PinUse(value.number, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
+        pin = None if value.number is None else pin_number(value.number)
+        if pin is None or pin >= 0:
+            yield PinUse(pin, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
 
 
 def _pins(parameter: PinParameter, arguments: list[Any], argument: Any, values: Values) -> list[Value]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, platform
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
+from robosmi.transformations.queries.pin_uses import PinUse, pin_number, pin_uses
 from robosmi.transformations.queries.values import passed_arguments
 
 
@@ -59,7 +59,10 @@ def ports(views: Sequence[CodeView]) -> list[Port]:
         for element in _holders(use.argument, set()):
             if isinstance(element, ccode.IntegerLiteral):
                 key: object = ("literal", id(element))
-                port = found.setdefault(key, Port(f"P{element.value}", "literal", element, int(element.value)))
+                number = pin_number(int(element.value))
+                if number < 0:
+                    continue
+                port = found.setdefault(key, Port(f"P{number}", "literal", element, number))
             else:
                 port = found.setdefault(id(element), Port(_name(element), "declaration", element, _value(element)))
             if use not in port.uses and (port.pin is None or use.pin in (port.pin, None)):
@@ -123,6 +126,11 @@ def _name(element: ccode.Located) -> str:
 
 
 def _value(element: ccode.Located) -> int | None:
+    number = _number(element)
+    return None if number is None else pin_number(number)
+
+
+def _number(element: ccode.Located) -> int | None:
     if isinstance(element, ccode.EnumerationLiteral):
         return int(element.value)
     if isinstance(element, ccode.Variable) and isinstance(element.initializer, ccode.IntegerLiteral):

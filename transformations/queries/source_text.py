@@ -123,6 +123,12 @@ class SourceText:
         return Piece(text, start, end, tuple(elements), applied)
 
 
+def inside(data: bytes, block: ccode.Located) -> tuple[int, int]:
+    """The range between the braces of a block, which may be written as the digraphs `<%` and `%>`."""
+    start, end = int(block.startOffset), int(block.endOffset)
+    return start + (2 if data[start : start + 2] == b"<%" else 1), end - (2 if data[end - 2 : end] == b"%>" else 1)
+
+
 def comments_in(unit: ccode.SourceUnit, start: int, end: int) -> list[ccode.Comment]:
     """The comments that begin in a range."""
     return [c for c in unit.comments if start <= c.startOffset < end]
@@ -143,18 +149,22 @@ def reindent(texts: Sequence[str]) -> list[str]:
     return ["".join(line if kept else _reindented(line, common) for line, kept in _lines(text)) for text in texts]
 
 
+_LINES = re.compile(r"[^\n]*\n|[^\n]+")  # a form feed ends no line of C, nor does what else Python's splitlines knows
+
+
 def _lines(text: str) -> Iterator[tuple[str, bool]]:
     """The lines of a text, and whether each has to stay as it is."""
     directive = continued = False
-    for line in text.splitlines(keepends=True):
+    for line in _LINES.findall(text):
         if not continued:
             directive = line.lstrip().startswith("#")
         yield line, directive or continued
-        continued = line.rstrip("\n").endswith("\\")
+        continued = line.rstrip("\r\n").endswith("\\")
 
 
 def _reindented(line: str, common: int) -> str:
     if not line.strip():
         return line.lstrip(" \t")
-    spread = line.expandtabs(4)
-    return "  " + spread[min(common, len(spread) - len(spread.lstrip(" "))) :]
+    rest = line.lstrip(" \t")
+    spread = line[: len(line) - len(rest)].expandtabs(4)  # a tab further on may stand in a text
+    return "  " + spread[common:] + rest

@@ -15,6 +15,8 @@ from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.lexer import KEYWORDS
 
 _NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
+_NO_CALL |= {"_Generic", "_Alignas", "_Atomic", "__typeof", "__real__", "__imag__", "__real", "__imag"}
+_NO_CALL |= {"__builtin_choose_expr", "__builtin_types_compatible_p", "__builtin_va_arg"}  # they take types, or choose
 _NO_CALL_OF_CXX = frozenset(["catch", "operator", "decltype", "noexcept", "alignas", "new", "delete", "throw"])
 
 
@@ -76,7 +78,7 @@ def problems(context: Context) -> list[ccode.SyntaxProblem]:
 def _is_error_directive(context: Context, offset: int) -> bool:
     data = context.source.parsed
     start = data.rfind(b"\n", 0, offset) + 1
-    return re.match(rb"[ \t]*#[ \t]*error\b", data[start : offset + 40]) is not None
+    return re.match(rb"\s*(?:#|%:)\s*error\b", data[start : offset + 40]) is not None
 
 
 def notes(context: Context, includes: list[ccode.Include], conditionals: list[ccode.PreprocessorConditional]) -> None:

@@ -19,8 +19,9 @@ _LINE = r"//(?:\\\r?\n|[^\n])*"
 _SPACE = r"(?:[ \t\r\n\f\v]|\\\r?\n|\xef\xbb\xbf)+"
 _WORD = r"[A-Za-z_$\x80-\xff][\w$\x80-\xff]*|\.?[0-9](?:[eEpP][+-]|[\w.])*"
 _BEFORE = rf"{_SPACE}|{_BLOCK}|{_LINE}|{_WORD}|{_STRING}|{_CHAR}"
-_DIRECTIVE = rf"\#(?:\\\r?\n|{_BLOCK}|//[^\n]*|{_STRING}|[^\n\\/\"]|\\|/)*"
-_BEHIND = r">>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|."
+_DIRECTIVE = rf"(?:\#|%:)(?:\\\r?\n|{_BLOCK}|//[^\n]*|{_STRING}|[^\n\\/\"]|\\|/)*"
+_DIGRAPH = "<%|%>|<:(?!:[^:>])|:>"
+_BEHIND = rf">>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|{_DIGRAPH}|."
 _PIECES = re.compile(f"{_BEFORE}|{_DIRECTIVE}|{_BEHIND}", re.DOTALL | re.ASCII)
 _PIECES_OF_A_LINE = re.compile(f"{_BEFORE}|{_BEHIND}", re.DOTALL | re.ASCII)
 _KINDS = (
@@ -31,7 +32,10 @@ _KINDS = (
     | {'"': "string", "'": "char", "#": "directive"}
 )
 """Kinds of pieces by their first character, punctuation left out; some need a second look."""
-_SECOND_LOOK = frozenset("/\\.\xef")
+_SECOND_LOOK = frozenset("/\\.\xef%")
+
+_DIGRAPHS = {"<%": "{", "%>": "}", "<:": "[", ":>": "]"}
+_HAS_DIGRAPH = re.compile(_DIGRAPH)
 
 KEYWORDS = frozenset(
     [
@@ -110,6 +114,8 @@ STORAGE_WORDS = frozenset(["extern", "static", "register", "auto", "typedef", "i
 def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     """All tokens of the text, in text order. Never fails: what is no token of C is punctuation of one character.
 
+    The digraphs `<%`, `%>`, `<:` and `:>` have the text of what they stand for.
+
     Args:
         data: the text.
         limit: stop when there are more tokens than this.
@@ -133,6 +139,8 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
                 fresh = kind == "directive"
         if len(found) > limit:
             break
+    if _HAS_DIGRAPH.search(text):
+        found = [(k, a, b, _DIGRAPHS.get(piece, piece) if k == "punct" else piece) for k, a, b, piece in found]
     return found
 
 
@@ -153,6 +161,8 @@ def _second_look(piece: str) -> str:
     first, second = piece[0], piece[1:2]
     if first == "/":
         return "comment" if second == "/" or piece.startswith("/*") else "punct"
+    if first == "%":
+        return "directive" if second == ":" else "punct"
     if first == "\\":
         return "space" if second else "punct"
     if first == ".":
@@ -160,13 +170,14 @@ def _second_look(piece: str) -> str:
     return "space" if piece.startswith("\xef\xbb\xbf") else "name"
 
 
-_PARTS = re.compile(r"#\s*(?P<word>\w*)\s*(?P<rest>.*)", re.DOTALL)
+_PARTS = re.compile(r"(?:#|%:)\s*(?P<word>\w*)\s*(?P<rest>.*)", re.DOTALL)
+_CONTINUED, _IN_A_WORD = re.compile(r"\\\r?\n"), re.compile(r"(?<=\w)(?:\\\r?\n)+(?=\w)")
 _COMMENTS = re.compile(rf"(?P<keep>{_STRING}|{_CHAR})|{_BLOCK}|{_LINE}", re.DOTALL)
 
 
 def directive_parts(text: str) -> tuple[str, str]:
     """A directive's word and the rest of it, without comments and with continued lines joined."""
-    joined = re.sub(r"\\\r?\n", " ", text)
+    joined = _CONTINUED.sub(" ", _IN_A_WORD.sub("", text))
     plain = _COMMENTS.sub(lambda m: m.group("keep") or " ", joined) if "/" in joined else joined
     match = _PARTS.match(plain)
     return (match["word"], match["rest"].strip()) if match else ("", "")

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from robosmi.transformations.t2m.c_source.lexer import Token
 
+NESTED = "function definition is not allowed here"
 MAX_ROUNDS = 10
 """Rounds of mending a text; each is one parse more."""
 _ENDING = re.compile(r"[\s)\]};]*(?://.*)?$")
@@ -81,7 +82,7 @@ def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[
     if number >= 0 and tokens[number][2] <= offset:
         number += 1  # the place is behind that token
     at = tokens[number] if 0 <= number < len(tokens) else ("", offset, offset, "")
-    if message.startswith("function definition is not allowed here"):
+    if message.startswith(NESTED):
         return [Edit(_statement_start(tokens, number), 0, b"}")]
     if message.startswith("expected function body after function declarator"):
         return [Edit(offset, 0, b"{")]
@@ -96,6 +97,17 @@ def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[
     if missing == ")" and at[0] in ("name", "number", "string", "char") and not _of_a_head(tokens, number):
         return [Edit(offset, 0, b",")]
     return [Edit(offset, 0, missing.encode())] if missing else []
+
+
+def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Edit]:
+    """Edits that make GNU C's functions within functions, which the parser does not know, a declaration and a block.
+
+    Args:
+        offsets: where it complains about them: at their braces.
+        tokens: of the file. None of this is done where braces are missing: then a function was rather not closed.
+    """
+    depth = sum((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
+    return [Edit(offset, 0, b";") for offset in offsets] if depth == 0 else []
 
 
 def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:

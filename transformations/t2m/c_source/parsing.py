@@ -16,7 +16,16 @@ from robosmi.transformations.t2m.c_source import clang, tree
 from robosmi.transformations.t2m.c_source.bounds import cuts
 from robosmi.transformations.t2m.c_source.call import Call
 from robosmi.transformations.t2m.c_source.foresight import foresee
-from robosmi.transformations.t2m.c_source.mending import MAX_ROUNDS, Edit, Scratch, closed_strings, guess, opening
+from robosmi.transformations.t2m.c_source.mending import (
+    MAX_ROUNDS,
+    NESTED,
+    Edit,
+    Scratch,
+    closed_strings,
+    declared_only,
+    guess,
+    opening,
+)
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
 from robosmi.transformations.t2m.platform_api import ApiIndex
@@ -50,7 +59,7 @@ class Diagnostic:
                 "bracket nesting",
                 "invalid suffix",
                 "invalid digit",
-                "function definition is not allowed",
+                NESTED,
             )
         ) or (" expected" in m and "argument" not in m and "type" not in m)
 
@@ -240,6 +249,8 @@ class _Attempt:
             proposals.insert(0, ([d], opening(d.offset, tokens, starts)))
         for d in syntax[:3]:
             proposals.append(([d], list(d.edits) or guess(d.message, d.offset, tokens, starts)))
+        nested = [d for d in syntax if d.message.startswith(NESTED)]
+        proposals.insert(0, (nested, declared_only([d.offset for d in nested], tokens)))
         for about, edits in proposals:
             key = tuple(sorted({*base.edits, *edits}))
             if edits and key not in self._tried:

@@ -22,6 +22,7 @@ from robosmi.transformations.t2m.c_source.lexer import Token, tokens
 
 _LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000
+_MAY_HOLD_ZEROS = frozenset(["comment", "string", "char"])  # elsewhere a NUL tells a compiled program from a text
 CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
 _SPLIT = "give the program's own source files; leave generated data out"
 
@@ -95,13 +96,15 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
     raw = _bytes(name)
     place = Location(name)
     data, encoding, codec = _decode(raw)
-    if b"\0" in data:
-        raise SourceError("the file is binary, not text", location=place, fix="give the C source file, not a compiled program")
     source = SourceText(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
     if codec != "utf-8":
         source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
+    if b"\0" in data:
+        source.parsed = source.parsed.replace(b"\0", b"?")
     source._lines = [0, *(match.end() for match in _LINE_END.finditer(data))]
     source.tokens = tokens(source.parsed, MOST_TOKENS)
+    if (zeros := data.count(0)) and zeros != sum(data.count(0, t[1], t[2]) for t in source.tokens if t[0] in _MAY_HOLD_ZEROS):
+        raise SourceError("the file is binary, not text", location=place, fix="give the C source file, not a compiled program")
     if not source.parsed.isascii():
         source.tokens = [_spelt(token, source) for token in source.tokens]
     if len(source.tokens) > MOST_TOKENS:
