@@ -18,6 +18,7 @@ import tempfile
 import time
 import traceback
 from collections import Counter
+from collections.abc import Iterable
 from pathlib import Path
 
 from tests.fuzz.c_programs import Program, program
@@ -54,6 +55,7 @@ def faults(made: Program, path: Path, *, move: bool = True) -> list[str]:
         Exception: it is refused, or crashes.
     """
     import robosmi
+    from robosmi.metamodels import ccode
     from robosmi.model import load_model, save_model
     from robosmi.model.xmi_writer import to_xmi
     from robosmi.transformations.t2m.c_source import read_program
@@ -61,8 +63,12 @@ def faults(made: Program, path: Path, *, move: bool = True) -> list[str]:
     model, _ = read_program(path)
     unit = model.units[0]
     found = [
-        *_missing("functions", made.functions, (d.name for d in unit.declarations if _is(d, "Function") and d.body is not None)),
-        *_missing("globals", made.globals, (d.name for d in unit.declarations if _is(d, "Variable"))),
+        *_missing(
+            "functions",
+            made.functions,
+            (d.name for d in unit.declarations if isinstance(d, ccode.Function) and d.body is not None),
+        ),
+        *_missing("globals", made.globals, (d.name for d in unit.declarations if isinstance(d, ccode.Variable))),
         *_missing("macros", made.macros, (m.name for m in unit.macros)),
     ]
     if made.comments is not None and [c.text for c in unit.comments] != made.comments:
@@ -95,12 +101,8 @@ def faults(made: Program, path: Path, *, move: bool = True) -> list[str]:
     return found
 
 
-def _is(declaration: object, kind: str) -> bool:
-    return type(declaration).__name__ == kind
-
-
-def _missing(what: str, wanted: list[str], there: object) -> list[str]:
-    lost = sorted((Counter(wanted) - Counter(there)).elements())  # type: ignore[call-overload]
+def _missing(what: str, wanted: list[str], there: Iterable[str]) -> list[str]:
+    lost = sorted((Counter(wanted) - Counter(there)).elements())
     return [f"{what} lost: {', '.join(lost)}"] if lost else []
 
 
