@@ -95,6 +95,13 @@ if TYPE_CHECKING:
         setupLoop: ClassVar[EntryStructure]
         mainFunction: ClassVar[EntryStructure]
 
+    class Relation(EnumLiteral):
+        """How an argument compares with a value."""
+
+        equals: ClassVar[Relation]
+        different: ClassVar[Relation]
+        below: ClassVar[Relation]
+
 else:
     HeaderKind = enumeration("HeaderKind", {"platform": 0, "standard": 1, "posix": 2})
     Meaning = enumeration(
@@ -127,6 +134,7 @@ else:
     )
     UserKind = enumeration("UserKind", {"function": 0, "library": 1})
     EntryStructure = enumeration("EntryStructure", {"setupLoop": 0, "mainFunction": 1})
+    Relation = enumeration("Relation", {"equals": 0, "different": 1, "below": 2})
 
 
 class PlatformRepository(Element, metaclass=MetaEClass):
@@ -287,6 +295,8 @@ class ApiFunction(Element, metaclass=MetaEClass):
     """Its name."""
     signature: str = EAttribute(eType=EString, default_value="")
     """Return type, name and parameters as declared."""
+    parameterList: str = EAttribute(eType=EString, default_value="")
+    """Its parameters as declared, with their parentheses."""
     returnType: str = EAttribute(eType=EString, default_value="")
     """Type of its value."""
     variadic: bool = EAttribute(eType=EBoolean)
@@ -312,6 +322,7 @@ class ApiFunction(Element, metaclass=MetaEClass):
             header: Header | None = None,
             name: str | None = None,
             signature: str | None = None,
+            parameterList: str | None = None,
             returnType: str | None = None,
             variadic: bool | None = None,
             functionLikeMacro: bool | None = None,
@@ -334,6 +345,8 @@ class ApiParameter(Element, metaclass=MetaEClass):
     """What it means for migration."""
     direction: Direction = EAttribute(eType=Direction)
     """For a pin, its direction."""
+    isPort: bool = EAttribute(eType=EBoolean)
+    """True where an argument is known to be a port of the program, so that direction, span and range hold."""
     rangeWith: int = EAttribute(eType=EInt, default_value=-1)
     """Position of the parameter that is the other end of a range of pins; -1 for none."""
     span: int = EAttribute(eType=EInt, default_value=1)
@@ -354,6 +367,7 @@ class ApiParameter(Element, metaclass=MetaEClass):
             spelling: str | None = None,
             meaning: Meaning | None = None,
             direction: Direction | None = None,
+            isPort: bool | None = None,
             rangeWith: int | None = None,
             span: int | None = None,
             numberAt: int | None = None,
@@ -401,6 +415,8 @@ class ApiSymbol(Element, metaclass=MetaEClass):
     """Its name."""
     symbolKind: SymbolKind = EAttribute(eType=SymbolKind)
     """Its kind."""
+    form: str = EAttribute(eType=EString, default_value="")
+    """How it is declared: macro, variable, constant."""
     typeName: str = EAttribute(eType=EString, default_value="")
     """Its type."""
     meaning: str = EAttribute(eType=EString, default_value="")
@@ -414,25 +430,29 @@ class ApiSymbol(Element, metaclass=MetaEClass):
             header: Header | None = None,
             name: str | None = None,
             symbolKind: SymbolKind | None = None,
+            form: str | None = None,
             typeName: str | None = None,
             meaning: str | None = None,
         ) -> None: ...
 
 
 class ArgumentCondition(Element, metaclass=MetaEClass):
-    """An argument that a call must have."""
+    """What an argument of a call must be."""
 
-    parameter: str = EAttribute(eType=EString, default_value="")
-    """Name of the parameter, or its position."""
+    position: int = EAttribute(eType=EInt)
+    """Which argument, from 0."""
+    relation: Relation = EAttribute(eType=Relation)
+    """How it compares."""
     value: int = EAttribute(eType=EInt)
-    """The argument's value."""
+    """With which value."""
 
     if TYPE_CHECKING:
 
         def __init__(
             self,
             *,
-            parameter: str | None = None,
+            position: int | None = None,
+            relation: Relation | None = None,
             value: int | None = None,
         ) -> None: ...
 
@@ -1011,3 +1031,4 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     classifier(__name__, AdapterKind)
     classifier(__name__, UserKind)
     classifier(__name__, EntryStructure)
+    classifier(__name__, Relation)

@@ -18,6 +18,7 @@ from robosmi.project import project_of
 from robosmi.query import root_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.constraints.electrical_plan import wired
 
 KIND = "constraints"
 """The registry's kind of constraints; the name is a metamodel's."""
@@ -62,6 +63,8 @@ def check(path: str | Path) -> Checked:
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
     root = load_model(file)
+    if isinstance(root, migration.MigrationPlan) and root.circuit is not None:
+        wired(root)  # the board is the plan's, not the repository's
     models = [EmfModel(root, name=file.stem)]
     if isinstance(root, migration.MigrationPlan):
         parts = {

@@ -158,7 +158,7 @@ def find_the_move() -> None:
         roots = model.roots if isinstance(model, EmfModel) else ()
         for plan in roots:
             if isinstance(plan, migration.MigrationPlan) and plan.program is not None and plan.source is not None and plan.target:
-                _running.set(Move(plan, views(plan.program, ApiIndex.load(plan.source.name))))
+                _running.set(Move(plan, views(plan.program, ApiIndex.of(plan.source))))
 
 
 @moved.post

@@ -6,7 +6,6 @@ with their digests, so that a stored plan can tell whether it still belongs to i
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -22,9 +21,8 @@ from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import partition
 from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.source_text import words_of
 from robosmi.transformations.t2m.target_platform import TargetFacts, target_repository
-
-_WORD = re.compile(rb"\b[A-Za-z_]\w*")
 
 
 @dataclass(frozen=True)
@@ -110,7 +108,7 @@ def make_plan(
         )
         for choice in library_choices:
             trace.link("library ranking", "libraries", [choice.component], [choice])
-    words = {word.decode() for data in files.values() for word in _WORD.findall(data)}
+    words = words_of(files[unit.path] for unit in program.units)
     repository = target_repository(target, dependence.source, board, list(libraries.elements.values()), words)
     divided = any(d.loop is not None for d in dependence.divisions)
     plan = migration.MigrationPlan(

@@ -8,8 +8,9 @@ platforms; no rule knows a function by its name.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transform import ETL, Trace
@@ -32,10 +33,12 @@ from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, function_type
-from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.queries.source_text import is_header, words_of
 from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.t2m.platform_model import COMPILER
 from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
+T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
 TEXT_RULES = LANGUAGE_RULES | {RENAME}
 """Rules that each change a little of an element's text, so that several of them can apply to it."""
@@ -67,8 +70,10 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
     called = called_functions(views, target, names)
     used = used_symbols(views, called, target, names)
     includes = [i.header for u in program.units for i in u.includes]
-    result.source = api.to_model([*called, *used], includes)
-    known = {f.name: f for h in result.source.headers for f in h.functions}
+    words = words_of(sources[u.path] for u in program.units)
+    result.source = api.to_model([*called, *used], includes, words, [v.includes for v in views])
+    functions_there = {(h.name, f.name): f for h in result.source.headers for f in h.functions}
+    known = _resolved(functions_there, api, called, includes)
     prototypes = own_prototypes(views)
     values = handed_on(views)
     result.adapters = [
@@ -93,6 +98,15 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
     return result
 
 
+def _resolved(
+    declared: Mapping[tuple[str, str], T], api: ApiIndex, names: Iterable[str], includes: Sequence[str]
+) -> dict[str, T]:
+    """Of elements by header and name those that the names mean in the whole program, by name."""
+    entries = ((name, api.resolve(name, includes)) for name in names)
+    keys = {name: (entry.header or COMPILER, name) for name, entry in entries if entry is not None}
+    return {name: declared[key] for name, key in keys.items() if key in declared}
+
+
 def _symbols(
     result: Dependence,
     views: Sequence[CodeView],
@@ -105,7 +119,8 @@ def _symbols(
 ) -> list[migration.SymbolUse]:
     """Placeholders: headers, then types, then values."""
     assert result.source is not None
-    known = {s.name: s for h in result.source.headers for s in h.symbols}
+    there = {(h.name, s.name): s for h in result.source.headers for s in h.symbols}
+    known = _resolved(there, api, used, [i.header for v in views for i in v.unit.includes])
     wanted = wanted_types(views, functions)
     attributes = set(api.settings["parser"].get("attribute_macros", ()))
     several = sum(not is_header(v.unit) for v in views) > 1

@@ -168,3 +168,11 @@ def _reindented(line: str, common: int) -> str:
     rest = line.lstrip(" \t")
     spread = line[: len(line) - len(rest)].expandtabs(4)  # a tab further on may stand in a text
     return "  " + spread[common:] + rest
+
+
+_WORD = re.compile(rb"[A-Za-z_]\w*")
+
+
+def words_of(texts: Iterable[bytes]) -> set[str]:
+    """All that looks like a name in texts of a program, comments, strings and suffixes of numbers too."""
+    return {word.decode("ascii", errors="replace") for text in texts for word in _WORD.findall(text)}

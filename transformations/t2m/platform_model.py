@@ -1,31 +1,57 @@
 """Builds elements of the platform metamodel from an `ApiIndex`, for the names that one program needs.
 
-Only facts of the repository get in. Look-ups are in `platform_api`; decisions about the names are the plan's.
+Only facts of the repository get in. Look-ups are in `platform_api`, the way back in `stored_platform`; decisions about the names
+are the plan's.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robosmi.metamodels import platform as pf
 
 if TYPE_CHECKING:
-    from robosmi.transformations.t2m.platform_api import ApiIndex, Entry
+    from robosmi.transformations.t2m.api_facts import Entry, PinParameter
+    from robosmi.transformations.t2m.platform_api import ApiIndex
 
 DIRECTIONS = {"in": "input", "out": "output", "both": "both", "unknown": "unknown"}
+RELATIONS = {"equals": "equals", "not": "different", "below": "below"}
+COMPILER = "(compiler)"
+"""The header of the compiler's own functions."""
 
 
-def build(api: ApiIndex, names: Iterable[str], includes: tuple[str, ...]) -> pf.Platform:
-    """The platform with the headers, functions and symbols of these names; names that nothing declares are left out."""
+def build(
+    api: ApiIndex,
+    names: Iterable[str],
+    includes: tuple[str, ...],
+    words: Iterable[str] = (),
+    units: Sequence[tuple[str, ...]] = (),
+) -> pf.Platform:
+    """The platform with the headers, functions, symbols and types of these names; names that nothing declares are left out.
+
+    Args:
+        api: the platform.
+        names: each is there in the one header where it resolves.
+        includes: the headers that the program includes; all that they bring in are there.
+        words: further names, there in each header that the program brings in and where they resolve in a unit.
+        units: the includes of each unit.
+    """
     by_header: dict[str, dict[str, Entry]] = {}
-    for name in sorted(set(names)):
-        entry = api.resolve(name, includes)
-        if entry is not None:
-            by_header.setdefault(entry.header, {})[name] = entry
+    brought = api.closure(includes) if units else ()
+    for header in brought:
+        by_header[header] = {}
+    for header in {h for unit in units for h in unit if api.header_kind(h) is not None}:
+        by_header.setdefault(header, {})
+    for name in sorted({*names, *words}):
+        entries = [entry for entry in api.entries(name) if entry.header in by_header] if units else []
+        for found in (*entries, api.resolve(name, includes), *(api.resolve(name, unit) for unit in units)):
+            if found is not None:
+                by_header.setdefault(found.header, {})[name] = found
     settings = api.settings
     return pf.Platform(
         name=api.name,
+        title=settings.get("title", api.name),
         language=settings.get("language", "C"),
         intBits=settings["int_bits"],
         longBits=settings["long_bits"],
@@ -34,17 +60,21 @@ def build(api: ApiIndex, names: Iterable[str], includes: tuple[str, ...]) -> pf.
         charSigned=settings["char_signed"],
         hasCogs=settings["has_cogs"],
         architecture=settings.get("architecture", ""),
+        attributeMacros=list(settings["parser"].get("attribute_macros", ())),
         headers=[_header(api, header, entries) for header, entries in sorted(by_header.items())],
     )
 
 
 def _header(api: ApiIndex, header: str, entries: dict[str, Entry]) -> pf.Header:
     kind = api.header_kind(header) or "platform"
+    others = [(name, entry) for name, entry in entries.items() if not entry.callable]
     return pf.Header(
-        name=header or "(compiler)",
+        name=header or COMPILER,
         kind=getattr(pf.HeaderKind, kind),
+        includes=list(api.includes(header)),
         functions=[_function(api, name, entry) for name, entry in entries.items() if entry.callable],
-        symbols=[_symbol(api, name, entry) for name, entry in entries.items() if not entry.callable],
+        symbols=[_symbol(api, name, entry) for name, entry in others if entry.kind != "type"],
+        types=[pf.ApiType(name=name, form=entry.detail) for name, entry in others if entry.kind == "type"],
     )
 
 
@@ -52,11 +82,10 @@ def _function(api: ApiIndex, name: str, entry: Entry) -> pf.ApiFunction:
     meaning = api.meaning(name)
     pins = api.pins(name, entry.header)
     meanings = list(meaning.get("parameters", ()))
-    directions: dict[int, str] = {}
-    for pin in pins.parameters if pins else ():
-        meanings += [""] * (pin.position + 1 - len(meanings))
-        meanings[pin.position] = "pin"
-        directions[pin.position] = pin.direction
+    ports = {pin.position: pin for pin in (pins.parameters if pins else ())}
+    for position in ports:
+        meanings += [""] * (position + 1 - len(meanings))
+        meanings[position] = "pin"
     declared = split_parameters(entry.parameters)
     variadic = "..." in declared
     declared = [p for p in declared if p not in ("...", "void")]
@@ -68,29 +97,54 @@ def _function(api: ApiIndex, name: str, entry: Entry) -> pf.ApiFunction:
                 name=own,
                 spelling=spelling,
                 meaning=getattr(pf.Meaning, meanings[i] if i < len(meanings) and meanings[i] else "plain"),
-                direction=getattr(pf.Direction, DIRECTIONS[directions.get(i, "unknown")]),
+                direction=getattr(pf.Direction, DIRECTIONS[ports[i].direction if i in ports else "unknown"]),
+                **(_port(ports[i]) if i in ports else {}),
             )
         )
     return pf.ApiFunction(
         name=name,
         signature=api.signature(name, entry),
+        parameterList=entry.parameters,
         returnType=entry.detail,
         variadic=variadic,
         functionLikeMacro=entry.kind == "function_macro",
         blocking=bool(meaning.get("blocking", False)),
         startsCog=api.starts_cog(name, entry.header),
+        codeArgument=-1 if (code := api.code_argument(name)) is None else code,
         parameters=parameters,
         conventions=[
-            pf.PinConvention(pin=c.pin, direction=getattr(pf.Direction, DIRECTIONS[c.direction]), what=c.what, setBy=c.set_by)
+            pf.PinConvention(
+                pin=c.pin,
+                direction=getattr(pf.Direction, DIRECTIONS[c.direction]),
+                what=c.what,
+                setBy=c.set_by,
+                conditions=[_condition(c.when)] if c.when else [],
+            )
             for c in (pins.conventions if pins else ())
         ],
     )
 
 
+def _port(pin: PinParameter) -> dict[str, Any]:
+    return {
+        "isPort": True,
+        "rangeWith": -1 if pin.range_with is None else pin.range_with,
+        "span": pin.span,
+        "numberAt": -1 if pin.number is None else pin.number,
+        "none": list(pin.none),
+    }
+
+
+def _condition(when: Mapping[str, int]) -> pf.ArgumentCondition:
+    relation = next(word for word in RELATIONS if word in when)
+    return pf.ArgumentCondition(position=when["index"], relation=getattr(pf.Relation, RELATIONS[relation]), value=when[relation])
+
+
 def _symbol(api: ApiIndex, name: str, entry: Entry) -> pf.ApiSymbol:
-    known: dict[str, Any] = api.symbol_meaning(name)
+    known = api.symbol_meaning(name)
     return pf.ApiSymbol(
         name=name,
+        form=entry.kind,
         symbolKind=getattr(pf.SymbolKind, known.get("kind") or api.symbol_kind(name, entry)),
         typeName=known.get("type") or entry.detail,
         meaning=known.get("meaning", ""),

@@ -146,7 +146,7 @@ class _Kept:
     def find(self, run: Sequence[_Include], api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
         """The longest beginning of these includes that is kept, or that is worth it from now on."""
         headers = tuple(include[:2] for include in run)
-        keys = [(str(api.folder), *given, folders.stamped, headers[: number + 1]) for number in range(len(run))]
+        keys = [(api.origin, *given, folders.stamped, headers[: number + 1]) for number in range(len(run))]
         with self._lock:
             self._seen.update(keys)
             kept = next((number for number in reversed(range(len(run))) if self._current(keys[number])), -1)

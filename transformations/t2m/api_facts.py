@@ -1,0 +1,114 @@
+"""What a platform's API declares, as plain values: entries of names, pins of functions, and `ApiFacts`, which holds all of it.
+
+Where facts come from is another module's business: `platform_folder` reads the repository, `platform_model` stored models.
+`ApiIndex` in `platform_api` answers questions from them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, Protocol
+
+HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
+
+
+class Entry(NamedTuple):
+    """One declaration of a name in one header.
+
+    Attributes:
+        header: as it is included.
+        kind: function, function_macro, macro, variable, constant or type.
+        detail: of a function its return type, of a variable its type, of a type its form (typedef, struct ...).
+        parameters: of a function, from the opening to the closing parenthesis.
+    """
+
+    header: str
+    kind: str
+    detail: str = ""
+    parameters: str = ""
+
+    @property
+    def callable(self) -> bool:
+        """True for functions and function-like macros."""
+        return self.kind in ("function", "function_macro")
+
+
+class PinParameter(NamedTuple):
+    """A parameter that is a pin, as `pins.json` has it.
+
+    Attributes:
+        position: which argument, from 0.
+        name: as declared.
+        direction: in, out, both, unknown.
+        range_with: position of the other end, where two arguments give a range.
+        span: how many pins follow each other from the argument on.
+        number: position of the argument that says how many elements of an array of pins count.
+        none: constants that mean no pin.
+    """
+
+    position: int
+    name: str
+    direction: str
+    range_with: int | None = None
+    span: int = 1
+    number: int | None = None
+    none: tuple[str, ...] = ()
+
+
+class Convention(NamedTuple):
+    """A pin that a function uses without an argument; `when` restricts it to calls with such an argument."""
+
+    pin: int
+    direction: str
+    what: str
+    set_by: str | None = None
+    when: dict[str, int] | None = None
+
+
+class PinFacts(NamedTuple):
+    """The pins of one function of one header."""
+
+    parameters: tuple[PinParameter, ...]
+    conventions: tuple[Convention, ...]
+
+
+class ApiFacts(Protocol):
+    """The facts about one platform's API.
+
+    Attributes:
+        origin: where they come from; two platforms have two origins.
+        settings: `name`, widths of types, and in the table `parser` how programs are parsed.
+        headers: name -> `kind` and `includes`.
+        entries: name -> its declarations, in the order of their headers' names.
+        registers: names that are registers.
+    """
+
+    origin: str
+    settings: Mapping[str, Any]
+    headers: Mapping[str, Mapping[str, Any]]
+    entries: Mapping[str, Sequence[Entry]]
+    registers: frozenset[str]
+
+    @property
+    def pins(self) -> Mapping[tuple[str, str], PinFacts]:
+        """Function and header -> its pins."""
+
+    @property
+    def functions(self) -> Mapping[str, Mapping[str, Any]]:
+        """Function -> what it means: `parameters`, `blocking`, `startsCog`."""
+
+    @property
+    def symbols(self) -> Mapping[str, Mapping[str, str]]:
+        """Another name -> `kind`, `type`, `meaning`."""
+
+    @property
+    def library_cores(self) -> Mapping[str, Sequence[str]]:
+        """Header -> functions that start code of their library on another core."""
+
+    @property
+    def code_arguments(self) -> Mapping[str, int]:
+        """Function -> which argument is the code that it starts on another core."""
+
+    @property
+    def virtual_headers(self) -> Mapping[str, bytes]:
+        """Our own text of standard headers, by the name a program includes."""
