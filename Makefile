@@ -54,6 +54,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.xmi
 	$(BIN)/python -m tests.fuzz.c_source
 	$(BIN)/python -m tests.fuzz.precompiled
+	$(BIN)/python -m tests.fuzz.quoting
 	$(BIN)/python -m tests.fuzz.history
 	$(BIN)/python -m tests.fuzz.edits
 	$(BIN)/python -m tests.fuzz.valid_c

@@ -108,13 +108,15 @@ def _markdown_place(state: tuple[str, bool]) -> str:
     line, fenced = state
     if fenced:
         return "markdown_code"
+    if re.search(r"\]\([^)]*$", line):  # where a link leads to
+        return NOWHERE
     cell = "_cell" if line.lstrip().startswith("|") else ""
     if line.count("`") % 2:
         return f"markdown_code{cell}"
     return "markdown_block" if _ITEM.fullmatch(line) else f"markdown{cell}"
 
 
-_TAG = re.compile(r"<(?P<comment>!--)|<(?P<name>/?[A-Za-z?!][^\s>]*)")
+_TAG = re.compile(r"<(?P<comment>!--)|<(?P<name>/?(?:[A-Za-z?!][^\s>]*|\Z))")
 _IN_TAG = re.compile(r"(?P<name>[^\s=\"'>]+)\s*=\s*(?P<quote>[\"'])|(?P<end>>)")
 _URLS = frozenset({"href", "src", "action", "formaction", "cite", "poster", "data", "background", "xlink:href"})
 _RAW = ("script", "style")

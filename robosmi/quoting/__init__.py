@@ -1,12 +1,13 @@
 """Quoting: how a text from anywhere is written so that it stays text, one function for each place it can go to.
 
-`code` has C and names, `markup` Markdown, HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text` the terminal and what
-all share. Each function leaves harmless texts as they are. Which expression of a template stands where is `generate.languages`'.
+`code` has C and names, `markdown_text` Markdown, `markup` HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text` the
+terminal and what all share. Each function leaves harmless texts as they are. Which expression of a template stands where is
+`generate.languages`'.
 """
 
 from robosmi.quoting.code import c_block_comment, c_char, c_comment, c_header, c_string, c_word, file_name, identifier
 from robosmi.quoting.data import csv_cell, csv_record_cell, csv_text, json_text, toml, yaml
-from robosmi.quoting.markdown import markdown, markdown_block, markdown_cell, markdown_code, markdown_code_cell
+from robosmi.quoting.markdown_text import markdown, markdown_block, markdown_cell, markdown_code, markdown_code_cell
 from robosmi.quoting.markup import (
     dot_label,
     dot_string,

@@ -1,4 +1,4 @@
-"""Texts in HTML, XML and SVG, in Graphviz and in PlantUML. Markdown is `markdown`'s."""
+"""Texts in HTML, XML and SVG, in Graphviz and in PlantUML. Markdown is `markdown_text`'s."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def markdown(text: str) -> str:
     >>> markdown("int *p"), markdown("<script>"), markdown("[a](javascript:x)"), markdown("**b**")
     ('int *p', '&lt;script>', '[a\\](javascript&#58;x)', '**b\\*\\*')
     """
-    line = visible(one_line(text).replace("\x00", "\ufffd"))
+    line = visible(one_line(text))
     return _ACTIVE.sub(lambda found: _literal(found, line), line)
 
 
@@ -62,7 +62,7 @@ def markdown_block(text: str) -> str:
     >>> markdown_block("# no heading"), markdown_block("1. one"), markdown_block("--bind P1=D2")
     ('\\# no heading', '1\\. one', '--bind P1=D2')
     """
-    line = one_line(text).lstrip()
+    line = visible(one_line(text)).lstrip()
     found = _BLOCK.match(line)
     quoted = markdown(line)
     if not found or quoted.startswith("\\"):

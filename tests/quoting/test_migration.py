@@ -1,0 +1,82 @@
+"""Any title, any connector, any file name: the same tokens of code but for comments and names, a report without links or tags."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from robosmi.transformations.chains.migrate import migrate
+from tests.quoting import judges
+from tests.quoting.migration import EXAMPLE, declared_names, plan_with_titles, shape_of, texts_of, with_texts
+from tests.running import run
+
+INERT = {"link_open", "image", "html_block", "html_inline"}
+QUICK = settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@pytest.fixture(scope="module")
+def shape(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
+    """The tokens of the sketch with the drawing's own titles."""
+    return shape_of(texts_of(plan_with_titles(tmp_path_factory.mktemp("plain"), ())))
+
+
+def checked(texts: dict[str, str], shape: dict[str, list[str]]) -> None:
+    assert shape_of(texts) == shape
+    names = declared_names(texts["line_follower.ino"])
+    assert len(set(names)) == len(names) == 5
+    for name in names:
+        assert judges.problems(f"extern int {name};\n", "x.cpp", "-std=c++11") == []
+    assert not INERT & set(judges.markdown_kinds(texts["MIGRATION.md"]))
+    assert set(yaml.safe_load(texts["sketch.yaml"])) == {"profiles", "default_profile"}
+    assert not judges.acts_on_terminal("".join(texts.values()))
+
+
+def test_a_line_break_in_a_title_makes_no_code(tmp_path: Path, shape: dict[str, list[str]]) -> None:
+    texts = texts_of(
+        plan_with_titles(tmp_path, ["LED\nint evil=42; //", "<script>alert(1)</script>", "[x](javascript:alert(1))"])
+    )
+    checked(texts, shape)
+    assert "// LED int evil=42; //: pulse on D9" in texts["line_follower.ino"]
+    assert "&lt;script>alert(1)&lt;/script>" in texts["MIGRATION.md"]
+
+
+@QUICK
+@given(titles=st.lists(judges.texts(), max_size=7))
+def test_any_titles_of_a_drawing(tmp_path: Path, shape: dict[str, list[str]], titles: list[str]) -> None:
+    checked(texts_of(plan_with_titles(tmp_path, titles)), shape)
+
+
+@QUICK
+@given(data=st.data())
+def test_any_texts_of_a_stored_model(tmp_path: Path, shape: dict[str, list[str]], data: st.DataObject) -> None:
+    models = plan_with_titles(tmp_path, ())
+    said = iter(data.draw(st.lists(judges.texts(), min_size=5, max_size=30)) * 1000)
+    with_texts(models, lambda: next(said))
+    checked(texts_of(models), shape)
+
+
+def test_what_the_terminal_is_told_of_a_hostile_drawing(tmp_path: Path) -> None:
+    plan_with_titles(tmp_path, ["\x9b2J\x9b31mred", "a\nrobosmi: error: forged", "\u202egnp"])
+    for words in (
+        ("hardware", tmp_path / "drawing.fz"),
+        ("check", tmp_path / "drawing.fz"),
+        ("migrate", tmp_path / "line_follower.c", "--hardware", tmp_path / "drawing.fz", "-o", tmp_path / "out"),
+        ("hardware", tmp_path / "drawing.fz", "--json"),
+    ):
+        done = run(*words)
+        assert not judges.acts_on_terminal(done.out + done.err)
+        assert "\nrobosmi: error: forged" not in done.out + done.err
+
+
+def test_file_names_that_are_code(tmp_path: Path) -> None:
+    program = tmp_path / "a\nint evil;\u2028 \\.c"
+    program.write_bytes((EXAMPLE / "line_follower.c").read_bytes())
+    migrate([program], tmp_path / "out", hardware=EXAMPLE / "line_following_robot.fzz")
+    sketches = list((tmp_path / "out").rglob("*.ino"))
+    assert sketches
+    for sketch in sketches:
+        assert "evil" not in judges.tokens(sketch.read_text(encoding="utf-8"), "x.cpp")
