@@ -35,8 +35,8 @@ class FileText:
         """Another text in this form.
 
         Args:
-            text: with line feeds. Lines that the file has keep the end they have there; the others get the one that most lines
-                have.
+            text: with line feeds. Lines that the file has keep the end they have there, wherever they stand now; the others get
+                the one that most lines have.
         """
         return (codecs.BOM_UTF8 if self.marked else b"") + self._ended(text).encode(errors="surrogateescape")
 
@@ -49,7 +49,8 @@ class FileText:
         *lines, last = text.split("\n")
         there = self.text.split("\n")[: len(self.ends)]
         own = {new: self.ends[old] for old, new in line_map(there, lines).items()}
-        return "".join(f"{line}{own.get(number, usual)}" for number, line in enumerate(lines)) + last
+        moved = dict(zip(there, self.ends, strict=False))
+        return "".join(f"{line}{own.get(number) or moved.get(line, usual)}" for number, line in enumerate(lines)) + last
 
 
 def read(data: bytes, *, as_it_is: bool = False, errors: str = "strict") -> FileText:

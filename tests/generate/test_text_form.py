@@ -30,6 +30,7 @@ def test_a_text_that_nobody_changed_is_written_byte_for_byte(data: bytes) -> Non
         (b"a\rb\r", "b\na\n", b"b\ra\r"),
         (b"a\r\nb\nc\r\n", "new\na\nb\nc\n", b"new\r\na\r\nb\nc\r\n"),
         (b"a\nb\r\nc\n", "b\nnew\n", b"b\r\nnew\n"),
+        (b"a\nb\r\nc\nd\n", "c\nd\nb\na\n", b"c\nd\nb\r\na\n"),
         (b"a\r\nb\nc\r\nlast", "a\nb\nc\nlast\nmore\n", b"a\r\nb\nc\r\nlast\r\nmore\r\n"),
         (codecs.BOM_UTF8 + b"a\n", "b\n", codecs.BOM_UTF8 + b"b\n"),
         (b"", "a\nb\n", b"a\nb\n"),

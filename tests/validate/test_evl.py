@@ -101,6 +101,23 @@ def test_guards_lazy_contexts_and_terminate() -> None:
     assert messages(v) == ["Mia"]
 
 
+def test_each_of_several_constraints_that_terminate_ends_for_itself() -> None:
+    """One that fails at an element where others fail too, before and behind it, and one that fails later."""
+    L = library()
+    v = EVL(L)
+    names = [b.name for b in L.Book.all]
+    assert len(names) >= 4
+    book = v.context(L.Book)
+    book.constraint(name="first", terminate=True)(lambda b: Fail(f"first {b.name}"))
+    book.constraint(name="all")(lambda b: Fail(f"all {b.name}"))
+    book.constraint(name="second", terminate=True)(lambda b: Fail(f"second {b.name}") if b.name != names[0] else True)
+    book.constraint(name="third", terminate=True)(lambda b: Fail(f"third {b.name}") if b.name == names[2] else True)
+    book.constraint(name="never", terminate=True)(lambda b: True)
+    v.run()
+    expected = [f"first {names[0]}", *(f"all {n}" for n in names), f"second {names[1]}", f"third {names[2]}"]
+    assert sorted(messages(v)) == sorted(expected)
+
+
 def test_satisfies_all_and_one_mean_what_they_say() -> None:
     L = library()
     v = EVL(L)

@@ -52,12 +52,16 @@ class LibraryModels:
     target: TargetFacts
     board: platform.Board
     elements: dict[str, platform.Library] = field(default_factory=dict)
-    _index: LibraryIndex | None = None
 
     @cached_property
     def takes(self) -> Mapping[str, Takes]:
         """What libraries take of the target, by name."""
         return library_takes(self.target.libraries, self.board)
+
+    @cached_property
+    def index(self) -> LibraryIndex:
+        """The index of the target's libraries."""
+        return library_index(self.target.libraries)
 
     def get(self, name: str) -> platform.Library:
         """The element of a library, with those that it depends on.
@@ -66,9 +70,7 @@ class LibraryModels:
             UsageError: no library has that name.
         """
         if name not in self.elements:
-            if self._index is None:
-                self._index = library_index(self.target.libraries)
-            facts = library_in(self._index, name)
+            facts = library_in(self.index, name)
             name = facts.name  # as the index writes it
             if name not in self.elements:
                 takes = self.takes.get(name, Takes())
@@ -93,6 +95,23 @@ class LibraryModels:
         if library is None:
             return []
         return [self.takes[name] for name in (library.name, *library.depends) if name in self.takes]
+
+
+@dataclass(frozen=True)
+class _OfTarget:
+    """Earlier choices without those of libraries that the target does not have, made for another platform perhaps."""
+
+    history: Choices
+    models: LibraryModels
+
+    def choices(self, part_id: str, title: str) -> dict[str, int]:
+        return self._known(self.history.choices(part_id, title))
+
+    def choices_for_model(self, model: str) -> dict[str, int]:
+        return self._known(self.history.choices_for_model(model))
+
+    def _known(self, counts: Mapping[str, int]) -> dict[str, int]:
+        return {name: count for name, count in counts.items() if self.models.index.library_named(name) is not None}
 
 
 def choose_libraries(
@@ -153,7 +172,7 @@ def _decide(
     name = said
     if said:
         by, why = migration.ChosenBy.person, "chosen by flag or project file"
-    elif earlier := chosen_from_history(query.part_id, query.title, history):
+    elif earlier := chosen_from_history(query.part_id, query.title, _OfTarget(history, models)):
         name, by, why = earlier, migration.ChosenBy.history, "chosen for this part before"
     elif 0 < recommendation.confidence >= sure:
         by = migration.ChosenBy.rule
@@ -181,6 +200,8 @@ def _decide(
 
 def _by_rule(recommendation: Recommendation) -> tuple[str, str]:
     """What follows from an answer that is sure enough: a library or none, and why."""
+    if not recommendation.candidates:  # the target has no libraries
+        return NO_LIBRARY, "; ".join(recommendation.reasons)
     first = recommendation.candidates[0]
     if recommendation.decision == "library":
         return first.library, "; ".join([*first.reasons[:1], *recommendation.reasons])

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+import robosmi
 from robosmi.errors import PlatformDataError
+from robosmi.metamodels import migration
+from robosmi.recommend.device_ranker import DeviceRanker
+from robosmi.recommend.history import History
+from robosmi.recommend.index import LibraryIndex
+from robosmi.recommend.index_writer import write_index
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.library_takes import Takes, library_takes
-from robosmi.transformations.m2m.library_choice import LibraryModels
-from robosmi.transformations.m2m.library_ranking import library_index
+from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
+from robosmi.transformations.m2m.library_ranking import device_knowledge, library_index
 from robosmi.transformations.t2m.target_platform import target_facts
 
 
@@ -64,3 +71,41 @@ def test_what_a_library_takes_follows_from_the_microcontroller(
     assert taken["Servo"].timers == servo
     assert (taken["IRremote"].timers if "IRremote" in taken else None) == ir
     assert taken["Ethernet"].pins == ("D10", *spi)
+
+
+def line_follower(examples: Path) -> Any:
+    """The circuit of the line follower."""
+    return robosmi.load_hardware(examples / "line_follower" / "line_following_robot.fzz")
+
+
+def decided(circuit: Any, index: LibraryIndex | None, history: History) -> dict[str, migration.LibraryChoice]:
+    """The choices for all components by their titles, each taken where the ranking is at all sure."""
+    models = LibraryModels(target_facts("uno"), load_board("uno"))
+    if index is not None:
+        models.__dict__["index"] = index
+    found = library_index() if index is None else index
+    ranker = DeviceRanker(found, device_knowledge("arduino", None), "avr")
+    choices = choose_libraries(circuit, circuit.components, {}, ranker, models, history, 5, sure=0.01)
+    return {choice.component.title: choice for choice in choices}
+
+
+def test_what_was_chosen_for_another_platform_is_no_choice_for_this_one(examples: Path, tmp_path: Path) -> None:
+    """Not even where it was chosen more often; a library of this platform that was chosen for the part is."""
+    circuit, history = line_follower(examples), History(tmp_path / "history.sqlite")
+    servo = next(c for c in circuit.components if c.title == "Basic Servo1")
+    title = servo.partTitle or servo.title
+    for _ in range(3):
+        history.record(servo.partId, title, "abdrive", target="another board")
+    assert decided(circuit, None, history)["Basic Servo1"].chosenBy is not migration.ChosenBy.history
+    history.record(servo.partId, title, "ServoEasing", target="uno")
+    choice = decided(circuit, None, history)["Basic Servo1"]
+    assert (choice.choice, choice.chosenBy) == ("ServoEasing", migration.ChosenBy.history)
+
+
+def test_without_any_library_nothing_is_chosen(examples: Path, tmp_path: Path) -> None:
+    write_index(tmp_path / "empty.sqlite", [])
+    circuit = line_follower(examples)
+    choices = decided(circuit, LibraryIndex(tmp_path / "empty.sqlite"), History(tmp_path / "history.sqlite"))
+    assert len(choices) == len(circuit.components)
+    assert {choice.choice for choice in choices.values()} <= {"", "none"}
+    assert all(choice.chosen is None and not choice.candidates for choice in choices.values())

@@ -1,0 +1,21 @@
+// comment_apart_from_main: comment_apart_from_main.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+int pin = 3;  // behind a declaration
+
+// Everything below is the program.
+
+int count = 0;
+
+void setup() {
+  // before the loop
+}
+
+void loop() {
+  high(pin + count);
+  count++;
+}
