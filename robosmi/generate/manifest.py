@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi.data_text import json_of
-from robosmi.diagnostics import Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.places import Places
 from robosmi.generate.text_form import has_digest
@@ -85,7 +85,9 @@ class Manifest:
             json.dumps({"schema": SCHEMA, "choices": self.choices, "files": self.files}, indent=1, sort_keys=True) + "\n"
         ).encode()
 
-    def guard(self, places: Places, contents: Mapping[str, bytes], *, inputs: Mapping[str, bytes | None]) -> Guarded:
+    def guard(
+        self, places: Places, contents: Mapping[str, bytes], *, inputs: Mapping[str, bytes | None] | None = None
+    ) -> Guarded:
         """Make sure that writing these contents loses nothing.
 
         Args:
@@ -100,10 +102,13 @@ class Manifest:
             StoppedError: a file was changed since the last run, or was never made by a run; all are named.
             SourceError: a link or a folder is where a file was made.
         """
-        edited, foreign, guarded = [], [], Guarded()
+        known = inputs or {}
+        edited: list[str] = []
+        foreign: list[str] = []
+        guarded = Guarded()
         for name in sorted({*contents, *self.files}):
-            if name in inputs:
-                places.seen[name] = inputs[name]
+            if name in known:
+                places.seen[name] = known[name]
                 continue
             data = places.look(name)
             if data is None:
@@ -126,3 +131,9 @@ class Manifest:
                 fix="move the file away (or give another output folder with -o), run again, and put your changes back in",
             )
         return guarded
+
+
+def reformed_file(path: Path) -> Finding:
+    """Says that a file whose form was changed is made anew as it was."""
+    message = "its line ends or byte order mark were changed; it is made anew with its own"
+    return Finding("RS523", Severity.info, message, Location(str(path)))

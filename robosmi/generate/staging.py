@@ -52,7 +52,8 @@ class Pending:
         """What happens to the file."""
         if self.there is None and self.before is not None and not self.same:
             self.there = read(self.before)
-        return FileChange(self.name, self.text if self.same else self.there and self.there.text, self.text, self.origins)
+        before = self.text if self.same else self.there.text if self.there is not None else None
+        return FileChange(self.name, before, self.text, self.origins)
 
     def written(self) -> bytes:
         """The bytes of its text."""

@@ -15,7 +15,7 @@ from robosmi.errors import RobosmiError, SourceError, StoppedError
 from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
-from robosmi.generate.manifest import Guarded, Manifest
+from robosmi.generate.manifest import Guarded, Manifest, reformed_file
 from robosmi.generate.places import Places
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
@@ -140,7 +140,7 @@ def produce(
     _trace_texts(plan, made, kept.files)
     contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
     exempt = inputs or {}
-    known = {name: places.look(name) for name in sorted(kept.merged | kept.orphans)} | exempt
+    known = {**{name: places.look(name) for name in sorted(kept.merged | kept.orphans)}, **exempt}
     guarded = manifest.guard(places, contents | kept.records, inputs=known)
     kept.findings += _told(output, guarded)
     by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
@@ -160,8 +160,7 @@ def _told(output: Path, guarded: Guarded) -> list[Finding]:
         Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(str(output / name)))
         for name in guarded.deleted
     ]
-    message = "its line ends or byte order mark were changed; it is made anew with its own, as a model or a copy must have"
-    return deleted + [Finding("RS523", Severity.info, message, Location(str(output / name))) for name in guarded.reformed]
+    return deleted + [reformed_file(output / name) for name in guarded.reformed]
 
 
 def _generator(models: MigrationModels) -> str:
