@@ -2,7 +2,7 @@
 # make test   set everything up (system packages too, where this may) and run all tests
 # make lint   ruff and mypy, in an environment of its own
 # make bench  the figures of the README, measured
-# make fuzz  damaged inputs for the readers, by hand (not in CI)
+# make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
@@ -58,6 +58,8 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.history
 	$(BIN)/python -m tests.fuzz.edits
 	$(BIN)/python -m tests.fuzz.valid_c
+	$(BIN)/python -m tests.fuzz.growth
+	$(BIN)/python -m tests.fuzz.environments
 
 wheel:
 	@sh .ci/wheel

@@ -105,7 +105,7 @@ def load_project(folder: Path) -> Project:
         bind=_table(path, data, "bind"),
         roles=_table(path, data, "roles"),
         severity=severity,
-        accept=tuple(_accepted(path, entry) for entry in data.get("accept", [])),
+        accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
     )
 
 
@@ -114,6 +114,13 @@ def _table(path: Path, data: dict[str, Any], name: str) -> dict[str, str]:
     if not isinstance(table, dict) or not all(isinstance(v, str) for v in table.values()):
         raise _wrong(path, f"[{name}] must hold texts only", 'write NAME = "VALUE"')
     return table
+
+
+def _list_of_tables(path: Path, data: dict[str, Any], name: str) -> list[Any]:
+    entries = data.get(name, [])
+    if not isinstance(entries, list):
+        raise _wrong(path, f"'{name}' must be a list of tables", f"write each entry as [[{name}]]")
+    return entries
 
 
 def _accepted(path: Path, entry: Any) -> Accepted:

@@ -19,6 +19,10 @@ from tests.running import run, tree
         ('migrate = "uno"\n', "[migrate] must hold texts only"),
         ('[severity]\nRS310 = "eror"\n', "RS310 = 'eror' is no level (did you mean 'error'?)"),
         ('[[accept]]\nrule = "RS310"\n', "[[accept]] needs the texts rule, element and reason"),
+        ("accept = 5\n", "'accept' must be a list of tables"),
+        ("accept = nan\n", "'accept' must be a list of tables"),
+        (f"accept = {'9' * 10_000}\n", "a number in it has more than 4300 digits"),
+        ("accept = " + "[" * 50_000, "nested too deeply"),
         ('[libraries]\n"Basic Servo1" = ["Servo"]\n', "[libraries] must hold texts only"),
     ],
 )

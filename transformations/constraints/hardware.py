@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.metamodels import hardware
+from robosmi.query import ext
 from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing
 from robosmi.validate import EVL, Fail
@@ -29,8 +30,16 @@ wires = circuit.context(hardware.Wire, guard=lambda w: w.net is not None)
 def TitleIsItsOwn(c: hardware.Component) -> Any:
     """A title means one component, so that it can be named in options."""
     assert c.circuit is not None
-    same = [o for o in c.circuit.components if o.title == c.title]
-    return same[0] is c or Fail(f"another component is called '{c.title}' too (#{same[0].elementId} and #{c.elementId})")
+    first = _firsts(c.circuit)[c.title]
+    return first is c or Fail(f"another component is called '{c.title}' too (#{first.elementId} and #{c.elementId})")
+
+
+def _firsts(circuit: hardware.Circuit) -> dict[str, hardware.Component]:
+    """The first component of each title, found once a run."""
+    known: dict[str, hardware.Component] | None = ext(circuit).first_of_title
+    if known is None:
+        known = ext(circuit).first_of_title = {c.title: c for c in reversed(circuit.components)}
+    return known
 
 
 @connectors.constraint(id="RS722", advice="read the drawing again")

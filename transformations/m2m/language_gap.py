@@ -247,7 +247,7 @@ def _extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
     )
     seen: set[str] = set()
     for declaration in view.unit.declarations:
-        if not isinstance(declaration, ccode.Variable) or declaration.name in defined | seen:
+        if not isinstance(declaration, ccode.Variable) or declaration.name in defined or declaration.name in seen:
             continue
         if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
             seen.add(declaration.name)

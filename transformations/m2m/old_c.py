@@ -115,10 +115,11 @@ def returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
 
 def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A jump over a local's initial value: the value becomes an assignment, which may be jumped over."""
+    jumps = _Jumps(view)
     for statement in view.of_kind(ccode.DeclarationStatement):
         scope, function = statement.eContainer(), ancestor_of_kind(statement, ccode.Function)
         initialised = [d for d in statement.declarations if isinstance(d, ccode.Variable) and d.initializer is not None]
-        if function is None or not initialised or not _jumped(statement, scope, function, view):
+        if function is None or not initialised or not jumps.over(statement, scope, function):
             continue
         for variable in initialised:
             use = variable.valueType
@@ -127,14 +128,40 @@ def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
                 yield Change(variable, "assign-behind", variable.name, "C++ jumps over no initial value")
 
 
-def _jumped(statement: ccode.Statement, scope: object, function: ccode.Function, view: CodeView) -> bool:
-    behind = [s for s in scope.statements if s.startOffset > statement.startOffset] if isinstance(scope, ccode.Block) else []
-    if isinstance(getattr(scope, "eContainer", lambda: None)(), ccode.Switch):
-        return any(isinstance(s, (ccode.Case, ccode.Default)) for s in behind)
-    jumps = [g for g in view.of_kind(ccode.Goto) if g.startOffset < statement.startOffset]
-    jumps = [g for g in jumps if ancestor_of_kind(g, ccode.Function) is function]
-    labels = {label.name for s in behind for label in all_of_kind(s, ccode.Label)} if jumps else set()
-    return any(g.labelName in labels for g in jumps)
+class _Jumps:
+    """Where a unit jumps to: looked up once for each function and block, since a function may have thousands of locals.
+
+    Args:
+        view: the unit.
+    """
+
+    def __init__(self, view: CodeView) -> None:
+        self._first_jump: dict[tuple[ccode.Function, str], int] = {}
+        for jump in view.of_kind(ccode.Goto):
+            function = ancestor_of_kind(jump, ccode.Function)
+            if function is not None:
+                key = (function, jump.labelName)
+                self._first_jump[key] = min(jump.startOffset, self._first_jump.get(key, jump.startOffset))
+        self._entries: dict[ccode.Block, list[tuple[int, str | None]]] = {}
+
+    def over(self, statement: ccode.Statement, scope: object, function: ccode.Function) -> bool:
+        """Whether there is a jump from before a statement to behind it in its block."""
+        if not isinstance(scope, ccode.Block):
+            return False
+        if scope not in self._entries:
+            self._entries[scope] = list(self._entries_of(scope))
+        entries = self._entries[scope]
+        if isinstance(scope.eContainer(), ccode.Switch):
+            return bool(entries) and entries[-1][0] > statement.startOffset
+        start = statement.startOffset
+        return any(at > start and self._first_jump.get((function, label or ""), start) < start for at, label in reversed(entries))
+
+    def _entries_of(self, block: ccode.Block) -> Iterator[tuple[int, str | None]]:
+        """Where a block can be entered: the offset of a statement in it, and a label in that or None for a case of its switch."""
+        if isinstance(block.eContainer(), ccode.Switch):
+            yield from ((s.startOffset, None) for s in block.statements if isinstance(s, (ccode.Case, ccode.Default)))
+        elif self._first_jump:
+            yield from ((s.startOffset, label.name) for s in block.statements for label in all_of_kind(s, ccode.Label))
 
 
 def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

@@ -76,9 +76,15 @@ def placed(boxes: Sequence[Box], links: Sequence[Link], footer: bool) -> tuple[i
     near: dict[int, list[float]] = {}
     left = float(_MARGIN)
     bottom = 0.0
-    last = max((box.column for box in boxes), default=0)
-    for column in range(last + 1):
-        mine = [box for box in boxes if box.column == column]
+    columns: list[list[Box]] = [[] for _ in range(max((box.column for box in boxes), default=0) + 1)]
+    for box in boxes:
+        columns[box.column].append(box)
+    rightwards: dict[int, list[tuple[Place, Place]]] = {}  # by the column where they begin
+    for link in links:
+        for one, other in ((link.one, link.other), (link.other, link.one)):
+            if boxes[one.box].column < boxes[other.box].column:
+                rightwards.setdefault(boxes[one.box].column, []).append((one, other))
+    for column, mine in enumerate(columns):
         mine.sort(key=lambda box: (sum(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
         width = max((_width(box) for box in mine), default=0.0)
         top = float(_MARGIN)
@@ -94,10 +100,8 @@ def placed(boxes: Sequence[Box], links: Sequence[Link], footer: bool) -> tuple[i
                 row.tag_x = left + width - row.tag_width - 8
             top += box.height + _GAP
         bottom = max(bottom, top)
-        for link in links:
-            for one, other in ((link.one, link.other), (link.other, link.one)):
-                if boxes[one.box].column == column < boxes[other.box].column:
-                    near.setdefault(other.box, []).append(boxes[one.box].rows[one.row].y)
+        for one, other in rightwards.get(column, ()):
+            near.setdefault(other.box, []).append(boxes[one.box].rows[one.row].y)
         left += width + _CHANNEL
     for link in links:
         link.path = _path(boxes, link)

@@ -23,6 +23,8 @@ _FILLS = {
 _LINES = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#e377c2", "#17becf", "#7f7f00", "#003f5c")
 _LETTERS = 36
 _SECONDS = 20
+MOST_FOR_DOT = 500
+"""Boxes and links that Graphviz is given; its time grows with their square, and a larger picture is looked at in parts."""
 
 
 @dataclass
@@ -85,10 +87,10 @@ def svg(circuit: hardware.Circuit, dot: str | None = None) -> str:
     Args:
         circuit: what to draw.
         dot: the program `dot` of Graphviz, which places things better; None for the layout of this package, which is also
-            taken where `dot` fails or takes too long.
+            taken for more than `MOST_FOR_DOT` boxes and links, and where `dot` fails or takes too long.
     """
     picture = circuit_picture(circuit)
-    if dot is not None:
+    if dot is not None and len(picture.boxes) + len(picture.links) <= MOST_FOR_DOT:
         try:
             source = picture_dot(picture).encode()
             done = subprocess.run([dot, "-Tsvg"], input=source, capture_output=True, timeout=_SECONDS, check=False)

@@ -17,7 +17,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import rules_of
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.queries.expression_type import of_use
-from robosmi.transformations.queries.source_text import Piece, SourceText, comments_in, inside, reindent
+from robosmi.transformations.queries.source_text import Piece, SourceText, inside, reindent
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def _hoists(plan: migration.MigrationPlan, main: ccode.Function) -> list[migrati
 def heading(source: SourceText, main: ccode.Function) -> int:
     """Where the comments begin that stand directly above main and so belong to it."""
     position = int(main.startOffset)
-    for comment in reversed(comments_in(source.unit, 0, position)):
+    for comment in reversed(source.comments_in(0, position)):
         gap = source.data[comment.endOffset : position]
         if gap.strip() or gap.count(b"\n") > 1 or not source.blank(source.line_start(comment.startOffset), comment.startOffset):
             break
@@ -118,7 +118,7 @@ def _statement_end(source: SourceText, statement: ccode.Located) -> int:
 
 def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[Part]:
     """The comments of a range that is not carried over otherwise, each on a line of its own."""
-    for comment in comments_in(source.unit, start, end):
+    for comment in source.comments_in(start, end):
         text = source.slice(comment.startOffset, comment.endOffset)[0].strip()
         yield Part(text + "\n", "code", "retained comment", [comment, owner])
 
@@ -137,7 +137,7 @@ def _moved(source: SourceText, variable: ccode.Located) -> tuple[int, int]:
     assert isinstance(statement, ccode.Located)
     start, end = statement.startOffset, _statement_end(source, statement)
     first, last = source.line_start(start), source.line_end(end)
-    comments = comments_in(source.unit, end, last)
+    comments = source.comments_in(end, last)
     behind = comments[-1].endOffset if comments else end
     alone = (
         source.blank(first, start)

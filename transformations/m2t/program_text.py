@@ -15,7 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters
 from robosmi.transformations.m2t.main_text import Part, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
-from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, comments_in, is_header
+from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
@@ -50,7 +50,11 @@ def program_text(
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
     main = main_of(unit)
-    ahead = [f for f in functions if f is not main and _used_before(f, unit)]
+    prototypes: dict[str, list[ccode.Function]] = {}
+    for declared in unit.declarations:
+        if isinstance(declared, ccode.Function) and not declared.definition:
+            prototypes.setdefault(declared.name, []).append(declared)
+    ahead = [f for f in functions if f is not main and _used_before(f, unit, prototypes.get(f.name, ()))]
     late = [a for a in with_own_types if _called_in(a, unit)]
     first = min((f.startOffset for f in functions), default=len(source.data))
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
@@ -138,7 +142,7 @@ def _stem(own: str, plan: migration.MigrationPlan) -> str:
 def _comment_beside(include: ccode.Include, source: SourceText) -> str:
     """The comment on the line of an include, if it ends there."""
     end = source.line_end(include.endOffset)
-    found = [c for c in comments_in(source.unit, include.endOffset, end) if c.endOffset <= end]
+    found = [c for c in source.comments_in(include.endOffset, end) if c.endOffset <= end]
     return source.slice(found[0].startOffset, found[-1].endOffset)[0].strip() if found else ""
 
 
@@ -152,11 +156,10 @@ def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
         yield piece if number else replace(piece, text=piece.text.lstrip(" \t"))
 
 
-def _used_before(function: ccode.Function, unit: ccode.SourceUnit) -> bool:
-    """Whether the function is used before its definition and no earlier prototype declares it."""
+def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: Sequence[ccode.Function]) -> bool:
+    """Whether the function is used before its definition and none of its prototypes stands before that."""
     uses = [use.startOffset for use in (*function.calls, *function.references) if ancestor_of_kind(use, ccode.SourceUnit) is unit]
     first = min(uses, default=function.startOffset)
-    prototypes = [d for d in unit.declarations if isinstance(d, ccode.Function) and not d.definition and d.name == function.name]
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)
     return first < function.startOffset and all(p.startOffset > first for p in prototypes)
@@ -166,7 +169,7 @@ def _head_of(function: ccode.Function, source: SourceText) -> str:
     """A function's declaration as the sketch has it, without its body and comments."""
     assert function.body is not None
     parts, position = [], function.startOffset
-    for comment in comments_in(source.unit, function.startOffset, function.body.startOffset):
+    for comment in source.comments_in(function.startOffset, function.body.startOffset):
         parts.append(source.slice(position, comment.startOffset)[0])
         position = comment.endOffset
     return " ".join("".join([*parts, source.slice(position, function.body.startOffset)[0]]).split())

@@ -7,6 +7,7 @@ bytes of the original; an edit is applied wherever its range is copied. Which ed
 from __future__ import annotations
 
 import re
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -58,6 +59,9 @@ class SourceText:
         for first, second in zip(self.edits, self.edits[1:], strict=False):
             if second.startOffset < first.endOffset:
                 raise InternalError(f"{unit.path}: the edits at bytes {first.startOffset} and {second.startOffset} overlap")
+        self._starts = [edit.startOffset for edit in self.edits]
+        self._comments: list[ccode.Comment] = sorted(unit.comments, key=lambda comment: comment.startOffset)
+        self._comment_starts = [comment.startOffset for comment in self._comments]
 
     def line_start(self, offset: int) -> int:
         """Offset of the first byte of the line."""
@@ -82,8 +86,8 @@ class SourceText:
         parts: list[str] = []
         applied: list[migration.Edit] = []
         position = start
-        for edit in self.edits:
-            if edit.startOffset < start or edit.endOffset > end or (without is not None and edit.decision is without):
+        for edit in self.edits[bisect_left(self._starts, start) : bisect_right(self._starts, end)]:
+            if edit.endOffset > end or (without is not None and edit.decision is without):
                 continue
             if edit.startOffset == edit.endOffset == end < len(self.data) and end > start and self.data[end - 1 : end] == b"\n":
                 continue  # an insertion at a border of lines belongs to the line that it begins
@@ -92,6 +96,10 @@ class SourceText:
             applied.append(edit)
         parts.append(self._decode(position, end))
         return "".join(parts), tuple(applied)
+
+    def comments_in(self, start: int, end: int) -> list[ccode.Comment]:
+        """The comments that begin in a range."""
+        return self._comments[bisect_left(self._comment_starts, start) : bisect_left(self._comment_starts, end)]
 
     def _decode(self, start: int, end: int) -> str:
         text = self.data[start:end].decode(self.unit.encoding or "utf-8", errors="replace")
@@ -127,11 +135,6 @@ def inside(data: bytes, block: ccode.Located) -> tuple[int, int]:
     """The range between the braces of a block, which may be written as the digraphs `<%` and `%>`."""
     start, end = int(block.startOffset), int(block.endOffset)
     return start + (2 if data[start : start + 2] == b"<%" else 1), end - (2 if data[end - 2 : end] == b"%>" else 1)
-
-
-def comments_in(unit: ccode.SourceUnit, start: int, end: int) -> list[ccode.Comment]:
-    """The comments that begin in a range."""
-    return [c for c in unit.comments if start <= c.startOffset < end]
 
 
 _LABEL = re.compile(r"\s*(?!default\b)[A-Za-z_]\w*\s*:(?!:)")

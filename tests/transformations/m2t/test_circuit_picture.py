@@ -9,6 +9,7 @@ import pytest
 from lxml import etree
 
 from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.m2t import circuit_picture as circuit_picture_module
 from robosmi.transformations.m2t.circuit_picture import circuit_picture
 from robosmi.transformations.t2m.fritzing import read_circuit
 from tests.tools import require_tools
@@ -31,6 +32,16 @@ def test_every_sketch_can_be_drawn(path: Path) -> None:
         for place in (link.one, link.other):
             assert place.row < len(boxes[place.box].rows)
         assert abs(boxes[link.one.box].column - boxes[link.other.box].column) <= 1  # no line passes a column of boxes
+
+
+def test_graphviz_is_not_given_more_than_it_places_in_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = tmp_path / "dot"
+    program.write_text("#!/bin/sh\ncat >/dev/null; echo '<svg>placed</svg>'\n")
+    program.chmod(0o755)
+    drawn = hardware(CASES["line_following_robot"])
+    assert "placed" in drawn.picture(dot=str(program))
+    monkeypatch.setattr(circuit_picture_module, "MOST_FOR_DOT", 3)
+    assert "placed" not in drawn.picture(dot=str(program))
 
 
 @pytest.mark.parametrize("dot", [False, True], ids=["own layout", "graphviz"])

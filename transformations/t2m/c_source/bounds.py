@@ -17,6 +17,7 @@ from robosmi.model.ordering import post_order
 from robosmi.transformations.t2m.c_source.lexer import Token, definition_parts, directive_parts
 from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
 from robosmi.transformations.t2m.c_source.mending import Edit
+from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
 
 MAX_BRACKETS = 180
 """Brackets within brackets; libclang gives up the file at 256."""
@@ -51,9 +52,12 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
         and sum(map(data.count, (b"(", b"[", b"{"))) < MAX_BRACKETS
         and (len(tokens) < MAX_RUN or max(map(len, _PREFIX.split(data))) < MAX_RUN)
     )
-    if harmless:
+    if harmless and len(tokens) < MOST_DECLARED:
         return []
     plain = [t for t in tokens if t[0] != "comment" and t[0] != "directive"]
+    repeated = repeats(plain)
+    if harmless:
+        return repeated
     scan = _Scan(plain, weights)
     scan.run()
     if scan.total > MAX_EXPANDED:
@@ -61,7 +65,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
             f"its macros expand to more than {MAX_EXPANDED:,} tokens",
             location=Location(path), fix="take out the macros that double themselves",
         )  # fmt: skip
-    return scan.edits
+    return [*scan.edits, *repeated]
 
 
 def shallow(data: bytes) -> bool:

@@ -48,6 +48,8 @@ class Context:
         self._comments: list[Token] = [t for t in self.source.tokens if t[0] == "comment"]
         self._comment_starts = [t[1] for t in self._comments]
         self._starts = [t[1] for t in self.tokens]
+        skipped = sorted(parsed.skipped)  # beside each other: the parser gives none within another
+        self._skipped_starts, self._skipped_ends = [start for start, _ in skipped], [end for _, end in skipped]
         self.declared: dict[int, ccode.Declaration] = {}
         self.references: list[tuple[ccode.NameReference, Any]] = []
         self.calls: list[tuple[ccode.Call, Any]] = []
@@ -158,7 +160,8 @@ class Context:
 
     def active(self, offset: int) -> bool:
         """Whether the text at an offset was compiled."""
-        return not any(start <= offset < end for start, end in self.parsed.skipped)
+        number = bisect_right(self._skipped_starts, offset)
+        return number == 0 or offset >= self._skipped_ends[number - 1]
 
     def comment(self, node: Node) -> str | None:
         """The comment directly before a declaration, or behind it on its last line."""

@@ -94,10 +94,10 @@ def notes(context: Context, includes: list[ccode.Include], conditionals: list[cc
         context.find(
             "RS104",
             Severity.warning,
-            "nested too deep: kept as text from here on",
+            "nested too deep, or declared over and over: kept as text from here on",
             start,
             end,
-            "split the expression or statement",
+            "split the expression or statement, or keep one of the declarations",
         )
     if context.source.encoding != "UTF-8":
         context.find("RS105", Severity.info, f"the file is no UTF-8; it was read as {context.source.encoding}", 0, None)
