@@ -39,6 +39,16 @@ def test_an_edited_or_foreign_file_stops_the_run_and_stays(name: str, foreign: b
     assert tree(tmp_path) == before
 
 
+def test_other_line_ends_are_no_edit_and_the_file_is_made_anew_with_its_own(tmp_path: Path) -> None:
+    generate_packages([CIRCLES], tmp_path)
+    before = tree(tmp_path)
+    path = tmp_path / "root" / "__init__.py"
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    made = generate_packages([CIRCLES], tmp_path)
+    assert tree(tmp_path) == before
+    assert [(f.rule, f.location.path) for f in made.findings if f.location and f.rule == "RS523"] == [("RS523", str(path))]
+
+
 def test_files_of_a_person_beside_generated_ones_stay(tmp_path: Path) -> None:
     generate_packages([CIRCLES], tmp_path)
     for name in ("notes.txt", "root/mixins.py", "root/left/extra.py", "other/__init__.py"):
