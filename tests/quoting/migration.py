@@ -17,7 +17,7 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "docs" / "examples" / "line_foll
 DRAWN = ("Basic Servo1", "Basic Servo2", "HIH4030 1", "HIH4030 2", "VCC1", "R1", "Red (633nm)-LED1")
 PORTS = {"leftQTI": "D10", "rightQTI": "D11", "LED": "D12", "P12": "D8", "P13": "D9"}
 """What is bound to which pin, so that no title has to say so."""
-NAME = re.compile(r"\w+(?:Read|Write|Bus)P\d+")
+NAME = re.compile(r"\w+(?:Read|Write|Bus)P\d+(?:_\d+)?")
 """A name that is made from a title."""
 
 

@@ -80,3 +80,14 @@ def test_file_names_that_are_code(tmp_path: Path) -> None:
     assert sketches
     for sketch in sketches:
         assert "evil" not in judges.tokens(sketch.read_text(encoding="utf-8"), "x.cpp")
+
+
+def test_a_name_from_a_title_is_none_of_the_program(tmp_path: Path) -> None:
+    plan_with_titles(tmp_path, ())
+    program = tmp_path / "line_follower.c"
+    own = "int BasicServo1WriteP1; int f(int HIH40301ReadP1) { return HIH40301ReadP1; }\n#define BasicServo1WriteP1_2 1\n"
+    program.write_text(own + program.read_text(encoding="utf-8"), encoding="utf-8")
+    made = migrate([program], tmp_path / "out", hardware=tmp_path / "drawing.fz")
+    sketch = (tmp_path / "out" / "line_follower" / "line_follower.ino").read_text(encoding="utf-8")
+    assert {"BasicServo1WriteP1_3", "HIH40301ReadP1_2", "BasicServo2WriteP1"} <= set(declared_names(sketch))
+    assert sum("has a name" in finding.message for finding in made.findings) == 2

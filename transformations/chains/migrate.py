@@ -26,6 +26,7 @@ from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.reading import check_source_platform, read_drawing, read_program
 from robosmi.transformations.constraints.code_rules import move_findings
+from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
@@ -99,6 +100,8 @@ def plan_migration(
         _check_board(component, board, facts, drawing_path)
         drawn = Hardware(drawing.circuit, component, drawing.connections)
         findings = [*findings, *drawing.findings]
+        declared = {d.name for view in seen for d in (*view.of_kind(ccode.Declaration), *view.unit.macros)}
+        findings += keep_apart(drawing.connections, declared, Location(str(drawing_path)))
         places[str(drawing_path)] = f"source/{drawing_path.name}"
         drawing.circuit.path = places[str(drawing_path)]
         stored[drawing.circuit.path] = inputs.read_bytes(drawing_path, inputs.DRAWING)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -326,6 +326,30 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
         for number, place in enumerate(places, 1):
             result[place] = f"{base}{_SUFFIX[mapped[place].signal]}{number}"
     return result
+
+
+def keep_apart(connections: Iterable[migration.Connection], words: Container[str], location: Location | None) -> list[Finding]:
+    """Give those connections other names whose names the program has already.
+
+    Args:
+        connections: of the drawing; their names are different.
+        words: the names that the program declares.
+        location: the drawing, for the findings.
+    """
+    listed = list(connections)
+    taken = {connection.name for connection in listed}
+    findings = []
+    for connection in listed:
+        old, number = connection.name, 2
+        while connection.name in words:
+            if (name := f"{old}_{number}") not in taken:
+                connection.name = name
+            number += 1
+        if connection.name != old:
+            message = f"the program has a name '{old}' of its own, so the pin is called {connection.name}"
+            findings.append(Finding("RS227", Severity.info, message, location))
+            taken.add(connection.name)
+    return findings
 
 
 def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hardware.Connector]]]:
