@@ -125,7 +125,7 @@ def wrong(done: Done, *, as_json: bool = False, told: bool = True) -> str:
     for sign in ("Traceback", "bug of robosmi", "Exception ignored", "Fatal Python"):
         if sign in done.out + done.err:
             return f"it says '{sign}'"
-    if told and done.code >= 2 and done.code != 130 and "error: " not in done.err + done.out:
+    if told and 2 <= done.code <= 5 and "error: " not in done.err + done.out:
         return f"exit code {done.code} without a cause"
     if as_json:
         try:

@@ -47,6 +47,6 @@ def run(arguments: argparse.Namespace) -> Report:
     views = [ModelView(model) for model in models]
     shown = Shown()
     with redirect_stdout(shown), redirect_stderr(shown), Run(*views):  # a query may print, and stdout is the answer's
-        value = as_json(evaluate(arguments.expression, views))
+        value = evaluate(arguments.expression, views, as_json)
     report.result, report.lines = {"value": value}, as_lines(value)
     return report

@@ -9,7 +9,7 @@ strings neither. It keeps nobody from asking for much time or memory. How a valu
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping, Set
 from datetime import date
 from decimal import Decimal
 from typing import Any
@@ -59,13 +59,14 @@ NAMES: dict[str, Any] = {
 """What an expression may call besides the types of its models."""
 
 
-def evaluate(expression: str, given: Iterable[Model]) -> Any:
+def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any] = lambda value: value) -> Any:
     """The value of an expression.
 
     Args:
         expression: as `Book.all.select(lambda b: b.year > 2000).name`.
         given: the models, known by their names; their types by simple names, the first model's first. A type comes before a
             function of the same name.
+        then: what is made of the value. A value may be lazy, so the expression can fail here too.
 
     Raises:
         UsageError: it is no expression, uses what is not allowed, or fails.
@@ -92,7 +93,7 @@ def evaluate(expression: str, given: Iterable[Model]) -> Any:
     code = compile(_guarded(tree), "<expression>", "eval")
     try:
         with Run(*views):
-            return eval(code, {"__builtins__": {}, _GET: _attribute, **known})
+            return then(eval(code, {"__builtins__": {}, _GET: _attribute, **known}))
     except RobosmiError:
         raise
     except RecursionError as error:
