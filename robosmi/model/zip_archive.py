@@ -23,6 +23,7 @@ FREE_BYTES = 1024 * 1024
 """Unpacked bytes of an entry up to which its ratio does not matter."""
 
 _METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA}
+_CENTRAL, _LOCAL = b"PK\x01\x02", b"PK\x03\x04"  # what an entry of the list and the head of an entry begin with
 _LOCAL_HEAD = struct.Struct("<4s22xHH")  # 30 bytes (APPNOTE 4.3.7)
 _ENCRYPTED = 0x1
 _BLOCK = 1 << 16
@@ -39,7 +40,7 @@ def entries(data: bytes, place: str, most: int) -> list[zipfile.ZipInfo]:
     Raises:
         SourceError: it has more, or its list is damaged.
     """
-    listed = data.count(zipfile.stringCentralDir)  # before the list is read, which takes memory for each entry
+    listed = data.count(_CENTRAL)  # before the list is read, which takes memory for each entry
     if listed > most:
         raise _error(place, f"the archive has {listed} entries, more than {most}", "check that it is what its ending says")
     try:
@@ -93,7 +94,7 @@ def _packed(data: bytes, entry: zipfile.ZipInfo) -> bytes:
     if start < 0 or len(data) - start < _LOCAL_HEAD.size:
         raise zipfile.BadZipFile(f"'{entry.filename}' lies outside of the archive")
     magic, name, extra = _LOCAL_HEAD.unpack_from(data, start)
-    if magic != zipfile.stringFileHeader:
+    if magic != _LOCAL:
         raise zipfile.BadZipFile(f"'{entry.filename}' has no head of its own")
     start += _LOCAL_HEAD.size + name + extra
     if len(data) - start < entry.compress_size:
