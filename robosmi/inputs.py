@@ -10,6 +10,9 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from typing import BinaryIO
 
@@ -102,6 +105,23 @@ def _check(found: os.stat_result, path: object) -> None:
         raise InputRefusedError(errno.EINVAL, cause, path, "give an ordinary file; copy into one what is to be read")
 
 
+_READ: ContextVar[dict[str, bytes] | None] = ContextVar("read", default=None)
+
+
+@contextmanager
+def read_once() -> Iterator[None]:
+    """Within this, a source file, drawing, table or file of settings that is read again is what it was when it was read first.
+
+    So all steps of one run see the same bytes, and each file is opened once. What was read is forgotten at the end.
+    """
+    token = _READ.set({}) if _READ.get() is None else None
+    try:
+        yield
+    finally:
+        if token is not None:
+            _READ.reset(token)
+
+
 def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True) -> bytes:
     """The bytes of an ordinary file.
 
@@ -114,12 +134,18 @@ def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True)
         InputRefusedError: it is no ordinary file, or is larger than its kind may be.
         OSError: it does not exist, is a folder or may not be read.
     """
+    kept = _READ.get() if kind in (SOURCE, DRAWING, TABLE, SETTINGS) else None
+    name = os.path.abspath(path) if kept is not None else ""
+    if kept is not None and name in kept and len(kept[name]) <= kind.most:
+        return kept[name]
     with open_file(path, follow=follow) as stream:
         size = os.fstat(stream.fileno()).st_size
         data = stream.read(kind.most + 1) if size <= kind.most else None  # the size may be wrong, as in /proc
     if data is None or len(data) > kind.most:
         cause = f"it is larger than {kind.limit}, the most that a {kind.name} may have"
         raise InputRefusedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")
+    if kept is not None:
+        kept[name] = data
     return data
 
 

@@ -1,41 +1,234 @@
 """The chain `migrate`: a program and a drawing to a migration plan, and from it to a sketch (the paper's four steps).
 
-`plan_migration` stops at the plan; `migrate` goes on and writes. The order in which choices count is the contract's:
-flag, project file, history, rule above the limit; what is left stays open.
+`migration_chain` says which steps there are: each is a function whose parameters name what it reads. `plan_migration` stops at
+the plan; `migrate` goes on and writes. What a front end is answered is given to the same run, which does again what depends on
+it. The order in which choices count is the contract's: flag, project file, history, rule above the limit; what is left stays
+open. docs/how-to/change-a-step.md shows how to put another function in a step's place.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi import __version__, inputs
+from robosmi import __version__
+from robosmi.chain import Chain
+from robosmi.chain.run import Progress, Run
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, UsageError
-from robosmi.metamodels import ccode, platform
-from robosmi.metamodels import hardware as hw
+from robosmi.errors import UsageError
+from robosmi.inputs import read_once
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, project_of
-from robosmi.query import ancestor_of_kind
 from robosmi.recommend.history import ForgivingHistory
+from robosmi.recommend.ranking import Ranker
+from robosmi.transform import Trace
+from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import history_findings
-from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
-from robosmi.transformations.chains.reading import check_source_platform, read_drawing, read_program
+from robosmi.transformations.chains.program import StoredProgram, program_files, stored_program
+from robosmi.transformations.chains.reading import check_source_platform
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.m2m.connector_mapping import keep_apart
-from robosmi.transformations.m2m.language_gap import remarks
-from robosmi.transformations.m2m.migration_plan import Choices, Hardware, make_plan
-from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
-from robosmi.transformations.queries.circuit import the_board
-from robosmi.transformations.queries.code import views
+from robosmi.transformations.m2m.library_choice import LibraryModels
+from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
+from robosmi.transformations.m2m.platform_dependence import Dependence
+from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.queries.plan import library_json
-from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.target_platform import TargetFacts, target_facts
+
+GIVEN = (
+    "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
+)  # fmt: skip
+"""What a migration is told from outside; `migration_chain` says what each is used for."""
+
+
+def migration_chain() -> Chain:
+    """The steps from what is given to the models of a migration, the value `models`.
+
+    A step can be replaced by its name (`Chain.replace`) with a function of whatever values it needs that returns the same.
+    """
+    chain = Chain(None, "migrate")
+    chain.given(*GIVEN)
+    chain.call(settings, makes="settings", step="read the project file")
+    chain.call(source_api, makes="api", step="look up the source platform")
+    chain.call(target, makes="target", step="look up the target")
+    chain.call(program_files, makes="program_files", step="find the program's files")
+    chain.call(program, makes="program", step="read the program")
+    chain.call(drawing, makes="drawing", step="read the drawing")
+    chain.call(board, makes="board", step="look up the board")
+    chain.call(choices, makes="choices", step="collect the libraries that persons chose")
+    chain.call(ranker, makes="ranker", step="load the ranker")
+    chain.call(earlier, makes="earlier", step="open the history")
+    chain.call(judgement, makes="judgement", step="judge the program's elements")
+    chain.call(bindings, makes="bindings", step="bind ports to pins")
+    chain.call(library_decisions, makes="library_decisions", step="choose libraries")
+    chain.call(models, makes="models", step="put the plan together")
+    return chain
+
+
+# ---- the steps
+
+
+def settings(files: Sequence[str | Path], project: Project | None) -> Project:
+    """The project file: the one given, else the one beside the first source."""
+    return project if project is not None else project_of(Path(files[0]))
+
+
+def source_api(source_platform: str | None, settings: Project) -> ApiIndex:
+    """What is known of the platform that the program was written for.
+
+    Raises:
+        UsageError: there is no such platform.
+    """
+    name = source_platform or settings.source_platform or defaults()["migrate"]["source_platform"]
+    check_source_platform(name)
+    return ApiIndex.load(name)
+
+
+def target(target_name: str | None, settings: Project) -> TargetFacts:
+    """The target.
+
+    Raises:
+        UsageError: there is no such target.
+    """
+    return target_facts(target_name or settings.target or defaults()["migrate"]["target"])
+
+
+def program(program_files: Any, api: ApiIndex) -> StoredProgram:
+    """The program as it is stored.
+
+    Raises:
+        SourceError: it cannot be read, or has not one function main.
+    """
+    return stored_program(program_files, api)
+
+
+def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts, program: StoredProgram) -> StoredDrawing | None:
+    """The drawing as it is stored, its connections with names that the program does not have; None where none is given.
+
+    Raises:
+        SourceError: it cannot be read, or has another board than the target's.
+    """
+    path = Path(hardware) if hardware is not None else settings.hardware
+    if path is None:
+        return None
+    made = stored_drawing(path, settings.roles, target)
+    declared = {d.name for view in program.views for d in (*view.of_kind(ccode.Declaration), *view.unit.macros)}
+    made.findings.extend(keep_apart(made.hardware.connections, declared, Location(str(path))))
+    return made
+
+
+def board(drawing: StoredDrawing | None, target: TargetFacts) -> platform.Board:
+    """The board of the plan: the drawn one, else the target's."""
+    return drawing.board if drawing is not None else target.board_model
+
+
+def choices(libraries: Mapping[str, str], settings: Project, drawing: StoredDrawing | None, target: TargetFacts) -> LibrariesSaid:
+    """The libraries that persons chose, flags before the project file, and how far rules may go.
+
+    Raises:
+        UsageError: a library is chosen, and there is no drawing or the target has no libraries.
+    """
+    limits = defaults()
+    made = LibrariesSaid({**settings.libraries, **libraries}, limits["choices"]["limit"], limits["rank"]["candidates"])
+    if made.libraries and drawing is None:
+        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
+    if made.libraries and not target.libraries:
+        raise UsageError(
+            f"the target '{target.target}' has no libraries, and one is chosen", fix="leave out the choice of a library"
+        )
+    return made
+
+
+def ranker(target: TargetFacts) -> Ranker | None:
+    """What ranks libraries; None for a target that has none."""
+    if not target.libraries:
+        return None
+    made: Ranker = content("ranker", defaults()["rank"]["ranker"])(target.libraries, architecture=target.architecture)
+    return made
+
+
+def earlier(history: str | None) -> ForgivingHistory:
+    """What was chosen before."""
+    return ForgivingHistory(history)
+
+
+def judgement(program: StoredProgram, target: TargetFacts) -> tuple[Dependence, Trace]:
+    """What happens to each element of the program (paper 3.1), and from what that was made."""
+    return judge_program(program.views, target, program.copies)
+
+
+def bindings(
+    program: StoredProgram,
+    judgement: tuple[Dependence, Trace],
+    drawing: StoredDrawing | None,
+    board: platform.Board,
+    bind: Mapping[str, str],
+    settings: Project,
+) -> list[migration.PortBinding]:
+    """Which connection each port of the program becomes; flags go before the project file.
+
+    Raises:
+        UsageError: a name is no port of the program, or a pin is none of the board.
+    """
+    source = judgement[0].source
+    assert source is not None
+    connections = list(drawing.hardware.connections) if drawing is not None else []
+    return bind_ports(program.views, source, connections, board, {**settings.bind, **bind}, defaults()["choices"]["limit"])
+
+
+def library_decisions(
+    drawing: StoredDrawing | None,
+    board: platform.Board,
+    target: TargetFacts,
+    choices: LibrariesSaid,
+    ranker: Ranker | None,
+    earlier: ForgivingHistory,
+) -> tuple[list[migration.LibraryChoice], LibraryModels]:
+    """A decision about libraries for each component that a board pin reaches (paper 3.3).
+
+    Raises:
+        UsageError: a component or library does not exist.
+    """
+    return decide_libraries(drawing.hardware if drawing is not None else None, board, target, choices, ranker, earlier)
+
+
+def models(
+    program: StoredProgram,
+    drawing: StoredDrawing | None,
+    board: platform.Board,
+    target: TargetFacts,
+    judgement: tuple[Dependence, Trace],
+    bindings: Sequence[migration.PortBinding],
+    library_decisions: tuple[Sequence[migration.LibraryChoice], LibraryModels],
+    earlier: ForgivingHistory,
+) -> MigrationModels:
+    """The plan with its findings and tasks, and the models that it refers to."""
+    places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
+    if drawing is not None:
+        findings += drawing.findings
+        places[drawing.given] = drawing.copy
+        files[drawing.copy] = drawing.data
+    else:
+        message = "no drawing was given: ports and libraries stay open"
+        findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))
+    findings += history_findings(earlier)
+    plan, repository = put_together(
+        Decided(
+            program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
+            *judgement, bindings, *library_decisions, files, findings, places,
+        )
+    )  # fmt: skip
+    plan.findings.extend(move_findings(plan, program.views))
+    circuit = drawing.hardware.circuit if drawing is not None else None
+    return MigrationModels(plan, program.program, circuit, repository, files, {v: k for k, v in places.items()})
+
+
+# ---- from outside
 
 
 def plan_migration(
@@ -50,6 +243,8 @@ def plan_migration(
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
     history: str | None = None,
+    progress: Progress | None = None,
+    chain: Chain | None = None,
 ) -> MigrationModels:
     """Make the plan of a migration, with the models it refers to.
 
@@ -64,76 +259,24 @@ def plan_migration(
         libraries: component -> library, before the project file.
         bind: port of the source -> target pin, before the project file.
         history: place of earlier choices, a file or a URL; the user's own if None.
+        progress: told of each step.
+        chain: steps of one's own, which make `models` of what is given; `migration_chain()` if None.
 
     Raises:
         SourceError: an input cannot be read or used.
         UsageError: a choice names what does not exist.
     """
-    given = [Path(f) for f in files]
-    project = project if project is not None else project_of(given[0])
-    sources = source_files(given, [str(d) for d in include_dirs], defines)
-    paths = [Path(source.path) for source in sources]
-    include_dirs = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
-    defines = list(dict.fromkeys(d for source in sources for d in source.defines))
-    platform_name = source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
-    facts = target_facts(target or project.target or defaults()["migrate"]["target"])
-    drawing_path = Path(hardware) if hardware is not None else project.hardware
-    check_source_platform(platform_name)
-    api = ApiIndex.load(platform_name)
-    paths = with_headers(paths, include_dirs, api)
-    program, findings = read_program(paths, platform_name, include_dirs, defines)
-    main = _the_main(program)
-    seen = views(program, api)
-    for view in seen:
-        findings = [*findings, *library_cogs(view), *unknown_functions(view)]
-    drawn, board, stored = None, None, {}
-    places = _store_units(program)
-    for path in paths:
-        stored[places[str(path)]] = inputs.read_bytes(path, inputs.SOURCE)
-    names = {place: path for path, place in places.items()}
-    for view in seen:
-        findings = [*findings, *remarks(view, stored[view.unit.path], names[view.unit.path])]
-    if drawing_path is not None:
-        drawing = read_drawing(drawing_path, project.roles, facts.board)
-        component = the_board(drawing.circuit)
-        board = drawing.board_models.get(component.elementId)
-        _check_board(component, board, facts, drawing_path)
-        drawn = Hardware(drawing.circuit, component, drawing.connections)
-        findings = [*findings, *drawing.findings]
-        declared = {d.name for view in seen for d in (*view.of_kind(ccode.Declaration), *view.unit.macros)}
-        findings += keep_apart(drawing.connections, declared, Location(str(drawing_path)))
-        places[str(drawing_path)] = f"source/{drawing_path.name}"
-        drawing.circuit.path = places[str(drawing_path)]
-        stored[drawing.circuit.path] = inputs.read_bytes(drawing_path, inputs.DRAWING)
-    else:
-        findings = [
-            *findings,
-            Finding("RS210", Severity.info, "no drawing was given: ports and libraries stay open", fix="give --hardware SKETCH"),
-        ]
-    settings = defaults()
-    choices = Choices(
-        {**project.libraries, **(libraries or {})},
-        {**project.bind, **(bind or {})},
-        settings["choices"]["limit"],
-        settings["rank"]["candidates"],
-    )
-    if choices.libraries and drawn is None:
-        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
-    ranker = None
-    if facts.libraries:
-        ranker = content("ranker", settings["rank"]["ranker"])(facts.libraries, architecture=facts.architecture)
-    elif choices.libraries:
-        raise UsageError(
-            f"the target '{facts.target}' has no libraries, and one is chosen", fix="leave out the choice of a library"
-        )
-    earlier = ForgivingHistory(history)
-    findings = [*findings, *history_findings(earlier)]
-    plan, repository = make_plan(
-        _sketch_name(main), __version__, seen, drawn, board or facts.board_model, facts, choices, ranker,
-        earlier, stored, findings, places,
+    run = _started(
+        chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
+        include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, history=history,
     )  # fmt: skip
-    plan.findings.extend(move_findings(plan, seen))
-    return MigrationModels(plan, program, drawn.circuit if drawn else None, repository, stored, {v: k for k, v in places.items()})
+    with read_once():
+        made: MigrationModels = run.value("models")
+    return made
+
+
+def _started(chain: Chain | None, progress: Progress | None, **values: Any) -> Run:
+    return (chain if chain is not None else migration_chain()).start(progress=progress, **values)
 
 
 def migrate(
@@ -153,6 +296,8 @@ def migrate(
     bind: Mapping[str, str] | None = None,
     history: str | None = None,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
+    progress: Progress | None = None,
+    chain: Chain | None = None,
 ) -> Generated:
     """Migrate a program: plan, generate, write.
 
@@ -162,8 +307,8 @@ def migrate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         adapters: `placeholders`; bodies (`filled`) are not there yet.
-        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, history: see
-            `plan_migration`; what persons chose is recorded there, too.
+        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, history,
+            progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
 
     Raises:
@@ -175,96 +320,17 @@ def migrate(
         raise UsageError(
             "adapters with bodies are not part of this version", fix="leave out --adapters, or give --adapters placeholders"
         )
-
-    def planned(said: Mapping[str, str]) -> MigrationModels:
-        return plan_migration(
-            files, project=project, hardware=hardware, target=target, source_platform=source_platform, include_dirs=include_dirs,
-            defines=defines, libraries=said, bind=bind, history=history,
-        )  # fmt: skip
-
-    models = planned(libraries or {})
-    left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
-    if ask is not None and left and (answers := ask(left)):
-        models = planned({**(libraries or {}), **answers})
+    chosen = dict(libraries or {})
+    run = _started(
+        chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
+        include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, history=history,
+    )  # fmt: skip
+    with read_once():
+        models: MigrationModels = run.value("models")
+        left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
+        if ask is not None and left and (answers := ask(left)):
+            run.give(libraries={**chosen, **answers})
+            models = run.value("models")
     made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made, history)
     return made
-
-
-def _check_board(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> None:
-    """Refuse a drawn board that nothing is known of, or that is not the target's.
-
-    Raises:
-        SourceError: it is one of these.
-    """
-    what = f"the board '{component.title}'"
-    if board is None:
-        raise SourceError(
-            f"nothing is known of {what} ({component.partTitle or component.partId})",
-            location=Location(str(path)), fix=f"use a board of the target '{facts.target}' there",
-        )  # fmt: skip
-    if board.name != facts.board and not facts.any_board:
-        raise SourceError(
-            f"{path.name} has {what} ({board.title}), the target is '{facts.target}'",
-            location=Location(str(path)), fix=f"give --target {board.name}, or the hardware of the target '{facts.target}'",
-        )  # fmt: skip
-
-
-def _the_main(program: ccode.Program) -> ccode.Function:
-    """The one function that is run.
-
-    Raises:
-        SourceError: there is none, or more than one.
-    """
-    found = [
-        (u, d)
-        for u in program.units
-        for d in u.declarations
-        if isinstance(d, ccode.Function) and d.name == "main" and d.definition
-    ]
-    if not found:
-        raise SourceError(
-            "there is no function main, so nothing can be migrated", location=Location(program.units[0].path),
-            fix="give the file that has main, too; analyse works without",
-        )  # fmt: skip
-    if len(found) > 1:
-        unit, second = found[1]
-        raise SourceError(
-            f"main is defined twice: also in {found[0][0].path}:{found[0][1].line}",
-            location=Location(unit.path, second.line, second.column),
-            fix="give the files of one program",
-        )
-    return found[0][1]
-
-
-def _store_units(program: ccode.Program) -> dict[str, str]:
-    """Give units, and includes of them, the paths of their copies; path as given -> path of the copy.
-
-    Include folders are then as seen from the first unit. A header that was found and is not copied, a platform's, keeps the name
-    by which it is included.
-    """
-    places: dict[str, str] = {}
-    beside = os.path.dirname(os.path.realpath(program.units[0].path))
-    folders = [os.path.relpath(os.path.realpath(folder), beside) for folder in program.includeFolders]
-    program.includeFolders.clear()
-    program.includeFolders.extend(folders)
-    for unit in program.units:
-        name = Path(unit.path).name
-        stem, number = name, 1
-        while f"source/{name}" in places.values():
-            number += 1
-            name = f"{number}_{stem}"
-        places[unit.path] = f"source/{name}"
-        unit.path = places[unit.path]
-    copies = {os.path.realpath(path): place for path, place in places.items()}
-    for include in (i for unit in program.units for i in unit.includes if i.resolvedPath):
-        include.resolvedPath = copies.get(os.path.realpath(include.resolvedPath), include.header)
-    return places
-
-
-def _sketch_name(main: ccode.Function) -> str:
-    """The sketch's name: that of the unit with main, as the target's tools allow it (letters, digits, underscores)."""
-    unit = ancestor_of_kind(main, ccode.SourceUnit)
-    stem = Path(unit.path).stem if unit is not None else ""
-    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
-    return name if name[:1].isalnum() else f"sketch_{name}"

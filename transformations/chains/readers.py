@@ -40,7 +40,8 @@ def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:
     named = _by_ending(path, kind)
     if len(named) != 1 and kind == DRAWING:
         named = _recognised(path, named or registry().names(kind)) or named[:1]
-    name = named[0] if named else fallback
+    unknown = path.suffix.lower() not in defaults()["readers"]  # that of another kind of reader is refused
+    name = named[0] if named else fallback if unknown else None
     if name is None:
         known = registry().names(kind)
         endings = ", ".join(sorted(ending for ending, names in defaults()["readers"].items() if {*_listed(names)} & {*known}))

@@ -18,26 +18,23 @@ from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
-from robosmi.transformations.m2m.platform_dependence import partition
-from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.m2m.platform_dependence import Dependence, partition
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.source_text import words_of
 from robosmi.transformations.t2m.target_platform import TargetFacts, target_repository
 
 
 @dataclass(frozen=True)
-class Choices:
-    """What persons said, and how far rules may go.
+class LibrariesSaid:
+    """What persons said of libraries, and how far rules may go.
 
     Attributes:
         libraries: component (title or `#model_index`) -> library.
-        bind: port of the source -> pin or mapping.
         limit: a rule's choice is taken when its confidence is at least this.
         candidates: how many libraries a decision keeps.
     """
 
     libraries: Mapping[str, str] = field(default_factory=dict)
-    bind: Mapping[str, str] = field(default_factory=dict)
     limit: float = 0.8
     candidates: int = 10
 
@@ -51,93 +48,133 @@ class Hardware:
     connections: Sequence[migration.Connection]
 
 
-def make_plan(
-    name: str,
-    version: str,
-    views: Sequence[CodeView],
+def judge_program(views: Sequence[CodeView], target: TargetFacts, files: Mapping[str, bytes]) -> tuple[Dependence, Trace]:
+    """What happens to each element of the program, and from what that was made.
+
+    Args:
+        views: a view of each unit of the program; paths of units are relative to the models' folder.
+        target: the target.
+        files: path relative to the models' folder -> bytes of what was read.
+    """
+    trace = Trace()
+    return partition(views, target, files, trace), trace
+
+
+def decide_libraries(
     drawn: Hardware | None,
     board: platform.Board,
     target: TargetFacts,
-    choices: Choices,
+    choices: LibrariesSaid,
     ranker: Ranker | None,
     history: EarlierChoices,
-    files: Mapping[str, bytes],
-    findings: list[Finding],
-    paths: Mapping[str, str],
-) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
-    """Make the plan of a migration.
+) -> tuple[list[migration.LibraryChoice], LibraryModels]:
+    """The decision about libraries for each component that a board pin reaches, and the libraries that these name.
 
     Args:
-        name: the sketch's name.
-        version: the tool's version.
-        views: a view of each unit of the program; paths of units are relative to the models' folder.
         drawn: the hardware, or None where there is no drawing.
         board: the target board.
         target: the target.
         choices: what persons said.
         ranker: ranks libraries; None for a target that has none.
         history: earlier choices.
+
+    Raises:
+        UsageError: a choice names a component or library that does not exist.
+    """
+    libraries = LibraryModels(target, board)
+    if drawn is None or ranker is None:
+        return [], libraries
+    reached = [c for c in Q(drawn.connections).collect(lambda c: c.component).distinct() if c is not None]
+    made = choose_libraries(
+        drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit
+    )
+    return made, libraries
+
+
+@dataclass(frozen=True)
+class Decided:
+    """The decisions of a plan and what they are about, ready to be put together.
+
+    Attributes:
+        name: the sketch's name.
+        version: the tool's version.
+        program: the code model.
+        drawn: the hardware, or None where there is no drawing.
+        board: the target board.
+        target: the target.
+        dependence: what happens to the program's elements.
+        trace: from what that was made.
+        bindings: of the program's ports.
+        choices: of libraries.
+        libraries: those that the plan names.
         files: path relative to the models' folder -> bytes of what was read.
         findings: what readers and mappings found.
         paths: path as the user gave it -> path in `files`.
-
-    Returns:
-        The plan, and the part of the platform models that it refers to.
-
-    Raises:
-        UsageError: a choice names what does not exist.
     """
+
+    name: str
+    version: str
+    program: ccode.Program
+    drawn: Hardware | None
+    board: platform.Board
+    target: TargetFacts
+    dependence: Dependence
+    trace: Trace
+    bindings: Sequence[migration.PortBinding]
+    choices: Sequence[migration.LibraryChoice]
+    libraries: LibraryModels
+    files: Mapping[str, bytes]
+    findings: Sequence[Finding]
+    paths: Mapping[str, str]
+
+
+def put_together(d: Decided) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
+    """The plan of a migration, and the part of the platform models that it refers to.
+
+    Decisions may have been part of an earlier plan; they are then moved into this one.
+    """
+    assert d.dependence.source is not None
+    connections = list(d.drawn.connections) if d.drawn else []
     trace = Trace()
-    program = views[0].program
-    dependence = partition(views, target, files, trace)
-    assert dependence.source is not None
-    connections = list(drawn.connections) if drawn else []
+    trace.take(d.trace)
     for connection in connections:
         trace.link(
             "connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection]
         )
-    bindings = bind_ports(views, dependence.source, connections, board, choices.bind, choices.limit)
-    for binding in bindings:
+    for binding in d.bindings:
         trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
-    libraries = LibraryModels(target, board)
-    library_choices = []
-    if drawn is not None and ranker is not None:
-        reached = [c for c in Q(connections).collect(lambda c: c.component).distinct() if c is not None]
-        library_choices = choose_libraries(
-            drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit
-        )
-        for choice in library_choices:
-            trace.link("library ranking", "libraries", [choice.component], [choice])
-    words = words_of(files[unit.path] for unit in program.units)
-    repository = target_repository(target, dependence.source, board, list(libraries.elements.values()), words)
-    divided = any(d.loop is not None for d in dependence.divisions)
+    for choice in d.choices:
+        trace.link("library ranking", "libraries", [choice.component], [choice])
+    words = words_of(d.files[unit.path] for unit in d.program.units)
+    repository = target_repository(d.target, d.dependence.source, d.board, list(d.libraries.elements.values()), words)
+    divided = any(division.loop is not None for division in d.dependence.divisions)
     plan = migration.MigrationPlan(
-        name=name,
-        toolVersion=version,
+        name=d.name,
+        toolVersion=d.version,
         structure=migration.ProgramStructure.loopForever if divided else migration.ProgramStructure.runOnce,
-        program=program,
-        circuit=drawn.circuit if drawn else None,
-        source=dependence.source,
-        target=target.model.platform,
-        board=board,
-        boardComponent=drawn.board if drawn else None,
+        program=d.program,
+        circuit=d.drawn.circuit if d.drawn else None,
+        source=d.dependence.source,
+        target=d.target.model.platform,
+        board=d.board,
+        boardComponent=d.drawn.board if d.drawn else None,
         inputs=[
             migration.Input(
                 path=path,
                 digest=digest(data),
-                kind="source" if _is_source(path, program) else "drawing",
+                kind="source" if _is_source(path, d.program) else "drawing",
                 origin=path.rpartition("/")[2],
             )
-            for path, data in files.items()
+            for path, data in d.files.items()
         ],
-        dispositions=dependence.dispositions,
+        dispositions=d.dependence.dispositions,
         connections=connections,
-        portBindings=bindings,
-        libraryChoices=library_choices,
-        adapterUses=dependence.adapters,
-        symbolUses=dependence.symbols,
+        portBindings=list(d.bindings),
+        libraryChoices=list(d.choices),
+        adapterUses=d.dependence.adapters,
+        symbolUses=d.dependence.symbols,
     )
-    complete(plan, findings, paths)
+    complete(plan, list(d.findings), d.paths)
     plan.trace = trace.to_model()
     return plan, repository
 

@@ -60,6 +60,8 @@ class TargetFacts:
         self.model = model
         self.any_board = any_board
         self._platform: platform.Platform = model.platform
+        self.shared = model.platform.names
+        """All names that the platform shares with programs, also once a plan has kept some of them only."""
 
     @property
     def target(self) -> str:
@@ -130,7 +132,7 @@ class TargetFacts:
     @cached_property
     def names(self) -> TargetNames:
         """The names that programs share with the platform's core."""
-        return TargetNames(self._platform.names)
+        return TargetNames(self.shared)
 
 
 def target_names(project: Path | None = None) -> list[str]:
@@ -308,9 +310,10 @@ def target_repository(
         target.board = board
         made.boardMappings.clear()
         made.boardMappings.append(load_mapping(facts.platform, board))
+    made.libraries.clear()
     made.libraries.extend(libraries)
-    if made.names is not None:
-        made.names = platform.ReservedNames(**{kind: [n for n in getattr(made.names, kind) if n in words] for kind in _NAMES})
+    if facts.shared is not None:
+        made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in _NAMES})
     chip = board.microcontroller
     return platform.PlatformRepository(
         platforms=[source, made],

@@ -1,0 +1,150 @@
+"""The chain of a migration: an answer does again what depends on it, inputs are read once, a step can be another."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from robosmi.chain.steps import Step, StepResult
+from robosmi.metamodels import migration
+from robosmi.project import Project, defaults
+from robosmi.transformations.chains import migrate as chain_module
+from robosmi.transformations.chains.migrate import migrate, migration_chain, plan_migration
+from robosmi.transformations.m2m.library_choice import LibraryModels
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "docs" / "examples"
+FOLLOWER = EXAMPLES / "line_follower"
+MONITOR = EXAMPLES / "environmental_monitoring"
+PROGRAM = sorted(MONITOR.glob("*.c"))
+DRAWING = MONITOR / "environmental_monitoring_robot.fzz"
+
+
+class Told:
+    """The names of the steps that were done, in their order."""
+
+    def __init__(self) -> None:
+        self.steps: list[str] = []
+
+    def __call__(self, step: Step, result: StepResult | None) -> None:
+        if result is not None:
+            self.steps.append(step.name)
+
+
+def given(**more: Any) -> dict[str, Any]:
+    """What a migration of the monitoring robot is told from outside."""
+    none = {"project": None, "target_name": None, "source_platform": None, "include_dirs": (), "defines": (), "history": None}
+    return {**none, "files": PROGRAM, "hardware": DRAWING, "libraries": {}, "bind": {}, **more}
+
+
+def test_an_answer_does_again_what_depends_on_it_and_gives_the_plan_that_flags_give() -> None:
+    told = Told()
+    run = migration_chain().start(progress=told, **given())
+    first = run.value("models").to_files()
+    everything = list(told.steps)
+    assert "read the program" in everything
+    told.steps.clear()
+    run.give(libraries=_answers(run))
+    again = run.value("models").to_files()
+    assert told.steps == ["collect the libraries that persons chose", "choose libraries", "put the plan together"]
+    assert again != first
+    fresh = plan_migration(PROGRAM, hardware=DRAWING, libraries=_answers(run)).to_files()
+    assert again == fresh
+    run.give(libraries={})
+    assert run.value("models").to_files() == first
+
+
+def _answers(run: Any) -> dict[str, str]:
+    """An answer for each component: none needs a library."""
+    choices = run.value("library_decisions")[0]
+    return {f"#{choice.component.elementId}": "none" for choice in choices}
+
+
+def test_another_drawing_does_not_read_the_program_again() -> None:
+    told = Told()
+    run = migration_chain().start(progress=told, **given(project=Project()))
+    run.value("models")
+    told.steps.clear()
+    run.give(hardware=FOLLOWER / "line_following_robot.fzz")
+    changed = run.value("models").to_files()
+    assert "read the drawing" in told.steps
+    assert {"read the program", "judge the program's elements", "look up the target"} & {*told.steps} == set()
+    assert changed == plan_migration(PROGRAM, project=Project(), hardware=FOLLOWER / "line_following_robot.fzz").to_files()
+
+
+def _sure_of_nothing() -> dict[str, Any]:
+    return {**defaults(), "choices": {"limit": 1.01}}
+
+
+def test_what_a_person_answers_is_asked_for_once_and_is_in_the_sketch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source = (FOLLOWER / "line_follower.c").read_bytes()
+    (tmp_path / "line_follower.c").write_bytes(source)  # no robosmi.toml beside it
+    monkeypatch.setattr(chain_module, "defaults", _sure_of_nothing)
+    asked: list[Sequence[Mapping[str, Any]]] = []
+
+    def ask(choices: Sequence[Mapping[str, Any]]) -> Mapping[str, str]:
+        asked.append(choices)
+        return {f"#{choice['component_model_index']}": "none" for choice in choices}
+
+    told = Told()
+    made = migrate(
+        [tmp_path / "line_follower.c"],
+        tmp_path / "out",
+        hardware=FOLLOWER / "line_following_robot.fzz",
+        ask=ask,
+        progress=told,
+        history=str(tmp_path / "history.sqlite"),
+    )
+    assert len(asked) == 1
+    assert asked[0]
+    assert [c.component.title for c in made.models.plan.libraryChoices if c.open and c.component is not None] == []
+    assert {told.steps.count(name) for name in ("read the program", "read the drawing", "judge the program's elements")} == {1}
+    assert told.steps.count("choose libraries") == 2
+
+
+OPENED = """
+import json, os, sys
+seen = []
+sys.addaudithook(lambda event, args: seen.append(args[0]) if event == "open" and isinstance(args[0], (str, bytes)) else None)
+import robosmi
+robosmi.migrate([sys.argv[1]], sys.argv[3], hardware=sys.argv[2])
+paths = [os.path.realpath(os.fsdecode(p)) for p in seen]
+print(json.dumps([paths.count(os.path.realpath(name)) for name in sys.argv[1:3]]))
+"""
+
+
+@pytest.mark.parametrize("table", [False, True], ids=["drawing", "pin table"])
+def test_each_input_is_read_once(table: bool, tmp_path: Path) -> None:
+    drawing = (
+        ROOT / "tests/transformations/t2m/drawing_readers/pin_table/robot.csv" if table else FOLLOWER / "line_following_robot.fzz"
+    )
+    command = [sys.executable, "-c", OPENED, str(FOLLOWER / "line_follower.c"), str(drawing), str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT)
+    assert json.loads(done.stdout) == [1, 1]
+
+
+def test_a_step_can_be_another_persons() -> None:
+    """A researcher's own decision about libraries: none is ever needed; everything else is as it was."""
+
+    def never(drawing: Any, board: Any, target: Any) -> tuple[list[migration.LibraryChoice], LibraryModels]:
+        reached = {c.component.elementId: c.component for c in drawing.hardware.connections}
+        made = [
+            migration.LibraryChoice(component=c, choice="none", chosenBy=migration.ChosenBy.rule, confidence=1.0)
+            for c in reached.values()
+        ]
+        return made, LibraryModels(target, board)
+
+    chain = migration_chain()
+    chain.replace("choose libraries", never)
+    plan = plan_migration([FOLLOWER / "line_follower.c"], chain=chain).plan
+    usual = plan_migration([FOLLOWER / "line_follower.c"]).plan
+    assert {c.choice for c in plan.libraryChoices} == {"none"}
+    assert {c.choice for c in usual.libraryChoices} != {"none"}
+    assert [d.action for d in plan.dispositions] == [d.action for d in usual.dispositions]
+    assert [b.choice for b in plan.portBindings] == [b.choice for b in usual.portBindings]

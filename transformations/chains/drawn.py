@@ -1,0 +1,80 @@
+"""The hardware's side of a migration: the drawing with the board of the target, as it is stored."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location
+from robosmi.errors import SourceError
+from robosmi.metamodels import hardware as hw
+from robosmi.metamodels import platform
+from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.m2m.migration_plan import Hardware
+from robosmi.transformations.queries.circuit import the_board
+from robosmi.transformations.t2m.target_platform import TargetFacts
+
+
+@dataclass(frozen=True)
+class StoredDrawing:
+    """A drawing that was read and mapped, and whose circuit has the path of its copy.
+
+    Attributes:
+        hardware: the circuit, its board component, the connections.
+        board: the board's model.
+        given: path of the file as given.
+        copy: path of its copy, relative to the models' folder.
+        data: its bytes.
+        findings: what is odd about it.
+    """
+
+    hardware: Hardware
+    board: platform.Board
+    given: str
+    copy: str
+    data: bytes
+    findings: list[Finding]
+
+
+def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) -> StoredDrawing:
+    """Read the drawing of a migration's hardware.
+
+    Args:
+        path: the drawing.
+        roles: COMPONENT -> role, as the project file says.
+        target: the target, whose board it must have.
+
+    Raises:
+        SourceError: it cannot be read, or has another board or none.
+        UsageError: a role or component does not exist.
+    """
+    drawing = read_drawing(path, roles, target.board)
+    component = the_board(drawing.circuit)
+    board = _checked(component, drawing.board_models.get(component.elementId), target, path)
+    drawing.circuit.path = copy = f"source/{path.name}"
+    data = inputs.read_bytes(path, inputs.DRAWING)
+    return StoredDrawing(
+        Hardware(drawing.circuit, component, drawing.connections), board, str(path), copy, data, drawing.findings
+    )
+
+
+def _checked(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> platform.Board:
+    """The drawn board, which is refused if nothing is known of it or it is not the target's.
+
+    Raises:
+        SourceError: it is one of these.
+    """
+    what = f"the board '{component.title}'"
+    if board is None:
+        raise SourceError(
+            f"nothing is known of {what} ({component.partTitle or component.partId})",
+            location=Location(str(path)), fix=f"use a board of the target '{facts.target}' there",
+        )  # fmt: skip
+    if board.name != facts.board and not facts.any_board:
+        raise SourceError(
+            f"{path.name} has {what} ({board.title}), the target is '{facts.target}'",
+            location=Location(str(path)), fix=f"give --target {board.name}, or the hardware of the target '{facts.target}'",
+        )  # fmt: skip
+    return board

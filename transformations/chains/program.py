@@ -1,0 +1,151 @@
+"""The program's side of a migration: its files, its code model as it is stored, and what is found in the sources alone."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location
+from robosmi.errors import SourceError
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.chains.local_headers import with_headers
+from robosmi.transformations.chains.reading import read_program
+from robosmi.transformations.m2m.language_gap import remarks
+from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
+from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.t2m.c_source.sources import source_files
+from robosmi.transformations.t2m.platform_api import ApiIndex
+
+
+@dataclass(frozen=True)
+class ProgramFiles:
+    """The files of one program, headers of its own behind the sources, and how they are read."""
+
+    paths: Sequence[Path]
+    include_dirs: Sequence[Path]
+    defines: Sequence[str]
+
+
+@dataclass(frozen=True)
+class StoredProgram:
+    """A program that was read and whose units have the paths of their copies.
+
+    Attributes:
+        program: the code model.
+        name: the sketch's name: that of the unit with main, as the target's tools allow it.
+        views: a view of each unit.
+        places: path as given -> path of the copy, relative to the models' folder.
+        copies: path of the copy -> bytes.
+        findings: what is found in the sources without a target.
+    """
+
+    program: ccode.Program
+    name: str
+    views: Sequence[CodeView]
+    places: Mapping[str, str]
+    copies: Mapping[str, bytes]
+    findings: Sequence[Finding]
+
+
+def program_files(
+    files: Sequence[str | Path], include_dirs: Sequence[Path], defines: Sequence[str], api: ApiIndex
+) -> ProgramFiles:
+    """The files of a program.
+
+    Args:
+        files: as given; a folder stands for the sources in it, `compile_commands.json` for those that it names.
+        include_dirs: folders with headers.
+        defines: macros defined from outside.
+        api: what is known of the source platform.
+
+    Raises:
+        SourceError: a folder holds no sources, or the compile commands cannot be read.
+        UsageError: a file is given twice.
+    """
+    sources = source_files([Path(f) for f in files], [str(d) for d in include_dirs], defines)
+    folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
+    macros = list(dict.fromkeys(d for source in sources for d in source.defines))
+    return ProgramFiles(with_headers([Path(source.path) for source in sources], folders, api), folders, macros)
+
+
+def stored_program(files: ProgramFiles, api: ApiIndex) -> StoredProgram:
+    """Read a program as it is to be migrated and stored.
+
+    Raises:
+        SourceError: a file cannot be read as a program, or there is not one function main.
+    """
+    program, findings = read_program(files.paths, api.name, files.include_dirs, files.defines)
+    main = _the_main(program)
+    seen = views(program, api)
+    for view in seen:
+        findings = [*findings, *library_cogs(view), *unknown_functions(view)]
+    places = _store_units(program)
+    copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
+    names = {place: path for path, place in places.items()}
+    for view in seen:
+        findings = [*findings, *remarks(view, copies[view.unit.path], names[view.unit.path])]
+    return StoredProgram(program, _sketch_name(main), seen, places, copies, findings)
+
+
+def _the_main(program: ccode.Program) -> ccode.Function:
+    """The one function that is run.
+
+    Raises:
+        SourceError: there is none, or more than one.
+    """
+    found = [
+        (u, d)
+        for u in program.units
+        for d in u.declarations
+        if isinstance(d, ccode.Function) and d.name == "main" and d.definition
+    ]
+    if not found:
+        raise SourceError(
+            "there is no function main, so nothing can be migrated", location=Location(program.units[0].path),
+            fix="give the file that has main, too; analyse works without",
+        )  # fmt: skip
+    if len(found) > 1:
+        unit, second = found[1]
+        raise SourceError(
+            f"main is defined twice: also in {found[0][0].path}:{found[0][1].line}",
+            location=Location(unit.path, second.line, second.column),
+            fix="give the files of one program",
+        )
+    return found[0][1]
+
+
+def _store_units(program: ccode.Program) -> dict[str, str]:
+    """Give units, and includes of them, the paths of their copies; path as given -> path of the copy.
+
+    Include folders are then as seen from the first unit. A header that was found and is not copied, a platform's, keeps the name
+    by which it is included.
+    """
+    places: dict[str, str] = {}
+    beside = os.path.dirname(os.path.realpath(program.units[0].path))
+    folders = [os.path.relpath(os.path.realpath(folder), beside) for folder in program.includeFolders]
+    program.includeFolders.clear()
+    program.includeFolders.extend(folders)
+    for unit in program.units:
+        name = Path(unit.path).name
+        stem, number = name, 1
+        while f"source/{name}" in places.values():
+            number += 1
+            name = f"{number}_{stem}"
+        places[unit.path] = f"source/{name}"
+        unit.path = places[unit.path]
+    copies = {os.path.realpath(path): place for path, place in places.items()}
+    for include in (i for unit in program.units for i in unit.includes if i.resolvedPath):
+        include.resolvedPath = copies.get(os.path.realpath(include.resolvedPath), include.header)
+    return places
+
+
+def _sketch_name(main: ccode.Function) -> str:
+    """The sketch's name: that of the unit with main, as the target's tools allow it (letters, digits, underscores)."""
+    unit = ancestor_of_kind(main, ccode.SourceUnit)
+    stem = Path(unit.path).stem if unit is not None else ""
+    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
+    return name if name[:1].isalnum() else f"sketch_{name}"
