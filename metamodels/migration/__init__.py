@@ -26,7 +26,7 @@ from robosmi.model.strict_package import (
 if TYPE_CHECKING:
     from robosmi.model.strict import EnumLiteral
 
-    from ..ccode import Call, Located, NameReference, Program, SourceUnit
+    from ..ccode import Call, Declaration, Located, NameReference, Program, SourceUnit
     from ..hardware import Circuit, Component, Connector
     from ..platform import (
         Adapter,
@@ -37,11 +37,12 @@ if TYPE_CHECKING:
         Pin,
         PinConvention,
         Platform,
+        Target,
     )
     from ..trace import Trace
 
 name = "migration"
-nsURI = "http://robosmi.org/migration/1"
+nsURI = "http://robosmi.org/migration/2"
 nsPrefix = "migration"
 
 eClass = package(name, nsURI, nsPrefix)
@@ -88,6 +89,13 @@ if TYPE_CHECKING:
         care: ClassVar[AdapterStatus]
         unsupported: ClassVar[AdapterStatus]
 
+    class SignatureSource(EnumLiteral):
+        """What says how an adapted function is declared."""
+
+        inferred: ClassVar[SignatureSource]
+        repository: ClassVar[SignatureSource]
+        program: ClassVar[SignatureSource]
+
     class SeverityLevel(EnumLiteral):
         """How bad a finding is."""
 
@@ -132,6 +140,10 @@ else:
         "AdapterStatus",
         {"todo": 0, "filled": 1, "care": 2, "unsupported": 3},
     )
+    SignatureSource = enumeration(
+        "SignatureSource",
+        {"inferred": 0, "repository": 1, "program": 2},
+    )
     SeverityLevel = enumeration("SeverityLevel", {"info": 0, "warning": 1, "error": 2})
     ProgramStructure = enumeration("ProgramStructure", {"loopForever": 0, "runOnce": 1})
     Signal = enumeration("Signal", {"read": 0, "write": 1, "bus": 2})
@@ -154,6 +166,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """The source platform."""
     target: Platform | None = EReference()
     """The target platform."""
+    targetDescription: Target | None = EReference()
+    """The target: its board and platform, how its programs are built, and the generator that writes for it."""
     board: Board | None = EReference()
     """The target board."""
     boardComponent: Component | None = EReference()
@@ -175,8 +189,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """The platform functions that are called, and how each is adapted."""
     symbolUses: MutableSequence[SymbolUse] = EReference(upper=-1, containment=True)
     """The platform symbols that are used, and their placeholders."""
-    edits: MutableSequence[Edit] = EReference(upper=-1, containment=True)
-    """Minimal changes of the text that is carried over."""
+    edits: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
+    """Changes of the carried-over text that a person added to the plan; those of decisions belong to the decisions."""
     tasks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
     """Work that is left for a person."""
     findings: MutableSequence[PlanFinding] = EReference(upper=-1, containment=True)
@@ -196,6 +210,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             circuit: Circuit | None = None,
             source: Platform | None = None,
             target: Platform | None = None,
+            targetDescription: Target | None = None,
             board: Board | None = None,
             boardComponent: Component | None = None,
             inputs: Iterable[Input] | None = None,
@@ -205,7 +220,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             libraryChoices: Iterable[LibraryChoice] | None = None,
             adapterUses: Iterable[AdapterUse] | None = None,
             symbolUses: Iterable[SymbolUse] | None = None,
-            edits: Iterable[Edit] | None = None,
+            edits: Iterable[TextChange] | None = None,
             tasks: Iterable[PlanTask] | None = None,
             findings: Iterable[PlanFinding] | None = None,
             trace: Trace | None = None,
@@ -249,9 +264,11 @@ class Decision(Element, metaclass=MetaEClass):
     open: bool = EAttribute(eType=EBoolean)
     """True when nothing is chosen."""
     choice: str = EAttribute(eType=EString, default_value="")
-    """Label of the chosen option, empty when open."""
+    """What is chosen: the label of an option, what a person named instead, or the action of a disposition; empty when open."""
     options: MutableSequence[Option] = EReference(upper=-1, containment=True)
     """The options, best first."""
+    changes: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
+    """What the decision changes in the carried-over text."""
 
     if TYPE_CHECKING:
 
@@ -264,6 +281,7 @@ class Decision(Element, metaclass=MetaEClass):
             open: bool | None = None,
             choice: str | None = None,
             options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
         ) -> None: ...
 
 
@@ -293,14 +311,16 @@ class Disposition(Decision):
 
     action: Action = EAttribute(eType=Action)
     """What is done."""
-    rule: str = EAttribute(eType=EString, default_value="")
-    """Id of the rule that decided."""
-    reason: str = EAttribute(eType=EString, default_value="")
-    """Why, one sentence."""
+    rules: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Ids of the rules that decided; more than one where several change the element's text."""
+    reasons: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Why, one sentence for each rule."""
     element: Located | None = EReference()
     """The element."""
     inLoop: bool = EAttribute(eType=EBoolean)
     """True for a statement of main that belongs to the repeated part."""
+    hoisted: TextCopy | None = EReference(containment=True)
+    """The text of a declaration that moves out of main."""
 
     if TYPE_CHECKING:
 
@@ -313,11 +333,13 @@ class Disposition(Decision):
             open: bool | None = None,
             choice: str | None = None,
             options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
             action: Action | None = None,
-            rule: str | None = None,
-            reason: str | None = None,
+            rules: Iterable[str] | None = None,
+            reasons: Iterable[str] | None = None,
             element: Located | None = None,
             inLoop: bool | None = None,
+            hoisted: TextCopy | None = None,
         ) -> None: ...
 
 
@@ -387,6 +409,7 @@ class PortBinding(Decision):
             open: bool | None = None,
             choice: str | None = None,
             options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
             name: str | None = None,
             sourcePin: int | None = None,
             signal: Signal | None = None,
@@ -422,6 +445,7 @@ class LibraryChoice(Decision):
             open: bool | None = None,
             choice: str | None = None,
             options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
             component: Component | None = None,
             chosen: Library | None = None,
             candidates: Iterable[Library] | None = None,
@@ -435,11 +459,20 @@ class AdapterUse(Element, metaclass=MetaEClass):
     name: str = EAttribute(eType=EString, lower=1)
     """Its name."""
     signature: str = EAttribute(eType=EString, default_value="")
-    """Its raw signature."""
-    targetSignature: str = EAttribute(eType=EString, default_value="")
-    """The signature that is generated: the widths of the source platform, written for the target."""
-    signatureSource: str = EAttribute(eType=EString, default_value="")
-    """header or repository."""
+    """Its raw signature: as the source platform or the program declares it, or as the calls have it where nothing does."""
+    targetName: str = EAttribute(eType=EString, default_value="")
+    """What the adapter is called: its name, or another where the target has one of that name."""
+    result: TargetType | None = EReference(containment=True)
+    """The type of its value on the target."""
+    parameters: MutableSequence[AdapterParameter] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """Its parameters on the target: types keep the width that they have on the source platform."""
+    variadic: bool = EAttribute(eType=EBoolean)
+    """True when it takes further arguments."""
+    signatureSource: SignatureSource = EAttribute(eType=SignatureSource)
+    """What says how it is declared: the platform repository, the program itself (the adapter's body stands where the program declares it), or nothing, so that it is inferred from the calls."""
     status: AdapterStatus = EAttribute(eType=AdapterStatus)
     """Its state."""
     notes: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -458,13 +491,55 @@ class AdapterUse(Element, metaclass=MetaEClass):
             *,
             name: str | None = None,
             signature: str | None = None,
-            targetSignature: str | None = None,
-            signatureSource: str | None = None,
+            targetName: str | None = None,
+            result: TargetType | None = None,
+            parameters: Iterable[AdapterParameter] | None = None,
+            variadic: bool | None = None,
+            signatureSource: SignatureSource | None = None,
             status: AdapterStatus | None = None,
             notes: Iterable[str] | None = None,
             function: ApiFunction | None = None,
             adapter: Adapter | None = None,
             calls: Iterable[Call] | None = None,
+        ) -> None: ...
+
+
+class AdapterParameter(Element, metaclass=MetaEClass):
+    """A parameter of an adapter."""
+
+    name: str = EAttribute(eType=EString, default_value="")
+    """Its name."""
+    valueType: TargetType | None = EReference(containment=True)
+    """Its type."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            valueType: TargetType | None = None,
+        ) -> None: ...
+
+
+class TargetType(Element, metaclass=MetaEClass):
+    """A type as the target's program writes it."""
+
+    spelling: str = EAttribute(eType=EString, lower=1)
+    """The type, written without a name: unsigned char *, int [4], void (*)(int)."""
+    emptyValue: str = EAttribute(eType=EString, default_value="")
+    """What a body that is still to be written gives back: 0, {}, or nothing for void."""
+    declarations: MutableSequence[Declaration] = EReference(upper=-1)
+    """The program's own types that it names."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            spelling: str | None = None,
+            emptyValue: str | None = None,
+            declarations: Iterable[Declaration] | None = None,
         ) -> None: ...
 
 
@@ -495,8 +570,8 @@ class SymbolUse(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
-class Edit(Element, metaclass=MetaEClass):
-    """A change of the text that is carried over. Edits of a unit never overlap."""
+class TextChange(Element, metaclass=MetaEClass):
+    """A change of the carried-over text: new text takes the place of a range of a source unit. A change within the range that another one replaces has no effect; of two with the same range the first counts, in the order of the plan's edits, port bindings, dispositions."""
 
     unit: SourceUnit | None = EReference()
     """The unit."""
@@ -506,12 +581,12 @@ class Edit(Element, metaclass=MetaEClass):
     """Offset behind the last byte replaced."""
     replacement: str = EAttribute(eType=EString, default_value="")
     """The new text."""
+    rule: str = EAttribute(eType=EString, default_value="")
+    """Id of the rule that wants it; empty for a person's edit."""
     reason: str = EAttribute(eType=EString, default_value="")
-    """Why."""
+    """Why, one sentence."""
     step: Step = EAttribute(eType=Step)
     """The step of the method that wants it."""
-    decision: Decision | None = EReference()
-    """The decision that wants it."""
 
     if TYPE_CHECKING:
 
@@ -522,9 +597,33 @@ class Edit(Element, metaclass=MetaEClass):
             startOffset: int | None = None,
             endOffset: int | None = None,
             replacement: str | None = None,
+            rule: str | None = None,
             reason: str | None = None,
             step: Step | None = None,
-            decision: Decision | None = None,
+        ) -> None: ...
+
+
+class TextCopy(Element, metaclass=MetaEClass):
+    """Text that moves out of main: the range of a source unit with all changes in it that are not its disposition's own, then with changes that hold in the copy only. It stands at file scope, above main."""
+
+    unit: SourceUnit | None = EReference()
+    """The unit."""
+    startOffset: int = EAttribute(eType=EInt)
+    """Offset of the first byte copied."""
+    endOffset: int = EAttribute(eType=EInt)
+    """Offset behind the last byte copied."""
+    changes: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
+    """Changes that hold in the copy only."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            unit: SourceUnit | None = None,
+            startOffset: int | None = None,
+            endOffset: int | None = None,
+            changes: Iterable[TextChange] | None = None,
         ) -> None: ...
 
 
@@ -641,7 +740,7 @@ class EarlierChoice(Element, metaclass=MetaEClass):
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     from robosmi.model.strict_package import EObject, classifier
 
-    from ..ccode import Call, Located, NameReference, Program, SourceUnit
+    from ..ccode import Call, Declaration, Located, NameReference, Program, SourceUnit
     from ..hardware import Circuit, Component, Connector
     from ..platform import (
         Adapter,
@@ -652,6 +751,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
         Pin,
         PinConvention,
         Platform,
+        Target,
     )
     from ..trace import Trace
 
@@ -659,6 +759,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.circuit.eType = Circuit
     MigrationPlan.source.eType = Platform
     MigrationPlan.target.eType = Platform
+    MigrationPlan.targetDescription.eType = Target
     MigrationPlan.board.eType = Board
     MigrationPlan.boardComponent.eType = Component
     MigrationPlan.inputs.eType = Input
@@ -668,12 +769,14 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.libraryChoices.eType = LibraryChoice
     MigrationPlan.adapterUses.eType = AdapterUse
     MigrationPlan.symbolUses.eType = SymbolUse
-    MigrationPlan.edits.eType = Edit
+    MigrationPlan.edits.eType = TextChange
     MigrationPlan.tasks.eType = PlanTask
     MigrationPlan.findings.eType = PlanFinding
     MigrationPlan.trace.eType = Trace
     Decision.options.eType = Option
+    Decision.changes.eType = TextChange
     Disposition.element.eType = Located
+    Disposition.hoisted.eType = TextCopy
     Connection.pin.eType = Pin
     Connection.boardConnectors.eType = Connector
     Connection.component.eType = Component
@@ -686,19 +789,25 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     LibraryChoice.component.eType = Component
     LibraryChoice.chosen.eType = Library
     LibraryChoice.candidates.eType = Library
+    AdapterUse.result.eType = TargetType
+    AdapterUse.parameters.eType = AdapterParameter
     AdapterUse.function.eType = ApiFunction
     AdapterUse.adapter.eType = Adapter
     AdapterUse.calls.eType = Call
+    AdapterParameter.valueType.eType = TargetType
+    TargetType.declarations.eType = Declaration
     SymbolUse.symbol.eType = ApiSymbol
     SymbolUse.uses.eType = NameReference
-    Edit.unit.eType = SourceUnit
-    Edit.decision.eType = Decision
+    TextChange.unit.eType = SourceUnit
+    TextCopy.unit.eType = SourceUnit
+    TextCopy.changes.eType = TextChange
     PlanTask.elements.eType = EObject
     EarlierChoices.choices.eType = EarlierChoice
     classifier(__name__, ChosenBy)
     classifier(__name__, Action)
     classifier(__name__, Step)
     classifier(__name__, AdapterStatus)
+    classifier(__name__, SignatureSource)
     classifier(__name__, SeverityLevel)
     classifier(__name__, ProgramStructure)
     classifier(__name__, Signal)

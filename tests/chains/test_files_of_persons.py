@@ -206,8 +206,8 @@ def test_an_edit_of_the_plan_while_generate_follows_it_stops_it(migrated: Path, 
     plan.write_text(plan.read_text().replace('toolVersion="', 'toolVersion="edited '))
     settle = generate_chain.settle
 
-    def slow(found: Any) -> None:
-        settle(found)
+    def slow(found: Any, *rest: Any) -> None:
+        settle(found, *rest)
         plan.write_text(plan.read_text().replace('toolVersion="edited ', 'toolVersion="edited twice '))
 
     monkeypatch.setattr(generate_chain, "settle", slow)

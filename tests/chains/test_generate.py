@@ -169,7 +169,7 @@ def test_an_edit_of_the_text_in_the_plan_is_kept(migrated: Path) -> None:
     def add(root: Any) -> None:
         start = source.index(b"pause(1000)")
         root.edits.append(
-            migration.Edit(
+            migration.TextChange(
                 unit=root.program.units[0],
                 startOffset=start + 6,
                 endOffset=start + 10,

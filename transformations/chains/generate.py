@@ -28,5 +28,5 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
     own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
     seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")} if own else {}
     models = load_models(Path(plan))
-    settle(models.plan)
+    settle(models.plan, models.files)
     return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)

@@ -24,7 +24,6 @@ from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
-from robosmi.transformations.m2m.edits import derive_edits
 from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said
 
 LAST = ".robosmi/generated"
@@ -131,7 +130,6 @@ def produce(
             f"{len(open_)} choice(s) are open: {names}",
             fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
         )
-    derive_edits(plan, models.files)
     generator = content("generator", _generator(models))
     recover(output)
     manifest, places = Manifest.load(output), Places(output)

@@ -18,6 +18,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
 from robosmi.query import ancestor_of_kind
 from robosmi.query.run import current_run
+from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.expression_type import FunctionType
@@ -67,7 +68,7 @@ class Move:
     def numbers(self) -> Numbers:
         """The program's numbers on the target."""
         functions = _functions(self.views)
-        functions.update({a.name: function_type(a.targetSignature) for a in self.plan.adapterUses})
+        functions.update({a.name: target_types(a) for a in self.plan.adapterUses})
         sure = (s for s in self.plan.symbolUses if s.symbol is not None and s.symbol.typeName)  # a person gives the others theirs
         symbols = {s.name: found[0] for s in sure if (found := _FIXED.search(s.placeholder or ""))}
         return Numbers(self.there, functions, symbols, self._macros)

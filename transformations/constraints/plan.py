@@ -5,14 +5,14 @@ What a plan leaves open is a critique, no fault. Whether its files match their d
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 from robosmi.diagnostics import Severity
-from robosmi.metamodels import ccode, migration, platform
+from robosmi.metamodels import migration, platform
 from robosmi.query import root_of
 from robosmi.transformations.constraints.code_rules import moved
 from robosmi.transformations.constraints.electrical_plan import together
+from robosmi.transformations.queries.text_changes import all_changes, decision_of
 from robosmi.validate import EVL, Fail, Fix
 
 plan = EVL()
@@ -25,7 +25,7 @@ bindings = plan.context(migration.PortBinding)
 decisions = plan.context(migration.Decision)
 dispositions = plan.context(migration.Disposition)
 libraries = plan.context(migration.LibraryChoice)
-edits = plan.context(migration.Edit)
+plans = plan.context(migration.MigrationPlan)
 
 
 def plan_of(decision: Any) -> migration.MigrationPlan:
@@ -56,7 +56,7 @@ def named(decision: Any) -> str:
 def DecidesOnTheProgram(d: migration.Disposition) -> Any:
     """A decision about code is about an element of the plan's program."""
     inside = d.element is not None and root_of(d.element) is plan_of(d).program
-    return inside or Fail(f"a decision ({d.action.name}, {d.rule}) is about nothing in the plan's program")
+    return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
 
 
 @bindings.constraint(id="RS702", guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin")
@@ -121,22 +121,19 @@ def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> Any:
     return chosen.eContainer() is target or Fail(f"the {named(c)} is {chosen.name}, which is none of the target platform")
 
 
-@edits.constraint(id="RS708", guard=lambda e: e.unit is not None, advice="make the plan again with migrate")
-def EditIsInItsUnit(e: migration.Edit) -> Any:
-    """An edit replaces bytes of its unit, and none that another edit replaces."""
-    assert e.unit is not None
-    if not 0 <= e.startOffset <= e.endOffset <= e.unit.size:
-        return Fail(f"an edit of {e.unit.path} replaces bytes {e.startOffset} to {e.endOffset} of {e.unit.size}")
-    other = next((o for o in _before(e) if o.startOffset < e.endOffset and e.startOffset < o.endOffset), None)
-    return other is None or Fail(
-        f"two edits of {e.unit.path} overlap: bytes {other.startOffset} to {other.endOffset} and {e.startOffset} to {e.endOffset}"
-    )
-
-
-def _before(edit: migration.Edit) -> Iterator[migration.Edit]:
-    unit: ccode.SourceUnit | None = edit.unit
-    for other in plan_of(edit).edits:
-        if other is edit:
-            return
-        if other.unit is unit:
-            yield other
+@plans.constraint(id="RS708", advice="correct the offsets, or make the plan again with migrate")
+def ChangesDoNotCross(p: migration.MigrationPlan) -> Any:
+    """Each change of text replaces bytes of its unit, and crosses no other; one that a person added has an effect."""
+    wrong: list[str] = []
+    widest: migration.TextChange | None = None
+    order = sorted((c for c in all_changes(p) if c.unit is not None), key=lambda c: (c.unit.path, c.startOffset, -c.endOffset))
+    for change in order:
+        assert change.unit is not None
+        start, end, path = change.startOffset, change.endOffset, change.unit.path
+        if not 0 <= start <= end <= change.unit.size:
+            wrong.append(f"a change of {path} replaces bytes {start} to {end} of {change.unit.size}")
+        elif widest is None or widest.unit is not change.unit or widest.endOffset <= start:
+            widest = change if start < end else widest
+        elif widest.startOffset < end and (widest.endOffset < end or decision_of(change) is None):
+            wrong.append(f"two changes of {path} overlap: bytes {widest.startOffset} to {widest.endOffset} and {start} to {end}")
+    return not wrong or Fail("; ".join(wrong))

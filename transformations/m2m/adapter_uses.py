@@ -8,15 +8,16 @@ say it. No function is known by its name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
-from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
+from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
 from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
+Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
 """Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""
 
@@ -100,6 +101,7 @@ def adapter(
     source: str,
     target: TargetFacts,
     names: TargetNames,
+    own: Mapping[str, ccode.Declaration],
     *,
     handed: bool = False,
 ) -> migration.AdapterUse:
@@ -112,38 +114,57 @@ def adapter(
         source: name of the source platform, for a name that the target has already.
         target: the target.
         names: the target's names.
+        own: the types that the program declares, by name.
         handed: the function is also handed on as a value.
     """
     name = called.name
     signature, raw, origin = _signature(called, function, prototype)
     if raw.endswith("(...)"):  # a macro: nothing is declared, so the call sites say what it takes
         raw = signature.named().text()
-    kept = handed or origin == OWN_PROTOTYPE or name in names.absent
+    kept = handed or origin is Source.program or name in names.absent
     reserved = names.macros | names.keywords
     wide = for_target(signature, {} if kept else target.widths, reserved)
     if not kept and name in names.declared | names.macros:
         wide = Signature(f"{source}_{name}", wide.returns, wide.parameters, wide.variadic)
     return migration.AdapterUse(
-        name=name, signature=raw, targetSignature=wide.text(), signatureSource=origin, status=migration.AdapterStatus.todo,
+        name=name, signature=raw, targetName=wide.name, result=_type(wide.returns, own),
+        parameters=[
+            migration.AdapterParameter(name=given, valueType=_type(parameter_type(declare(kind, given)), own))
+            for kind, given in wide.parameters
+        ],
+        variadic=wide.variadic, signatureSource=origin, status=migration.AdapterStatus.todo,
         notes=_notes(called, function, origin, wide.name, handed), function=function, calls=called.calls,
     )  # fmt: skip
 
 
+def own_types(program: ccode.Program) -> dict[str, ccode.Declaration]:
+    """The types that the files of a program declare, by name."""
+    kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
+    return {d.name: d for unit in program.units for d in unit.declarations if isinstance(d, kinds) and d.name}
+
+
+def _type(spelling: str, own: Mapping[str, ccode.Declaration]) -> migration.TargetType:
+    """A type of the target with the program's own types that it names."""
+    spelling = spelling.strip()
+    named = dict.fromkeys(word for word in type_names(spelling) if word in own)
+    return migration.TargetType(spelling=spelling, emptyValue=nothing(spelling), declarations=[own[word] for word in named])
+
+
 def _signature(
     called: CalledFunction, function: platform.ApiFunction | None, prototype: ccode.Function | None
-) -> tuple[Signature, str, str]:
+) -> tuple[Signature, str, Source]:
     """Signature in parts, as it is shown, and where it comes from."""
     name, inferred = called.name, called.callee
     if prototype is not None:
         types = tuple((_spelling(p.valueType), p.name) for p in prototype.parameters)
         variadic = prototype.variadic or (not types and any(c.arguments for c in called.calls))
-        return Signature(name, _spelling(prototype.returnType) or "int", types, variadic), prototype.signature, OWN_PROTOTYPE
+        return Signature(name, _spelling(prototype.returnType) or "int", types, variadic), prototype.signature, Source.program
     if function is not None and (function.returnType or not function.functionLikeMacro):
         declared = Signature(
             name, function.returnType, tuple((p.spelling, p.name) for p in function.parameters), function.variadic
         )
         if _fits(declared, called.calls):
-            return declared, function.signature, "repository"
+            return declared, function.signature, Source.repository
     if inferred is not None and called.calls:
         meanings = [p.meaning.name for p in function.parameters] if function is not None else []
         types = tuple(
@@ -154,10 +175,10 @@ def _signature(
             for i, p in enumerate(inferred.parameters)
         )
         signature = Signature(name, _spelling(inferred.returnType) or "int", types, inferred.variadic)
-        return signature, function.signature if function is not None else inferred.signature or signature.text(), "inferred"
+        return signature, function.signature if function is not None else inferred.signature or signature.text(), Source.inferred
     count = max((len(c.arguments) for c in called.calls), default=0)
     signature = Signature(name, "int", tuple(("int", "") for _ in range(count)))
-    return signature, function.signature if function is not None else signature.text(), "inferred"
+    return signature, function.signature if function is not None else signature.text(), Source.inferred
 
 
 def _handler(position: int, calls: Iterable[ccode.Call]) -> str:
@@ -180,12 +201,14 @@ def _fits(signature: Signature, calls: Iterable[ccode.Call]) -> bool:
     return all(len(c.arguments) >= count if signature.variadic else len(c.arguments) == count for c in calls)
 
 
-def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin: str, generated: str, handed: bool) -> list[str]:
+def _notes(
+    called: CalledFunction, function: platform.ApiFunction | None, origin: Source, generated: str, handed: bool
+) -> list[str]:
     lines = ", ".join(str(line) for line in sorted(set(called.lines)))
     notes = (
         [f"called in line{'s' if ',' in lines else ''} {lines}"] if lines else ["used without a call, or in the body of a macro"]
     )
-    if origin == OWN_PROTOTYPE:
+    if origin is Source.program:
         notes.append("the program declares it and defines it nowhere")
     elif function is None:
         notes.append("no header declares it: its signature is inferred from the calls")
@@ -193,7 +216,7 @@ def _notes(called: CalledFunction, function: platform.ApiFunction | None, origin
         notes.append("it blocks")
     if function is not None and function.startsCog:
         notes.append("it starts code on another core there")
-    if handed and origin != OWN_PROTOTYPE:
+    if handed and origin is not Source.program:
         notes.append("it is handed on as a value, so its types are those it had")
     if generated != called.name:
         notes.append(f"the target has a {called.name} of its own, so this one has another name there")

@@ -14,6 +14,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind
 from robosmi.transform import ETL
 from robosmi.transformations.queries.main_function import Division
+from robosmi.transformations.queries.own_headers import file_of, own_header
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.t2m.platform_api import ApiIndex
@@ -48,7 +49,9 @@ class Known:
 def decide(d: Disposition, element: ccode.Located, action: migration.Action, rule: str, reason: str) -> None:
     """Fill a new disposition with a rule's verdict."""
     by, choice = migration.ChosenBy.rule, action.name  # all values at once: one after the other takes six times as long
-    Disposition.__init__(d, element=element, action=action, rule=rule, reason=reason, choice=choice, confidence=1.0, chosenBy=by)
+    Disposition.__init__(
+        d, element=element, action=action, rules=(rule,), reasons=(reason,), choice=choice, confidence=1.0, chosenBy=by
+    )
 
 
 def dispositions(code: ProgramModel, known: Known) -> ETL:
@@ -81,7 +84,6 @@ def includes(known: Known) -> ETL:
     @t.rule(guard=own_header)
     def OwnHeader(i: ccode.Include, d: Disposition) -> None:
         decide(d, i, retain, "own-header", "a header of the program's own, carried over with it")
-        d.choice = own_header(i)
 
     @t.rule(guard=lambda i: means(i) == "platform")
     def PlatformInclude(i: ccode.Include, d: Disposition) -> None:
@@ -108,23 +110,6 @@ def includes(known: Known) -> ETL:
         decide(d, i, retain, "standard-include", "a standard header that the target has")
 
     return t
-
-
-def file_of(include: ccode.Include) -> ccode.SourceUnit:
-    """The unit that an include stands in."""
-    unit = include.eContainer()
-    assert isinstance(unit, ccode.SourceUnit)
-    return unit
-
-
-def own_header(include: ccode.Include) -> str:
-    """File name of the program's own header that an include means, empty where it was not carried over."""
-    wanted = str(include.header.replace("\\", "/").rpartition("/")[2])
-    program = file_of(include).program
-    return next(
-        (wanted for u in (program.units if program is not None else ()) if is_header(u) and u.path.rpartition("/")[2] == wanted),
-        "",
-    )
 
 
 def conditional(include: ccode.Include) -> bool:

@@ -1,7 +1,7 @@
 """What the rule of a disposition does to the text: a table from the rule to the bytes that change and what comes there.
 
 A change is as small as it can be, so that changes for different reasons meet in one expression without overlapping.
-Which rule applies is decided in the plan.
+Which rule applies is decided in the plan; what leaves main for file scope is in `hoisting`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, inside, is_header
 from robosmi.transformations.queries.tokens import name_tokens
@@ -51,11 +52,6 @@ def _end(element: ccode.Located, text: SourceText) -> int:
 def _void_value(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     value = element.value
     return [(value.startOffset, value.startOffset, "(void)("), (value.endOffset, value.endOffset, ")")]
-
-
-def _assign_later(variable: Any, choice: str, text: SourceText) -> list[Replacement]:
-    """`int x = f();` leaves `x = f();` where it stood; its declaration is made at file scope."""
-    return [(variable.eContainer().startOffset, name_place(variable, text.data), "")]
 
 
 def name_place(variable: ccode.Variable, data: bytes) -> int:
@@ -173,7 +169,7 @@ def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
 def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     """The include of a header that was carried over names the file in the sketch folder."""
     written = re.compile(rb'[<"][^>"\n]*[>"]').search(text.data, element.startOffset, text.line_end(element.startOffset))
-    wanted = f'"{choice}"'
+    wanted = f'"{own_header(element)}"'
     if written is None or written[0] == wanted.encode():
         return []
     return [(written.start(), written.end(), wanted)]
@@ -188,7 +184,6 @@ RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
     "return-from-setup": _keyword("return"),
     "return-value-from-setup": _void_value,
     "continue-main-loop": _keyword("return"),
-    "hoist-local-split": _assign_later,
     "main-prototype": _out,
     "rename": _rename,
     "redefine-macro": _undefine,
@@ -211,23 +206,6 @@ RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
     "adapter-in-place": _body,
 }
 """Rule of a disposition -> the changes of text that it asks for."""
-
-AND, _NEXT = "+", ";"
-"""Between the rules of a disposition that has several, and between their choices."""
-
-
-def joined(rules: tuple[str, str], choices: tuple[str, str], reasons: tuple[str, str]) -> tuple[str, str, str]:
-    """Rule, choice and reason of a disposition that two rules apply to."""
-    return AND.join(rules), _NEXT.join(choices), "; ".join(reasons)
-
-
-def rules_of(disposition: migration.Disposition) -> list[tuple[str, str]]:
-    """The rules of a disposition that change text, each with its choice."""
-    if AND not in disposition.rule:
-        return [(disposition.rule, disposition.choice)] if disposition.rule in RULES else []
-    pairs = zip(disposition.rule.split(AND), disposition.choice.split(_NEXT), strict=False)
-    return [(rule, choice) for rule, choice in pairs if rule in RULES]
-
 
 EVERYWHERE = frozenset({"rename"})
 """Rules that change every unit of the program, not only their element's."""

@@ -19,8 +19,9 @@ from robosmi.transform import Trace
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
+from robosmi.transformations.m2m.text_changes import bind_texts
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.source_text import words_of
+from robosmi.transformations.queries.source_text import SourceText, words_of
 from robosmi.transformations.t2m.target_platform import TargetFacts, target_repository
 
 
@@ -156,6 +157,7 @@ def put_together(d: Decided) -> tuple[migration.MigrationPlan, platform.Platform
         circuit=d.drawn.circuit if d.drawn else None,
         source=d.dependence.source,
         target=d.target.model.platform,
+        targetDescription=d.target.model,
         board=d.board,
         boardComponent=d.drawn.board if d.drawn else None,
         inputs=[
@@ -174,6 +176,7 @@ def put_together(d: Decided) -> tuple[migration.MigrationPlan, platform.Platform
         adapterUses=d.dependence.adapters,
         symbolUses=d.dependence.symbols,
     )
+    bind_texts(plan, [SourceText(unit, d.files[unit.path], ()) for unit in d.program.units])
     complete(plan, list(d.findings), d.paths)
     plan.trace = trace.to_model()
     return plan, repository

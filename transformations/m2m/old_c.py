@@ -12,12 +12,11 @@ from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.m2m.signatures import declare
 from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others, type_of
 from robosmi.transformations.queries.main_program import exits
-from robosmi.transformations.queries.signature_text import nothing
+from robosmi.transformations.queries.signature_text import declare, nothing
 
 _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
 

@@ -12,11 +12,11 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.signatures import Signature, declare, for_target
+from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
 from robosmi.transformations.queries.record_members import members
-from robosmi.transformations.queries.signature_text import type_names
+from robosmi.transformations.queries.signature_text import declare, type_names
 from robosmi.transformations.t2m.c_source.standard_names import STANDARD_NAMES
 from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 

@@ -13,8 +13,10 @@ from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
-from robosmi.transformations.queries.plan import needs_own_types
-from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE
+from robosmi.transformations.m2m.text_changes import settle_bindings
+from robosmi.transformations.queries.adapter_signature import target_signature
+from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types
+from robosmi.transformations.queries.source_text import SourceText
 
 Task = migration.PlanTask
 Level = migration.SeverityLevel
@@ -51,11 +53,15 @@ def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:
     return path if path in kept else paths.get(path, path.rpartition("/")[2])
 
 
-def settle(plan: migration.MigrationPlan) -> None:
+def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
     """Bring a plan that a person may have edited in line with itself: what a decision refers to counts, texts and tasks follow.
 
     Args:
         plan: the plan; decisions whose reference differs from their recorded choice become the person's.
+        sources: path of a unit -> its bytes.
+
+    Raises:
+        ModelError: a port cannot be written as the pin that it is bound to.
     """
     for binding in plan.portBindings:
         choice = (
@@ -67,6 +73,7 @@ def settle(plan: migration.MigrationPlan) -> None:
     for library in plan.libraryChoices:
         if library.choice != NO_LIBRARY or library.chosen is not None:
             _settle(library, library.chosen.name if library.chosen is not None else "")
+    settle_bindings(plan, [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else [])
     kept = [t for t in plan.tasks if t.rule not in DERIVED]
     plan.tasks.clear()
     plan.tasks.extend([*plan_tasks(plan), *kept])
@@ -95,7 +102,7 @@ def _place(element: ccode.Located | None) -> dict[str, object]:
 
 def _where(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
     """Which file has the adapter."""
-    beside = adapter.signatureSource == OWN_PROTOTYPE or needs_own_types(plan, adapter)
+    beside = beside_its_declaration(adapter) or needs_own_types(adapter)
     return "in the sketch" if beside else "in adapters.h"
 
 
@@ -107,7 +114,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
         yield Task(
             rule="RS501",
             severity=Level.warning,
-            message=f"write the body of '{adapter.targetSignature}', called {count} time{'s' * (count != 1)}",
+            message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}",
             effort="medium" if adapter.function is not None and adapter.function.startsCog else "small",
             fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does",
             elements=[adapter, *adapter.calls],
@@ -168,7 +175,8 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
         if disposition.action is migration.Action.unsupported and disposition.element is not None:
             name = getattr(disposition.element, "header", "") or getattr(disposition.element, "name", "")
             yield Task(
-                rule="RS503", severity=Level.warning, message=f"'{name}' was left out: {disposition.reason}", effort="medium",
+                rule="RS503", severity=Level.warning, effort="medium",
+                message=f"'{name}' was left out: {'; '.join(disposition.reasons)}",
                 fix="put what the program needs of it into the sketch", elements=[disposition],
                 **_place(disposition.element),  # type: ignore[arg-type]
             )  # fmt: skip

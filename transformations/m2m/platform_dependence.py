@@ -14,9 +14,8 @@ from typing import TypeVar
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transform import ETL, Trace
-from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes
+from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
-from robosmi.transformations.m2m.edit_rules import AND, joined
 from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
 from robosmi.transformations.m2m.language_gap import changes
 from robosmi.transformations.m2m.placeholders import (
@@ -28,18 +27,20 @@ from robosmi.transformations.m2m.placeholders import (
     wanted_types,
 )
 from robosmi.transformations.m2m.renaming import REDEFINE, RENAME, redefined, renamings
+from robosmi.transformations.m2m.text_changes import change_texts
+from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of
 from robosmi.transformations.queries.program_model import ProgramModel
-from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, function_type
-from robosmi.transformations.queries.source_text import is_header, words_of
+from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
 from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.platform_model import COMPILER
 from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
 T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
+rewrite, OWN = migration.Action.rewrite, migration.SignatureSource.program
 TEXT_RULES = LANGUAGE_RULES | {RENAME}
 """Rules that each change a little of an element's text, so that several of them can apply to it."""
 
@@ -76,15 +77,16 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
     known = _resolved(functions_there, api, called, includes)
     prototypes = own_prototypes(views)
     values = handed_on(views)
+    own = own_types(program)
     result.adapters = [
-        adapter(c, known.get(name), prototypes.get(name), api.name, target, names, handed=name in values)
+        adapter(c, known.get(name), prototypes.get(name), api.name, target, names, own, handed=name in values)
         for name, c in called.items()
     ]
-    functions = {a.name: function_type(a.targetSignature) for a in result.adapters}
+    functions = {a.name: target_types(a) for a in result.adapters}
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names)
     reserved = names.declared | names.macros | names.keywords
     result.divisions = [divide(main, reserved) for unit in program.units if (main := main_of(unit)) is not None]
-    apart = {a.name for a in result.adapters if a.signatureSource != OWN_PROTOTYPE}
+    apart = {a.name for a in result.adapters if a.signatureSource is not OWN}
     code = ProgramModel(views)
     judged = dispositions(code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}))
     judged.run()
@@ -135,7 +137,7 @@ def _symbols(
     written = [
         p
         for a in result.adapters
-        if a.signatureSource != OWN_PROTOTYPE
+        if a.signatureSource is not OWN
         for p in (functions[a.name].returns, *functions[a.name].parameters)
     ]
     written += [known[n].typeName for n in used if n in known and known[n].typeName]
@@ -154,24 +156,33 @@ def _change_unit_texts(
     result: Dependence,
     judged: ETL,
 ) -> None:
-    """Dispositions for what the target's names and language want otherwise; an element keeps its one disposition."""
+    """Dispositions for what the target's names and language want otherwise, and what all dispositions change in the text.
 
-    def change(element: ccode.Located, rule: str, choice: str, reason: str) -> None:
+    An element keeps its one disposition.
+    """
+
+    wanted: dict[migration.Disposition, list[tuple[str, str, str]]] = {}
+
+    def change(element: ccode.Located, rule: str, word: str, reason: str) -> None:
         old = next(iter(judged.trace.equivalents(element)), None)
-        if old is not None and old.action is migration.Action.rewrite and set(old.rule.split(AND)) <= TEXT_RULES - {rule}:
-            old.rule, old.choice, old.reason = joined((old.rule, rule), (old.choice, choice), (old.reason, reason))
+        if old is not None and old.action is rewrite and (TEXT_RULES - {rule}).issuperset(old.rules):
+            old.rules.append(rule)
+            old.reasons.append(reason)
+            wanted[old].append((rule, word, reason))
             return
         if old is not None and old.action is not migration.Action.retain:
             return  # it does not stay as it is anyway
         made = old if old is not None else judged.equivalent(element, "Rewritten")
-        made.action, made.rule, made.reason, made.choice = migration.Action.rewrite, rule, reason, choice
+        made.action, made.choice = rewrite, rewrite.name
+        made.rules[:], made.reasons[:] = [rule], [reason]
+        wanted[made] = [(rule, word, reason)]
         if old is None:
             result.dispositions.append(made)
 
     renamed = {r.name: r for r in renamings(views, sources, names)}
     for renaming in renamed.values():
         change(renaming.element, RENAME, renaming.new, renaming.reason)
-    adapted = {a.name for a in result.adapters if a.signatureSource == OWN_PROTOTYPE}
+    adapted = {a.name for a in result.adapters if a.signatureSource is OWN}
     for name, prototype in prototypes.items():
         if name in adapted:
             change(
@@ -180,10 +191,15 @@ def _change_unit_texts(
                 name,
                 "the program declares it and defines it nowhere: its body is to be written here",
             )
-            judged.trace.equivalents(prototype)[0].action = migration.Action.adapt
+            verdict = judged.trace.equivalents(prototype)[0]
+            verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name
     for view in views:
         for macro in redefined(view.unit, names):
             change(macro, REDEFINE, macro.name, f"the target has a macro '{macro.name}' of its own, which gives way")
         for found in changes(view, sources[view.unit.path], functions):
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
+    texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
+    for disposition in result.dispositions:
+        rules = zip(disposition.rules, disposition.reasons, strict=True)
+        change_texts(disposition, wanted.get(disposition) or [(rule, "", reason) for rule, reason in rules], texts)

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration, platform
-from robosmi.transformations.m2m.edits import port_place
+from robosmi.transformations.m2m.text_changes import port_place
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.ports import Port, convention_of, ports
 

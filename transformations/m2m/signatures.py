@@ -11,6 +11,8 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from robosmi.transformations.queries.signature_text import declare
+
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inline)\b")
 
 
@@ -55,21 +57,6 @@ class Signature:
         """The declarator: return type, name, parameters."""
         shown = [declare(spelling, name) for spelling, name in self.parameters] + (["..."] if self.variadic else [])
         return declare(self.returns, f"{self.name}({', '.join(shown)})")
-
-
-def declare(spelling: str, name: str) -> str:
-    """A declaration of a name with a type: `int *` and `p` give `int *p`, `int [4]` gives `int p[4]`."""
-    spelling = spelling.strip()
-    if "(*" in spelling:
-        place = spelling.index("(*") + 2
-        return f"{spelling[:place]}{name}{spelling[place:]}"
-    if spelling.endswith(")") and "(" in spelling:  # a function as a parameter is a pointer to it
-        returned, _, taken = spelling.partition("(")
-        return f"{returned.rstrip()} (*{name})({taken}"
-    base, bracket, dimensions = spelling.partition("[")
-    base = base.rstrip()
-    gap = "" if base.endswith("*") or not name else " "
-    return f"{base}{gap}{name}{bracket}{dimensions}"
 
 
 def widened(spelling: str, widths: Mapping[str, str]) -> str:

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries.plan import needs_own_types
-from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, nothing, parameter_name, taken_apart
+from robosmi.transformations.queries.adapter_signature import target_signature
+from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types
 from robosmi.transformations.queries.source_text import is_header
 
 
@@ -50,22 +50,21 @@ def adapters(plan: migration.MigrationPlan, uses: Iterable[migration.AdapterUse]
 
 
 def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: str) -> Adapter:
-    returned, name, parameters = taken_apart(use.targetSignature)
     header = ancestor_of_kind(use.function, platform.Header) if use.function else None
     return Adapter(
-        use, name, use.signature, header.name if header else "", [*use.notes, *_pin_notes(plan, use)], prefix,
-        use.targetSignature, [n for n in map(parameter_name, parameters) if n], nothing(returned),
+        use, use.targetName, use.signature, header.name if header else "", [*use.notes, *_pin_notes(plan, use)], prefix,
+        target_signature(use), [p.name for p in use.parameters], use.result.emptyValue if use.result is not None else "",
     )  # fmt: skip
 
 
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
     """The adapters that are functions of their own; of others the body stands where the program declares them."""
-    return [use for use in plan.adapterUses if use.signatureSource != OWN_PROTOTYPE]
+    return [use for use in plan.adapterUses if not beside_its_declaration(use)]
 
 
 def with_own_types(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
     """The adapters that can only stand behind the program's own types."""
-    return [use for use in plan.adapterUses if needs_own_types(plan, use)]
+    return [use for use in plan.adapterUses if needs_own_types(use)]
 
 
 def _pin_notes(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> list[str]:

@@ -18,6 +18,7 @@ from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.source_text import SourceText, is_header
+from robosmi.transformations.queries.text_changes import all_changes
 
 
 def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Generation:
@@ -28,13 +29,12 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
         sources: path of a unit -> its bytes.
 
     Raises:
-        InternalError: two edits overlap.
         RuleError: a template is wrong.
     """
     g = Gen()
     assert plan.program is not None
-    late = with_own_types(plan)
-    texts = {unit: SourceText(unit, sources[unit.path], plan.edits) for unit in plan.program.units}
+    late, changes = with_own_types(plan), all_changes(plan)
+    texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
 
     @g.rule(
         domain=plan.program.units,

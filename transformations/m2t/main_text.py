@@ -1,23 +1,21 @@
 """`main` as the target's `setup` and `loop` (paper 4, RQ1: what stands outside the endless loop runs once, its body is repeated).
 
-How main is divided is in the plan's dispositions: a loop with rule `main-loop` is the one that becomes `loop`; locals
-with rule `hoist-local` become globals. Without such a loop the whole body stays in `setup`. Comments that stand between
+How main is divided is in the plan's dispositions: a loop with rule `main-loop` is the one that becomes `loop`; the texts of
+hoisted locals stand above. Without such a loop the whole body stays in `setup`. Comments that stand between
 the parts stay with the part that follows, those behind the loop come last.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.edit_rules import rules_of
-from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.source_text import Piece, SourceText, inside, reindent
+from robosmi.transformations.queries.text_changes import decision_of
 
 
 @dataclass(frozen=True)
@@ -37,15 +35,13 @@ class Part:
     elements: Sequence[Any]
 
 
-HOISTS = ("hoist-local", "hoist-local-split")
-
-
 def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
     """The locals that move out of main, at file scope."""
     hoisted = _hoists(plan, main)
-    renamed = {d.element.name: new for d in plan.dispositions for rule, new in rules_of(d) if rule == RENAME}  # type: ignore[union-attr]
     for disposition in hoisted:
-        yield from _hoisted(source, disposition, renamed)
+        assert disposition.hoisted is not None
+        text = source.copied(disposition.hoisted, disposition)
+        yield Part(text + "\n", "code", "hoisted local", [disposition.element, disposition])
     if hoisted:
         yield Part("\n", "generation", "blank", [main])
 
@@ -55,7 +51,7 @@ def _inside(plan: migration.MigrationPlan, main: ccode.Function) -> list[migrati
 
 
 def _hoists(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
-    hoisted = (d for d in _inside(plan, main) if d.rule in HOISTS)
+    hoisted = (d for d in _inside(plan, main) if d.hoisted is not None)
     return sorted(hoisted, key=lambda d: d.element.startOffset if d.element is not None else 0)
 
 
@@ -74,8 +70,8 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     """The parts that take main's place: `setup`, `loop`."""
     assert main.body is not None
     hoisted = _hoists(plan, main)
-    loop = next((d.element for d in _inside(plan, main) if d.rule == "main-loop"), None)
-    cuts = [_moved(source, d.element) for d in hoisted if d.rule == "hoist-local" and d.element is not None]
+    loop = next((d.element for d in _inside(plan, main) if "main-loop" in d.rules), None)
+    cuts = [(c.startOffset, c.endOffset) for d in hoisted if d.hoisted is not None for c in d.changes if _whole(c, d.hoisted)]
     body = main.body
     statements = list(body.statements)
     start, end = inside(source.data, body)
@@ -103,17 +99,9 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
         last = loop.startOffset
     else:
         yield from _comments(source, loop.startOffset, inner.startOffset, loop)
-        last = _statement_end(source, inner)
+        last = source.statement_end(inner)
         yield from _function("loop", source, inner.startOffset, last, [inner], loop)
     yield from _comments(source, last, body.endOffset, main)
-
-
-def _statement_end(source: SourceText, statement: ccode.Located) -> int:
-    """Behind a statement with its semicolon."""
-    if source.data[statement.endOffset - 2 : statement.endOffset].endswith((b";", b"}", b"%>")):
-        return int(statement.endOffset)
-    found = source.data.find(b";", statement.endOffset)
-    return found + 1 if found >= 0 else int(statement.endOffset)
 
 
 def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[Part]:
@@ -131,42 +119,9 @@ def _parameters(main: ccode.Function) -> list[str]:
     ]
 
 
-def _moved(source: SourceText, variable: ccode.Located) -> tuple[int, int]:
-    """The range that moves with a hoisted declaration: its whole lines where nothing but a comment stands there beside it."""
-    statement = variable.eContainer()
-    assert isinstance(statement, ccode.Located)
-    start, end = statement.startOffset, _statement_end(source, statement)
-    first, last = source.line_start(start), source.line_end(end)
-    comments = source.comments_in(end, last)
-    behind = comments[-1].endOffset if comments else end
-    alone = (
-        source.blank(first, start)
-        and source.blank(behind, last)
-        and source.blank(end, comments[0].startOffset if comments else end)
-    )
-    return (first, last) if alone and behind < last else (start, end)
-
-
-def _hoisted(source: SourceText, disposition: migration.Disposition, renamed: Mapping[str, str]) -> Iterator[Part]:
-    """The declaration of a local that main's loop uses, at file scope."""
-    variable = disposition.element
-    assert isinstance(variable, ccode.Variable)
-    if disposition.rule == "hoist-local":
-        start, end = _moved(source, variable)
-        text = source.slice(max(start, variable.startOffset), end)[0].strip()
-    else:
-        end = max((e.endOffset for e in source.edits if e.decision is disposition), default=variable.startOffset)
-        head = _without_const(source.slice(variable.startOffset, end, disposition)[0])
-        head = re.sub(r"\b[A-Za-z_]\w*", lambda word: renamed.get(word[0], word[0]), head)  # its edits went with the text
-        name = source.slice(end, end + len(variable.name.encode()))[0]
-        text = f"{head}{name};"
-    yield Part(text + "\n", "code", "hoisted local", [variable, disposition])
-
-
-def _without_const(head: str) -> str:
-    """A declaration up to its name, so that the variable may be given its value later; what it points to stays constant."""
-    kept, star, last = head.rpartition("*")
-    return kept + star + re.sub(r"\bconst\b\s*", "", last)
+def _whole(change: migration.TextChange, copy: migration.TextCopy) -> bool:
+    """Whether all that a change takes out of main stands in its copy, so that nothing of it is left between the statements."""
+    return change.startOffset <= copy.startOffset and copy.endOffset <= change.endOffset
 
 
 def _function(
@@ -220,7 +175,7 @@ def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:
 
 
 def _elements(piece: Piece) -> list[object]:
-    return [*piece.elements, *(e.decision for e in piece.edits if e.decision is not None)]
+    return [*piece.elements, *(d for d in map(decision_of, piece.changes) if d is not None)]
 
 
 def _first_line(source: SourceText, offset: int) -> int:

@@ -1,4 +1,4 @@
-"""The program's own files in the sketch: retained code with the plan's edits, `main` as `setup` and `loop`, includes, ports.
+"""The program's own files in the sketch: retained code with the plan's changes, `main` as `setup` and `loop`, includes, ports.
 
 The unit that holds `main` becomes the .ino; any other unit becomes a .cpp beside it, a header stays what it is. Retained text
 is copied from the stored source (see `queries.source_text`), in the order of the source, so comments and layout survive.
@@ -16,6 +16,7 @@ from robosmi.transformations.m2t.adapters import adapters
 from robosmi.transformations.m2t.main_text import Part, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
+from robosmi.transformations.queries.text_changes import decision_of
 
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
@@ -79,7 +80,7 @@ def _includes(plan: migration.MigrationPlan, source: SourceText) -> list[dict[st
     return [
         {"decision": decision, "comment": _comment_beside(decision.element, source)}
         for decision in plan.dispositions
-        if decision.rule == "standard-include"
+        if "standard-include" in decision.rules
         and isinstance(decision.element, ccode.Include)
         and ancestor_of_kind(decision.element, ccode.SourceUnit) is source.unit
     ]
@@ -119,7 +120,7 @@ def _retained(parts: list[Part], unit: ccode.SourceUnit, pieces: Iterator[Piece]
         text = piece.text.lstrip("\n") if before.endswith("\n\n") or before == "\n" else piece.text
         if not text:
             continue
-        bindings = [e.decision for e in piece.edits if isinstance(e.decision, migration.PortBinding)]
+        bindings = [b for b in map(decision_of, piece.changes) if isinstance(b, migration.PortBinding)]
         connections = [b.connection for b in bindings if b.connection is not None]
         elements = [*(piece.elements or [unit]), *bindings, *connections]
         parts.append(Part(_lines(text), "hardware" if bindings else "code", "retained code", elements))

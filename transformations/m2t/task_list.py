@@ -11,6 +11,7 @@ from typing import Any
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.plan import call_sites, element_title, open_choices
+from robosmi.transformations.queries.text_changes import CARRIED_OVER
 
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
@@ -94,8 +95,8 @@ def _group(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> dict[str, A
 
 def _why(disposition: migration.Disposition) -> str:
     """The reason of a verdict; what was judged to stay is rewritten all the same where a port in it has another pin now."""
-    moved = disposition.action is migration.Action.rewrite and disposition.choice == migration.Action.retain.name
-    return f"{disposition.reason}; a port in it is another one on the target" if moved else str(disposition.reason)
+    moved = disposition.action is migration.Action.rewrite and CARRIED_OVER.issuperset(disposition.rules)
+    return "; ".join([*disposition.reasons, *(["a port in it is another one on the target"] if moved else [])])
 
 
 def _outside(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
@@ -112,7 +113,7 @@ def _outside(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
                 "line": line,
                 "element": element_title(external),
                 "action": disposition.action.name,
-                "reason": disposition.reason,
+                "reason": "; ".join(disposition.reasons),
             }
         )
     return [_with_counts("used and declared elsewhere (line of the first use)", mine, rows)] if rows else []

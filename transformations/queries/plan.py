@@ -8,7 +8,6 @@ from typing import Any
 from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
-from robosmi.transformations.queries.signature_text import OWN_PROTOTYPE, parameter_type, taken_apart, type_names
 
 
 def disposition_counts(plan: migration.MigrationPlan) -> dict[str, int]:
@@ -35,18 +34,18 @@ def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
     return {**total, "by_header": by_header}
 
 
-def needs_own_types(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> bool:
+def needs_own_types(adapter: migration.AdapterUse) -> bool:
     """Whether the adapter's signature has types of the program, so that it can only stand behind their declarations.
 
     False for a function that the program itself declares, which gets its body there.
     """
-    if adapter.signatureSource == OWN_PROTOTYPE:
-        return False
-    kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
-    units = plan.program.units if plan.program is not None else ()
-    own = {d.name for unit in units for d in unit.declarations if isinstance(d, kinds) and d.name}
-    returned, _, parameters = taken_apart(adapter.targetSignature)
-    return any(word in own for text in (returned, *map(parameter_type, parameters)) for word in type_names(text))
+    types = (adapter.result, *(p.valueType for p in adapter.parameters))
+    return not beside_its_declaration(adapter) and any(kind is not None and kind.declarations for kind in types)
+
+
+def beside_its_declaration(adapter: migration.AdapterUse) -> bool:
+    """Whether the adapter's body stands where the program itself declares the function."""
+    return adapter.signatureSource is migration.SignatureSource.program
 
 
 def decisions(plan: migration.MigrationPlan) -> Q[migration.Decision]:

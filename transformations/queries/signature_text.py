@@ -1,6 +1,7 @@
 """Signatures as text, taken apart: name, what the function returns, its parameters' types and names.
 
-Only declarators as this project writes them are read (`m2m.signatures`); C at large is the reader's business.
+Only declarators as this project writes them are read; C at large is the reader's business. What a plan has of an adapter's
+signature is typed (`queries.adapter_signature`).
 """
 
 from __future__ import annotations
@@ -8,9 +9,6 @@ from __future__ import annotations
 import re
 
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType
-
-OWN_PROTOTYPE = "program"
-"""`signatureSource` of an adapter that the program itself declares: its body is written where the prototype stands."""
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _TAGGED = frozenset({"struct", "union", "enum", "const", "volatile"})
@@ -65,6 +63,21 @@ def type_names(spelling: str) -> list[str]:
         named = len(own) > 1 and own[-1] not in ARITHMETIC and own[-2] not in _TAGGED
         words += own[:-1] if named else own
     return words
+
+
+def declare(spelling: str, name: str) -> str:
+    """A declaration of a name with a type: `int *` and `p` give `int *p`, `int [4]` gives `int p[4]`."""
+    spelling = spelling.strip()
+    if "(*" in spelling:
+        place = spelling.index("(*") + 2
+        return f"{spelling[:place]}{name}{spelling[place:]}"
+    if spelling.endswith(")") and "(" in spelling:  # a function as a parameter is a pointer to it
+        returned, _, taken = spelling.partition("(")
+        return f"{returned.rstrip()} (*{name})({taken}"
+    base, bracket, dimensions = spelling.partition("[")
+    base = base.rstrip()
+    gap = "" if base.endswith("*") or not name else " "
+    return f"{base}{gap}{name}{bracket}{dimensions}"
 
 
 def function_type(signature: str) -> FunctionType:

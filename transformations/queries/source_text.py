@@ -1,7 +1,7 @@
-"""The text of a source unit with the plan's edits applied: how retained code is carried over.
+"""The text of a source unit with the plan's changes applied: how retained code is carried over.
 
 Text is carried over, not printed anew from the model, so comments, layout and conditional code survive. Offsets are
-bytes of the original; an edit is applied wherever its range is copied. Which edits there are is the plan's business.
+bytes of the original; a change is applied wherever its range is copied. Which changes there are is the plan's business.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from robosmi.errors import InternalError
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.text_changes import decision_of, effective
 
 HEADERS = (".h", ".hh", ".hpp")
 
@@ -27,41 +27,45 @@ class Piece:
     """A run of whole lines of copied text.
 
     Attributes:
-        text: with edits applied.
+        text: with changes applied.
         start, end: byte offsets of the original.
         elements: the top elements in it.
-        edits: the edits applied in it.
+        changes: the changes applied in it.
     """
 
     text: str
     start: int
     end: int
     elements: tuple[ccode.Located, ...]
-    edits: tuple[migration.Edit, ...]
+    changes: tuple[migration.TextChange, ...]
 
 
 class SourceText:
-    """A unit's bytes and the edits on them.
+    """A unit's bytes and the changes of them that take effect.
 
     Args:
         unit: the unit.
         data: its bytes, as they were read.
-        edits: the plan's edits; those of other units are left out.
-
-    Raises:
-        InternalError: two edits overlap.
+        changes: the plan's changes; those of other units are left out.
     """
 
-    def __init__(self, unit: ccode.SourceUnit, data: bytes, edits: Iterable[migration.Edit]) -> None:
+    def __init__(self, unit: ccode.SourceUnit, data: bytes, changes: Iterable[migration.TextChange]) -> None:
         self.unit = unit
         self.data = data
-        self.edits = sorted((e for e in edits if e.unit is unit), key=lambda e: (e.startOffset, e.endOffset))
-        for first, second in zip(self.edits, self.edits[1:], strict=False):
-            if second.startOffset < first.endOffset:
-                raise InternalError(f"{unit.path}: the edits at bytes {first.startOffset} and {second.startOffset} overlap")
-        self._starts = [edit.startOffset for edit in self.edits]
+        given = [c for c in changes if c.unit is unit]
+        self.changes = effective(given)
+        self._starts = [change.startOffset for change in self.changes]
+        self._given = sorted(enumerate(given), key=lambda pair: pair[1].startOffset)
         self._comments: list[ccode.Comment] = sorted(unit.comments, key=lambda comment: comment.startOffset)
         self._comment_starts = [comment.startOffset for comment in self._comments]
+
+    def copied(self, copy: migration.TextCopy, without: migration.Decision) -> str:
+        """The text of a copy: its range with the changes that are not a decision's own, and with those of the copy."""
+        start, end = copy.startOffset, copy.endOffset
+        first = bisect_left(self._given, start, key=lambda pair: pair[1].startOffset)
+        last = bisect_right(self._given, end, key=lambda pair: pair[1].startOffset)
+        others = [c for _, c in sorted(self._given[first:last], key=lambda pair: pair[0]) if decision_of(c) is not without]
+        return self._applied(effective([*copy.changes, *(c for c in others if c.endOffset <= end)]), start, end)[0]
 
     def line_start(self, offset: int) -> int:
         """Offset of the first byte of the line."""
@@ -72,28 +76,37 @@ class SourceText:
         found = self.data.find(b"\n", offset)
         return len(self.data) if found < 0 else found + 1
 
+    def statement_end(self, statement: ccode.Located) -> int:
+        """Offset behind a statement with its semicolon."""
+        if self.data[statement.endOffset - 2 : statement.endOffset].endswith((b";", b"}", b"%>")):
+            return int(statement.endOffset)
+        found = self.data.find(b";", statement.endOffset)
+        return found + 1 if found >= 0 else int(statement.endOffset)
+
     def blank(self, start: int, end: int) -> bool:
         """Whether the range holds white space only."""
         return not self.data[start:end].strip()
 
-    def slice(self, start: int, end: int, without: migration.Decision | None = None) -> tuple[str, tuple[migration.Edit, ...]]:
-        """The text of a range with edits applied, line ends as line feeds, and the edits that took part.
+    def slice(self, start: int, end: int) -> tuple[str, tuple[migration.TextChange, ...]]:
+        """The text of a range with changes applied, line ends as line feeds, and the changes that took part."""
+        within = self.changes[bisect_left(self._starts, start) : bisect_right(self._starts, end)]
+        return self._applied(within, start, end)
 
-        Args:
-            start, end: the range.
-            without: a decision whose edits are left out.
-        """
+    def _applied(
+        self, changes: Iterable[migration.TextChange], start: int, end: int
+    ) -> tuple[str, tuple[migration.TextChange, ...]]:
         parts: list[str] = []
-        applied: list[migration.Edit] = []
+        applied: list[migration.TextChange] = []
         position = start
-        for edit in self.edits[bisect_left(self._starts, start) : bisect_right(self._starts, end)]:
-            if edit.endOffset > end or (without is not None and edit.decision is without):
+        for change in changes:
+            if change.endOffset > end:
                 continue
-            if edit.startOffset == edit.endOffset == end < len(self.data) and end > start and self.data[end - 1 : end] == b"\n":
+            inserted = change.startOffset == change.endOffset == end
+            if inserted and start < end < len(self.data) and self.data[end - 1 : end] == b"\n":
                 continue  # an insertion at a border of lines belongs to the line that it begins
-            parts += [self._decode(position, edit.startOffset), edit.replacement]
-            position = edit.endOffset
-            applied.append(edit)
+            parts += [self._decode(position, change.startOffset), change.replacement]
+            position = change.endOffset
+            applied.append(change)
         parts.append(self._decode(position, end))
         return "".join(parts), tuple(applied)
 

@@ -43,7 +43,7 @@ def bound(*numbers: int) -> migration.MigrationPlan:
 
 def decided_on(element: Callable[[migration.MigrationPlan], Any]) -> migration.MigrationPlan:
     """A plan with a decision about an element."""
-    return a_plan(dispositions=lambda p: [migration.Disposition(element=element(p), rule="r")])
+    return a_plan(dispositions=lambda p: [migration.Disposition(element=element(p), rules=["r"])])
 
 
 def of_a_board(pin: Callable[[migration.MigrationPlan], platform.Pin]) -> migration.MigrationPlan:
@@ -75,9 +75,9 @@ def confident(confidence: float, is_open: bool = False) -> migration.MigrationPl
 def edited(*ranges: tuple[int, int]) -> migration.MigrationPlan:
     """A plan with edits of its unit."""
 
-    def made(plan: migration.MigrationPlan) -> list[migration.Edit]:
+    def made(plan: migration.MigrationPlan) -> list[migration.TextChange]:
         assert plan.program is not None
-        return [migration.Edit(unit=plan.program.units[0], startOffset=a, endOffset=b) for a, b in ranges]
+        return [migration.TextChange(unit=plan.program.units[0], startOffset=a, endOffset=b) for a, b in ranges]
 
     return a_plan(edits=made)
 

@@ -69,7 +69,7 @@ def test_the_verdict_on_a_line(line: int, rule: str, verdict: str) -> None:
     found = [
         (r, d) for r, d in judged(planned("every_verdict")) if isinstance(d.element, ccode.Located) and d.element.line == line
     ]
-    assert (rule, verdict) in [(r, f"{d.action.name} {d.rule}") for r, d in found]
+    assert (rule, verdict) in [(r, f"{d.action.name} {'+'.join(d.rules)}") for r, d in found]
 
 
 def test_each_disposition_has_one_link_from_its_element(plan: migration.MigrationPlan) -> None:

@@ -69,8 +69,8 @@ def verdicts(made: Generated) -> str:
         assert isinstance(element, ccode.Located)
         unit = ancestor_of_kind(element, ccode.SourceUnit)
         path = unit.path.rpartition("/")[2] if unit is not None else "elsewhere"
-        why = f" ({disposition.reason})" if disposition.rule == "main" else ""
-        shown = f"{path}:{element.line} {element_title(element)}: {disposition.action.name} {disposition.rule}{why}"
+        why = f" ({'; '.join(disposition.reasons)})" if "main" in disposition.rules else ""
+        shown = f"{path}:{element.line} {element_title(element)}: {disposition.action.name} {'+'.join(disposition.rules)}{why}"
         rows.append((path, element.startOffset, shown))
     found = [*made.models.plan.findings, *made.models.plan.tasks]
     said = {f"{f.path.rpartition('/')[2]}:{f.line} {f.severity.name} {f.rule}" for f in found if f.severity.name != "info"}

@@ -1,11 +1,12 @@
-"""Checks that a plan tells the whole truth: one verdict for each element, edits that do not overlap."""
+"""Checks that a plan tells the whole truth: one verdict for each element, changes of text that do not cross."""
 
 from __future__ import annotations
 
 from collections import Counter
-from itertools import pairwise
+from itertools import combinations
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.text_changes import all_changes
 
 
 def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
@@ -18,7 +19,7 @@ def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
             if isinstance(element, ccode.Function) and element.name == "main" and element.body is not None:
                 wanted |= {id(s): s for s in element.body.statements}
     for disposition in plan.dispositions:
-        if disposition.rule == "main-loop" and isinstance(disposition.element, ccode.Loop):
+        if "main-loop" in disposition.rules and isinstance(disposition.element, ccode.Loop):
             body = disposition.element.body
             inner = body.statements if isinstance(body, ccode.Block) else [body] if body is not None else []
             wanted |= {id(s): s for s in inner}
@@ -28,13 +29,10 @@ def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
 
 
 def overlaps(plan: migration.MigrationPlan) -> list[str]:
-    """Pairs of edits of one unit that overlap."""
-    found = []
-    for unit in plan.program.units if plan.program else ():
-        edits = sorted((e for e in plan.edits if e.unit is unit), key=lambda e: (e.startOffset, e.endOffset))
-        found += [
-            f"{a.startOffset}-{a.endOffset} and {b.startOffset}-{b.endOffset}"
-            for a, b in pairwise(edits)
-            if b.startOffset < a.endOffset
-        ]
-    return found
+    """Pairs of changes of one unit that overlap without one being within the other."""
+    ordered = sorted(all_changes(plan), key=lambda c: (c.unit.path if c.unit else "", c.startOffset, -c.endOffset))
+    return [
+        f"{a.startOffset}-{a.endOffset} and {b.startOffset}-{b.endOffset}"
+        for a, b in combinations(ordered, 2)
+        if a.unit is b.unit and b.startOffset < a.endOffset < b.endOffset and a.startOffset < b.startOffset
+    ]

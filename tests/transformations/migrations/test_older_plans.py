@@ -19,9 +19,10 @@ from robosmi.plugins import Registry, registry
 from robosmi.transform import Flock
 from robosmi.transform.migration import ModelMigration
 from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.queries.text_changes import all_changes
 
 ROOT = Path(__file__).parents[3]
-OLD, NEW = "http://robosmi.org/migration/0", "http://robosmi.org/migration/1"
+OLD, NEW = "http://robosmi.org/migration/0", "http://robosmi.org/migration/2"
 
 
 def rules(f: Flock) -> None:
@@ -91,8 +92,8 @@ def summary(plan: migration.MigrationPlan) -> list[Any]:
         [(b.name, b.sourcePin, round(b.confidence, 9)) for b in plan.portBindings],
         [(b.connection and b.connection.name, b.pin and b.pin.label) for b in plan.portBindings],
         [(c.name, c.signal.name, [x.connectorId for x in c.connectors]) for c in plan.connections],
-        [(d.action.name, d.rule, d.element and d.element.line) for d in plan.dispositions],
-        [(e.startOffset, e.endOffset, e.replacement, e.unit and e.unit.path) for e in plan.edits],
+        [(d.action.name, *d.rules, d.element and d.element.line) for d in plan.dispositions],
+        [(e.startOffset, e.endOffset, e.replacement, e.unit and e.unit.path) for e in all_changes(plan)],
         [(t.rule, t.message) for t in plan.tasks],
         [(i.path, i.digest) for i in plan.inputs],
         [(x.rule, len(x.sources), len(x.targets)) for x in (plan.trace.links if plan.trace else [])],

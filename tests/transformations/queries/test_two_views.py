@@ -21,6 +21,7 @@ from robosmi.transformations.constraints.code import code as constraints
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.platform_dependence import partition
 from robosmi.transformations.queries import call_graph, code, library_use, main_program
+from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.numbers import Machine, Numbers
@@ -88,8 +89,9 @@ def answers(program: ccode.Program, path: Path, api: ApiIndex) -> Iterator[tuple
         yield "ranges", [ranges.of(e) for e in expressions]
         yield "remarks", [r.to_json() for r in remarks(view, path.read_bytes(), "x.c")]
     made = partition(views, target_facts("uno"), {program.units[0].path: path.read_bytes()}, Trace())
-    yield "partition", [(d.rule, d.action.name, d.reason, d.choice) for d in made.dispositions]
-    yield "adapters", [(a.signature, a.targetSignature, [at(c) for c in a.calls]) for a in made.adapters]
+    yield "partition", [(*d.rules, d.action.name, *d.reasons, d.choice) for d in made.dispositions]
+    yield "changes", [(c.startOffset, c.endOffset, c.replacement) for d in made.dispositions for c in d.changes]
+    yield "adapters", [(a.signature, target_signature(a), [at(c) for c in a.calls]) for a in made.adapters]
     yield "placeholders", [(s.name, s.placeholder, [at(u) for u in s.uses]) for s in made.symbols]
     yield "constraints", [(u.constraint.id, u.message) for u in constraints.run(program).unsatisfied]
 

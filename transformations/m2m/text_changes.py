@@ -1,0 +1,170 @@
+"""Changes of the carried-over text, made when planning: each belongs to the decision that wants it.
+
+What a rule does to the text is a table (`edit_rules`), what moves out of main is `hoisting`. A generator applies the changes
+that are in the plan and derives none. When a person binds a port otherwise in a stored plan, its change is made anew
+(`settle_bindings`), and with it the verdict on the element whose text it is in.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from robosmi.errors import ModelError
+from robosmi.metamodels import ccode, migration
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement
+from robosmi.transformations.m2m.hoisting import HOIST, SPLIT, hoisted
+from robosmi.transformations.queries.circuit import pin_literal
+from robosmi.transformations.queries.source_text import SourceText
+from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
+
+
+def change_texts(disposition: migration.Disposition, wanted: Iterable[tuple[str, str, str]], texts: Sequence[SourceText]) -> None:
+    """Give a disposition the changes of text that its rules ask for.
+
+    Args:
+        disposition: the disposition; what it had is replaced.
+        wanted: (rule, what it puts in, why); rules that change no text are left out.
+        texts: the text of each unit.
+    """
+    element, made = disposition.element, []
+    for rule, word, reason in wanted if element is not None else ():
+        assert element is not None
+        if rule in (HOIST, SPLIT):
+            text = _text(element, texts)
+            assert isinstance(element, ccode.Variable)
+            place, disposition.hoisted = hoisted(element, rule, text)
+            made.append(_change(text, place, rule, reason))
+        elif rule in RULES:
+            for text in texts if rule in EVERYWHERE else (_text(element, texts),):
+                made += [_change(text, place, rule, reason) for place in RULES[rule](element, word, text)]
+    if disposition.changes:
+        disposition.changes.clear()
+    disposition.changes.extend(made)
+
+
+def _text(element: ccode.Located, texts: Sequence[SourceText]) -> SourceText:
+    unit = ancestor_of_kind(element, ccode.SourceUnit)
+    found = next((text for text in texts if text.unit is unit), None)
+    if found is None:
+        raise ModelError(f"{element!r} is in no source unit", fix="make the models again with migrate")
+    return found
+
+
+def _change(
+    text: SourceText, place: Replacement, rule: str, reason: str, step: migration.Step = migration.Step.code
+) -> migration.TextChange:
+    start, end, new = place
+    return migration.TextChange(
+        unit=text.unit, startOffset=start, endOffset=end, replacement=new, rule=rule, reason=reason, step=step
+    )
+
+
+def bind_texts(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
+    """Give every port binding of a new plan its change of text, and the elements they are in their verdict.
+
+    Raises:
+        ModelError: a binding's element cannot be rewritten as the binding says.
+    """
+    for binding in plan.portBindings:
+        binding.changes.clear()
+        binding.changes.extend(_binding_changes(binding, texts))
+    mark_rewritten(plan)
+
+
+def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
+    """Make the change of each port anew that does not write the pin it is bound to; a stored plan may have been edited.
+
+    Raises:
+        ModelError: a binding's element cannot be rewritten as the binding says.
+    """
+    for binding in plan.portBindings:
+        value = port_value(binding)
+        if binding.changes and value is not None and all(_writes(change, value) for change in binding.changes):
+            continue
+        binding.changes.clear()
+        binding.changes.extend(_binding_changes(binding, texts))
+    mark_rewritten(plan)
+
+
+def _writes(change: migration.TextChange, value: str) -> bool:
+    return re.search(rf"(?<!\w){re.escape(value)}(?!\w)", change.replacement) is not None
+
+
+def mark_rewritten(plan: migration.MigrationPlan) -> None:
+    """What a port binding changes the text of is rewritten, and retained again when the binding is gone."""
+    ports = [
+        (c.unit, c.startOffset, c.endOffset)
+        for c in effective(all_changes(plan))
+        if isinstance(decision_of(c), migration.PortBinding)
+    ]
+    for disposition in plan.dispositions:
+        element = disposition.element
+        if element is None or not CARRIED_OVER.issuperset(disposition.rules):
+            continue
+        unit = ancestor_of_kind(element, ccode.SourceUnit)
+        changed = any(u is unit and element.startOffset <= start and end <= element.endOffset for u, start, end in ports)
+        action = migration.Action.rewrite if changed else migration.Action.retain
+        if disposition.action is not action:
+            disposition.action, disposition.choice = action, action.name
+
+
+def _binding_changes(binding: migration.PortBinding, texts: Sequence[SourceText]) -> list[migration.TextChange]:
+    """The change that gives a port of the source its new pin; none for a convention, whose pin stands in no text."""
+    value = port_value(binding)
+    if value is None or binding.element is None or binding.origin == "convention":
+        return []
+    text, place = _text(binding.element, texts), port_place(binding.element)
+    if place is None or not _whole(binding.element, place, text):
+        raise ModelError(
+            f"the port '{binding.name}' cannot be given another pin: its value is not written as one expression",
+            fix="remove the binding, or write the port as a constant of its own in the source",
+        )
+    if isinstance(binding.element, ccode.EnumerationLiteral):
+        value = f"{binding.element.name} = {value}"
+    reason = f"the port is {binding.choice} on the target"
+    return [_change(text, (*place, value), "port", reason, migration.Step.hardware)]
+
+
+def _whole(element: ccode.Located, place: tuple[int, int], text: SourceText) -> bool:
+    """Whether the place holds what the model says: a macro's body with comments or over several lines has no one place."""
+    if not isinstance(element, ccode.Macro):
+        return True
+    return text.data[place[0] : place[1]] == element.body.encode(text.unit.encoding or "utf-8", errors="replace")
+
+
+def port_value(binding: migration.PortBinding) -> str | None:
+    """What the port is called on the target: a connection's name, a pin's literal, or None when nothing is bound."""
+    if binding.connection is not None:
+        return str(binding.connection.name)
+    return pin_literal(binding.pin) if binding.pin is not None else None
+
+
+def port_place(element: ccode.Located) -> tuple[int, int] | None:
+    """The bytes that hold a port's value: an initial value, a macro's body, an enumerator's value, a literal."""
+    finder = _PLACES.get(type(element))
+    if finder is not None:
+        return finder(element)
+    return (element.startOffset, element.endOffset) if isinstance(element, ccode.Expression) else None
+
+
+def _initial_value(variable: ccode.Variable) -> tuple[int, int] | None:
+    value = variable.initializer
+    return (value.startOffset, value.endOffset) if value is not None else None
+
+
+def _macro_body(macro: ccode.Macro) -> tuple[int, int] | None:
+    return (macro.endOffset - len(macro.body.encode()), macro.endOffset) if macro.body and not macro.functionLike else None
+
+
+def _enumerator(literal: ccode.EnumerationLiteral) -> tuple[int, int] | None:
+    return literal.startOffset, literal.endOffset
+
+
+_PLACES: dict[type, Callable[[Any], tuple[int, int] | None]] = {
+    ccode.Variable: _initial_value,
+    ccode.Macro: _macro_body,
+    ccode.EnumerationLiteral: _enumerator,
+}
