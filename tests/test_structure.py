@@ -41,6 +41,20 @@ ABOVE: dict[str, tuple[str, ...]] = {
 """Room of the framework -> the rooms that it may import (and itself). The foundation's own arrows are a test below."""
 
 
+CONTENT_ABOVE: dict[str, tuple[str, ...]] = {
+    "knowledge": (),
+    "queries": ("knowledge",),
+    "t2m": ("queries", "knowledge"),
+    "constraints": ("queries", "knowledge"),
+    "m2m": ("queries", "knowledge"),
+    "m2t": ("m2m", "queries", "knowledge"),
+    "migrations": ("queries", "knowledge"),
+    "verification": ("queries", "knowledge"),
+    "chains": ("verification", "migrations", "m2t", "m2m", "constraints", "t2m", "queries", "knowledge"),
+}
+"""Room of the content -> the rooms of the content that it may import (and itself)."""
+
+
 def modules(*folders: str) -> list[Path]:
     """The Python files below these folders."""
     found = [path for folder in folders for path in sorted((ROOT / folder).rglob("*.py")) if "__pycache__" not in path.parts]
@@ -91,6 +105,31 @@ def test_a_room_imports_only_rooms_below_it(room: str) -> None:
         if other not in allowed
     ]
     assert wrong == []
+
+
+def content_rooms_imported(path: Path) -> Iterator[tuple[str, str]]:
+    """Place and room of each import of a room of the content."""
+    for line, name in imported(path):
+        parts = name.split(".")
+        if parts[:2] == ["robosmi", "transformations"] and len(parts) > 2:
+            yield f"{path.relative_to(ROOT)}:{line}", parts[2]
+
+
+@pytest.mark.parametrize("room", [room for room in CONTENT_ABOVE if (ROOT / "transformations" / room).is_dir()])
+def test_a_room_of_the_content_imports_only_rooms_below_it(room: str) -> None:
+    allowed = {room, *CONTENT_ABOVE[room]}
+    wrong = [
+        f"{place} imports {other}"
+        for path in modules(f"transformations/{room}")
+        for place, other in content_rooms_imported(path)
+        if other not in allowed
+    ]
+    assert wrong == []
+
+
+def test_every_room_of_the_content_has_its_arrows() -> None:
+    rooms = {path.name for path in (ROOT / "transformations").iterdir() if (path / "__init__.py").is_file()}
+    assert rooms <= set(CONTENT_ABOVE)
 
 
 def test_every_room_of_the_framework_has_its_arrows() -> None:

@@ -14,10 +14,10 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
+from robosmi.transformations.knowledge.adapter_files import Piece, read_adapter_file
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
-from robosmi.transformations.t2m.adapter_files import Piece, read_adapter_file
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, Trace, simulate
 from robosmi.verify.toolchain import compile_sketch

@@ -14,9 +14,9 @@ from pathlib import Path
 import clang.cindex
 import pytest
 
+from robosmi.transformations.knowledge.adapter_files import Piece
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
-from robosmi.transformations.t2m.adapter_files import Piece
 from tests.adapters.bench import NO_PIN, pieces
 from tests.tools import require_tools
 

@@ -52,8 +52,8 @@ def headers() -> list[str]:
 
 def bare(path: Path, folders: Sequence[str]) -> None:
     """Libclang's parse of a file, and nothing else."""
+    from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.t2m.c_source import clang
-    from robosmi.transformations.t2m.platform_api import ApiIndex
 
     settings = ApiIndex.load(PLATFORM).settings["parser"]
     arguments = ["-x", "c", f"-std={settings['standard']}", "-nostdinc", "-target", settings["target"], "-Wno-everything"]
@@ -65,9 +65,9 @@ def bare(path: Path, folders: Sequence[str]) -> None:
 
 def partition(path: Path, folders: Sequence[str]) -> None:
     """A file to its partition: what is the platform's, what is standard, what nobody knows."""
+    from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.queries import code
     from robosmi.transformations.t2m.c_source import read_program
-    from robosmi.transformations.t2m.platform_api import ApiIndex
 
     program, _ = read_program(path, platform=PLATFORM, include_dirs=folders)
     for view in code.views(program, ApiIndex.load(PLATFORM)):
@@ -79,9 +79,9 @@ def partition(path: Path, folders: Sequence[str]) -> None:
 
 def everything(path: Path, folders: Sequence[str]) -> None:
     """A file to the whole report, with all findings and pin uses."""
+    from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.queries.analysis import analysis
     from robosmi.transformations.t2m.c_source import read_program
-    from robosmi.transformations.t2m.platform_api import ApiIndex
 
     program, findings = read_program(path, platform=PLATFORM, include_dirs=folders)
     analysis(program, findings, ApiIndex.load(PLATFORM))

@@ -75,9 +75,9 @@ def run_one(path: Path) -> str:
         Exception: a fault of ours.
     """
     from robosmi.errors import InternalError, RobosmiError
+    from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.queries.analysis import analysis
     from robosmi.transformations.t2m.c_source import read_program
-    from robosmi.transformations.t2m.platform_api import ApiIndex
 
     try:
         program, findings = read_program(path)

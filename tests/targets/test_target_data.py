@@ -11,7 +11,7 @@ import robosmi
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.project import defaults
 from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.t2m.target_platform import target_facts
+from robosmi.transformations.knowledge.target_platform import target_facts
 from tests.running import run
 
 PROGRAM = Path(__file__).parent / "program"

@@ -10,8 +10,8 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode
 from robosmi.transformations.chains.reading import read_program
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import platform
 from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.knowledge.target_platform import TargetFacts
 from robosmi.transformations.m2m.migration_plan import Hardware
 from robosmi.transformations.queries.circuit import the_board
-from robosmi.transformations.t2m.target_platform import TargetFacts
 
 
 @dataclass(frozen=True)

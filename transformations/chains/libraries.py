@@ -16,7 +16,7 @@ from robosmi.data_text import json_of
 from robosmi.model.files import write_atomic
 from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import LibraryApi
-from robosmi.transformations.m2m.library_ranking import LibraryFacts, installed_index, library_api, library_by_name
+from robosmi.transformations.knowledge.library_ranking import LibraryFacts, installed_index, library_api, library_by_name
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from robosmi.transformations.t2m.library_index import build
 

@@ -12,9 +12,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from robosmi import inputs
+from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.source_text import HEADERS
-from robosmi.transformations.t2m.c_source.lexer import tokens
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 _INCLUDE = re.compile(r'#\s*include\s*[<"]([^>"\n]+)[>"]')
 

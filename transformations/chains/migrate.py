@@ -31,14 +31,15 @@ from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.program import StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
 from robosmi.transformations.constraints.code_rules import move_findings
+from robosmi.transformations.constraints.electrical_plan import plan_faults
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.queries.plan import library_json
-from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.target_platform import TargetFacts, target_facts
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
@@ -217,12 +218,11 @@ def models(
         message = "no drawing was given: ports and libraries stay open"
         findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))
     findings += history_findings(earlier)
-    plan, repository = put_together(
-        Decided(
-            program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
-            *judgement, bindings, *library_decisions, files, findings, places,
-        )
+    decided = Decided(
+        program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
+        *judgement, bindings, *library_decisions, files, findings, places,
     )  # fmt: skip
+    plan, repository = put_together(decided, plan_faults)
     plan.findings.extend(move_findings(plan, program.views))
     circuit = drawing.hardware.circuit if drawing is not None else None
     return MigrationModels(plan, program.program, circuit, repository, files, {v: k for k, v in places.items()})

@@ -20,7 +20,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.model.files import write_atomic
 from robosmi.project import defaults
-from robosmi.transformations.t2m.platform_api import ApiIndex, forget_platforms
+from robosmi.transformations.knowledge.platform_api import ApiIndex, forget_platforms
 from robosmi.transformations.t2m.platform_headers import read_headers
 
 _NAME = re.compile(r"[A-Za-z][\w-]{0,63}")

@@ -14,11 +14,11 @@ from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.reading import read_program
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.t2m.c_source.sources import source_files
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
-from robosmi.transformations.t2m.boards import drawn_board
 
 if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration, platform

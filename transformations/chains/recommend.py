@@ -17,9 +17,9 @@ from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Recommendation
 from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import component_query
 from robosmi.transformations.queries.circuit import boards, the_board
-from robosmi.transformations.t2m.target_platform import target_facts
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,8 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
 from robosmi.query import ancestor_of_kind
 from robosmi.query.run import current_run
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_model import split_parameters
 from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.cores import Cores
@@ -26,8 +28,6 @@ from robosmi.transformations.queries.numbers import Machine, Numbers
 from robosmi.transformations.queries.ranges import Ranges
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
-from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.platform_model import split_parameters
 from robosmi.validate import EVL, Fail, Unsatisfied
 
 moved = EVL()

@@ -10,7 +10,7 @@ from typing import Any
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.places import drawing, fault
-from robosmi.transformations.m2m.connector_mapping import behind
+from robosmi.transformations.queries.circuit_walk import behind
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
 from robosmi.validate import EVL
 

@@ -12,10 +12,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.knowledge.target_platform import TargetFacts, TargetNames
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
-from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind
 from robosmi.transform import ETL
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import TargetFacts
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.own_headers import file_of, own_header
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import is_header
-from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.target_platform import TargetFacts
 
 Disposition = migration.Disposition
 retain, adapt, drop, hoist, rewrite, unsupported = (

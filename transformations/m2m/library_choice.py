@@ -16,10 +16,10 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import chosen_from_history
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
+from robosmi.transformations.knowledge.library_ranking import library_in, library_index
 from robosmi.transformations.knowledge.library_takes import Takes, library_takes
-from robosmi.transformations.m2m.library_ranking import library_in, library_index
+from robosmi.transformations.knowledge.target_platform import TargetFacts
 from robosmi.transformations.queries.circuit import component_named
-from robosmi.transformations.t2m.target_platform import TargetFacts
 
 NO_LIBRARY = "none"
 """What a person says, instead of a library's name, when a component needs none."""

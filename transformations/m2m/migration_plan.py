@@ -6,7 +6,7 @@ with their digests, so that a stored plan can tell whether it still belongs to i
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Finding
@@ -16,13 +16,13 @@ from robosmi.query import Q
 from robosmi.recommend.ranking import Choices as EarlierChoices
 from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
+from robosmi.transformations.knowledge.target_platform import TargetFacts, target_repository
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.text_changes import bind_texts
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.source_text import SourceText, words_of
-from robosmi.transformations.t2m.target_platform import TargetFacts, target_repository
 
 
 @dataclass(frozen=True)
@@ -129,10 +129,14 @@ class Decided:
     paths: Mapping[str, str]
 
 
-def put_together(d: Decided) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
+def put_together(
+    d: Decided, check: Callable[[migration.MigrationPlan], Sequence[Finding]]
+) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
     """The plan of a migration, and the part of the platform models that it refers to.
 
-    Decisions may have been part of an earlier plan; they are then moved into this one.
+    Args:
+        d: the decisions; those that were part of an earlier plan are moved into this one.
+        check: what is wrong with a plan that has its decisions and not yet its findings and tasks.
     """
     assert d.dependence.source is not None
     connections = list(d.drawn.connections) if d.drawn else []
@@ -177,7 +181,7 @@ def put_together(d: Decided) -> tuple[migration.MigrationPlan, platform.Platform
         symbolUses=d.dependence.symbols,
     )
     bind_texts(plan, [SourceText(unit, d.files[unit.path], ()) for unit in d.program.units])
-    complete(plan, list(d.findings), d.paths)
+    complete(plan, [*d.findings, *check(plan)], d.paths)
     plan.trace = trace.to_model()
     return plan, repository
 

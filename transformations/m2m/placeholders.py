@@ -12,13 +12,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
+from robosmi.transformations.knowledge.target_platform import TargetFacts, TargetNames
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import declare, type_names
-from robosmi.transformations.t2m.c_source.standard_names import STANDARD_NAMES
-from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _NO_TYPES = ARITHMETIC | {

@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator, Mapping
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
@@ -28,11 +27,11 @@ def plan_tasks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 
 def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Mapping[str, str]) -> list[migration.PlanFinding]:
-    """What readers and checks found, as part of the plan: findings given, those of the drawing, those of all together.
+    """What readers and checks found, as part of the plan.
 
     Args:
         plan: the plan, complete but for its findings and tasks.
-        read: findings of the readers and mappings.
+        read: findings of readers, mappings and constraints.
         paths: path as the user gave it -> path in the plan's folder.
     """
     components = {c.elementId: c for c in plan.circuit.components} if plan.circuit is not None else {}
@@ -44,7 +43,7 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
             line=(f.location.line or 0) if f.location else 0, column=(f.location.column or 0) if f.location else 0,
             elements=[c for c in [components.get(str(f.evidence.get("model_index", "")))] if c is not None],
         )
-        for f in [*read, *plan_faults(plan)]
+        for f in read
     ]  # fmt: skip
 
 

@@ -14,6 +14,9 @@ from typing import TypeVar
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transform import ETL, Trace
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_model import COMPILER
+from robosmi.transformations.knowledge.target_platform import TargetFacts, TargetNames
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
@@ -34,9 +37,6 @@ from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
-from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.platform_model import COMPILER
-from robosmi.transformations.t2m.target_platform import TargetFacts, TargetNames
 
 T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")

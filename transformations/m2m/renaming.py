@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.target_platform import TargetNames
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.tokens import name_tokens
-from robosmi.transformations.t2m.target_platform import TargetNames
 
 RENAME, REDEFINE = "rename", "redefine-macro"
 """Rules of dispositions: the name is another one in the sketch (`choice`); a macro that the target has is defined anew."""

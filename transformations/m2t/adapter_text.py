@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from robosmi.transformations.t2m.adapter_files import Piece
+from robosmi.transformations.knowledge.adapter_files import Piece
 
 
 def adapter_text(pieces: Iterable[Piece], pins: Mapping[str, str], unbound: str) -> str:

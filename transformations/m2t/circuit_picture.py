@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 
 from robosmi.generate import Gen
 from robosmi.metamodels import hardware
-from robosmi.transformations.m2m.connector_mapping import natural_key, pins_of
 from robosmi.transformations.m2t.circuit_layout import Box, Link, Place, Row, placed
+from robosmi.transformations.queries.circuit_walk import natural_key, pins_of
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",

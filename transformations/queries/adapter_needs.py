@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.t2m.adapter_files import Piece
+from robosmi.transformations.knowledge.adapter_files import Piece
 
 
 @dataclass

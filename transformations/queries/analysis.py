@@ -10,8 +10,8 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries import code, cores, main_program, pin_uses
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 _STORAGE = {"externStorage": "extern", "staticStorage": "static", "registerStorage": "register", "autoStorage": "auto"}
 _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}

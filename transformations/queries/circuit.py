@@ -13,7 +13,7 @@ from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.query import Q, root_of
 from robosmi.transformations.knowledge.part_names import names
-from robosmi.transformations.m2m.connector_mapping import behind, either_side
+from robosmi.transformations.queries.circuit_walk import behind, either_side
 
 if TYPE_CHECKING:
     import networkx as nx

@@ -14,8 +14,8 @@ from typing import Any, TypeVar
 
 from robosmi.metamodels import ccode
 from robosmi.query import Q, all_contents
-from robosmi.transformations.t2m.api_facts import Entry
-from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.knowledge.api_facts import Entry
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")

@@ -1,7 +1,7 @@
 """The wiring of a circuit as electrical checks ask for it: what shares a net, which net has which voltage, what a pin can.
 
 Made once for each run of queries (`wiring`), since every check asks for most of it. Facts about devices and boards are data
-(`t2m/electrical_facts`, `t2m/boards`); nothing is judged here.
+(`t2m/electrical_facts`, `knowledge/drawn_boards`); nothing is judged here.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any, NamedTuple, TypeVar
 from robosmi.metamodels import hardware, platform
 from robosmi.query.run import ext
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts, Electrical, electrical
 from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, names
-from robosmi.transformations.t2m.boards import drawn_board
 
 T = TypeVar("T")
 Role = hardware.Role

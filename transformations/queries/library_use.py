@@ -12,7 +12,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
-from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 
 @dataclass(frozen=True)

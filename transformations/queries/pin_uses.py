@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.api_facts import Convention, PinParameter
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.values import RUNTIME, Value, Values
-from robosmi.transformations.t2m.api_facts import Convention, PinParameter
 
 
 @dataclass

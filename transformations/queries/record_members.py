@@ -10,8 +10,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.t2m.c_source.lexer import tokens
 
 
 def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, bytes]) -> list[str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from robosmi.transformations.t2m.c_source.lexer import tokens
+from robosmi.transformations.knowledge.lexer import tokens
 
 _INCLUDE = re.compile(r"#\s*(include|pragma|error|warning|line)\b")
 

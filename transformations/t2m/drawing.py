@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import hardware
+from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.knowledge.rails import Terminal, rail
-from robosmi.transformations.t2m.boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.t2m.connectivity import bus_leaders, natural
 from robosmi.transformations.t2m.given_roles import given_roles
 

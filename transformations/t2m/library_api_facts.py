@@ -17,7 +17,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi
-from robosmi.transformations.t2m.api_spelling import spelled
+from robosmi.transformations.knowledge.api_spelling import spelled
 
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
 _FIX = "take a file that has one header a line, as the README beside the index says"

@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from robosmi.transformations.t2m.api_spelling import joined
-from robosmi.transformations.t2m.api_tokens import (
+from robosmi.transformations.knowledge.api_spelling import joined
+from robosmi.transformations.knowledge.api_tokens import (
     MOST_NAMES,
     OPEN,
     Part,

@@ -24,12 +24,12 @@ from robosmi.metamodels import hardware, platform
 from robosmi.project import defaults
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
 from robosmi.transformations.knowledge.part import ROLES, Part
 from robosmi.transformations.knowledge.part_names import Names, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify
-from robosmi.transformations.t2m.boards import PIN_TABLE, normalised_label
+from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
-from robosmi.transformations.t2m.target_platform import target_facts
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
 """The columns; the first two must be there."""

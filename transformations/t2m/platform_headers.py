@@ -18,9 +18,9 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import definition_parts, directive_parts, tokens
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
-from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_parts, tokens
-from robosmi.transformations.t2m.platform_api import ApiIndex
 from robosmi.transformations.t2m.propeller_facts import tidy
 
 ENDINGS = (".h", ".hh", ".hpp")

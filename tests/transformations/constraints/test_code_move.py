@@ -17,9 +17,9 @@ from robosmi.query import Q
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.constraints.code_move import MANY, move_findings
 from robosmi.transformations.constraints.code_rules import MODULES, moved
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.plan import said
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 FOLDER = Path(__file__).parent / "moves"
 RULES = sorted({c.id for context in moved.contexts for c in context.constraints})

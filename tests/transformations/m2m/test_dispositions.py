@@ -11,11 +11,11 @@ import robosmi
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_contents, all_of_kind, all_of_type
 from robosmi.transform import Trace
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.dispositions import Known, dispositions
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.program_model import ProgramModel
-from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.target_platform import target_facts
 
 PROGRAMS = Path(__file__).parent / "programs"
 SOURCES = {

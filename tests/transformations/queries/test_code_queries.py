@@ -9,12 +9,12 @@ from typing import Any
 import pytest
 
 from robosmi.diagnostics import Finding
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries import code
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.queries.main_program import main_structure
 from robosmi.transformations.queries.pin_uses import pin_uses
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 PROGRAMS = Path(__file__).parent / "programs"
 LISTING = Path(__file__).parents[1] / "t2m" / "c_source" / "listing1.c"

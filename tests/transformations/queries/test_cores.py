@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from robosmi import resources
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 TABLE = resources.built_in("platform_repo") / "propeller" / "cogs.toml"
 

@@ -13,9 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.platform_api import ApiIndex
 from tests.bench.c_source import headers
 
 LEAST_RIGHT = 1.0

@@ -18,6 +18,8 @@ from robosmi.metamodels import ccode
 from robosmi.model import EmfModel, Model
 from robosmi.transform import Trace
 from robosmi.transformations.constraints.code import code as constraints
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.platform_dependence import partition
 from robosmi.transformations.queries import call_graph, code, library_use, main_program
@@ -29,8 +31,6 @@ from robosmi.transformations.queries.ranges import Ranges
 from robosmi.transformations.queries.values import Values
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program
-from robosmi.transformations.t2m.platform_api import ApiIndex
-from robosmi.transformations.t2m.target_platform import target_facts
 
 ROOT = Path(__file__).resolve().parents[3]
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge.adapter_files import ConventionalPort, PinParameter, read_adapter_file
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
-from robosmi.transformations.t2m.adapter_files import ConventionalPort, PinParameter, read_adapter_file
 
 WHOLE = """//# header drive.h
 // Read from a library.

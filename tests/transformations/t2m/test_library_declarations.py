@@ -12,8 +12,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from robosmi import resources
-from robosmi.transformations.m2m.library_ranking import library_api
-from robosmi.transformations.t2m.api_spelling import literal, spelled
+from robosmi.transformations.knowledge.api_spelling import literal, spelled
+from robosmi.transformations.knowledge.library_ranking import library_api
 from robosmi.transformations.t2m.library_api_facts import header_api
 from robosmi.transformations.t2m.library_declarations import declarations
 

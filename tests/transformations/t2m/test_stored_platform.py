@@ -10,12 +10,12 @@ import pytest
 from robosmi.metamodels import platform
 from robosmi.model import load_model
 from robosmi.model.xmi_writer import to_xmi
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.source_text import words_of
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 ROOT = Path(__file__).parents[3]
 PROGRAMS = [

@@ -14,8 +14,8 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.ordering import post_order
-from robosmi.transformations.t2m.c_source.lexer import Token, definition_parts, directive_parts
-from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
+from robosmi.transformations.knowledge.lexer import Token, definition_parts, directive_parts
+from robosmi.transformations.knowledge.lexer import tokens as tokenise
 from robosmi.transformations.t2m.c_source.mending import Edit
 from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
 

@@ -11,6 +11,8 @@ import re
 from collections.abc import Sequence
 from functools import cache
 
+from robosmi.transformations.knowledge.lexer import directive_parts
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import Folders, Reached, reached
 from robosmi.transformations.t2m.c_source.invocation import (
@@ -22,12 +24,10 @@ from robosmi.transformations.t2m.c_source.invocation import (
     standard_headers,
     unsaved,
 )
-from robosmi.transformations.t2m.c_source.lexer import directive_parts
 from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"

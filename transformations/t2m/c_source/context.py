@@ -13,13 +13,13 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL
-from robosmi.transformations.t2m.c_source.lexer import Token
 from robosmi.transformations.t2m.c_source.parsing import Parsed
 from robosmi.transformations.t2m.c_source.source import SourceText
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 MAX_DEPTH = 150
 

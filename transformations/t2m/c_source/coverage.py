@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import KEYWORDS
 from robosmi.transformations.t2m.c_source.context import Context
-from robosmi.transformations.t2m.c_source.lexer import KEYWORDS
 
 _NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
 _NO_CALL |= {"_Generic", "_Alignas", "_Atomic", "__typeof", "__real__", "__imag__", "__real", "__imag"}

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from robosmi.transformations.t2m.c_source.lexer import (
+from robosmi.transformations.knowledge.lexer import (
     KEYWORDS,
     QUALIFIERS,
     STORAGE_WORDS,
@@ -21,7 +21,7 @@ from robosmi.transformations.t2m.c_source.lexer import (
     definition_parts,
     directive_parts,
 )
-from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
+from robosmi.transformations.knowledge.lexer import tokens as tokenise
 
 _OF_TYPES = TYPE_WORDS | QUALIFIERS | STORAGE_WORDS
 _WORDS = KEYWORDS | _OF_TYPES

@@ -17,8 +17,8 @@ from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.errors import SourceError
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.bounds import LARGEST, cuts, shallow
-from robosmi.transformations.t2m.c_source.lexer import tokens
 from robosmi.transformations.t2m.c_source.mending import Scratch
 
 MOST = 1000

@@ -11,9 +11,9 @@ import re
 from collections.abc import Iterable, Sequence
 from functools import cache
 
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import INCLUDED
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 VIRTUAL = "/robosmi.virtual"
 HEADERS = f"{VIRTUAL}/include"

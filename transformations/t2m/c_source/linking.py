@@ -12,9 +12,9 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
+from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
-from robosmi.transformations.t2m.c_source.lexer import KEYWORDS, TYPE_WORDS
 from robosmi.transformations.t2m.c_source.macros import header_of
 
 _STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]

@@ -13,7 +13,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from robosmi.transformations.t2m.c_source.lexer import Token
+from robosmi.transformations.knowledge.lexer import Token
 
 NESTED = "function definition is not allowed here"
 MAX_ROUNDS = 10

@@ -26,10 +26,10 @@ from robosmi.model.on_demand import Promise, settle
 from robosmi.model.strict import Element
 from robosmi.model.structure import root_of
 from robosmi.project import defaults
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.on_demand_unit import Unit, in_building_order
 from robosmi.transformations.t2m.c_source.sources import source_files
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 LEAVES = {
     101: ccode.NameReference, 106: ccode.IntegerLiteral, 107: ccode.FloatingLiteral, 109: ccode.StringLiteral,

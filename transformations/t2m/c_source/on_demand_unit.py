@@ -18,12 +18,12 @@ from robosmi.model.features import all_features
 from robosmi.model.on_demand import Promise, settle, stand_in
 from robosmi.model.ordering import post_order
 from robosmi.model.structure import contents
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
 from robosmi.transformations.t2m.c_source.source import read_source
 from robosmi.transformations.t2m.c_source.tree import Node
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 cplusplus.enable()
 

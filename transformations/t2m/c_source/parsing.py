@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang, tree
 from robosmi.transformations.t2m.c_source.bounds import cuts
 from robosmi.transformations.t2m.c_source.call import Call
@@ -28,7 +29,6 @@ from robosmi.transformations.t2m.c_source.mending import (
 )
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 MAX_PARSES = 3
 _MISSING_DECLARATIONS = (

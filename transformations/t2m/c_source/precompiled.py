@@ -22,13 +22,13 @@ from itertools import count
 from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple
 
+from robosmi.transformations.knowledge.lexer import directive_comments, directive_parts
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import Folders, State, reached, state_of
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL, standard_headers, unsaved
-from robosmi.transformations.t2m.c_source.lexer import directive_comments, directive_parts
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import SourceText
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 if TYPE_CHECKING:
     import tempfile

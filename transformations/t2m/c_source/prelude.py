@@ -11,9 +11,9 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
-from robosmi.transformations.t2m.c_source.standard_names import STANDARD_NAMES
-from robosmi.transformations.t2m.platform_api import ApiIndex
+from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
 
 _UNKNOWN = [
     re.compile(r"^unknown type name '(?P<name>\w+)'"),
@@ -245,7 +245,7 @@ class _Uses:
                 bodies.append(text)
             elif kind != "comment":
                 plain.append((kind, text))
-        from robosmi.transformations.t2m.c_source.lexer import tokens as tokenise
+        from robosmi.transformations.knowledge.lexer import tokens as tokenise
 
         for body in bodies:
             if re.match(r"#\s*define", body):

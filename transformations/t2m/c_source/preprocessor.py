@@ -10,9 +10,9 @@ import os
 import re
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import definition_parts, directive_comments, directive_parts
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.invocation import HEADERS
-from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_comments, directive_parts
 
 _INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
 CONDITIONALS = frozenset({"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef", "else", "endif"})

@@ -16,13 +16,13 @@ from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.model.lean import collector_at_rest
 from robosmi.project import defaults
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import Context
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import parse
 from robosmi.transformations.t2m.c_source.source import read_source
 from robosmi.transformations.t2m.c_source.sources import Compiled, source_files
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 cplusplus.enable()
 PathLike = str | os.PathLike[str]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from robosmi.transformations.t2m.c_source.lexer import Token
+from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.t2m.c_source.mending import Edit
 
 MOST_DECLARED = 400

@@ -18,7 +18,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.transformations.t2m.c_source.lexer import Token, tokens
+from robosmi.transformations.knowledge.lexer import Token, tokens
 
 _LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 from robosmi.transformations.t2m.c_source.context import Context
-from robosmi.transformations.t2m.c_source.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 
 _SIGNED = frozenset({13, 14, 16, 17, 18, 19, 20, 21, 22, 23})  # CXTypeKind: Char_S to LongDouble
 _ARITHMETIC = frozenset(range(3, 24))

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from robosmi.errors import RobosmiError, SourceError
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.bounds import cuts
 from robosmi.transformations.t2m.c_source.headers import Folders, reached
-from robosmi.transformations.t2m.c_source.lexer import tokens
 from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
 
 ROOT = Path(__file__).resolve().parents[4]

@@ -9,10 +9,10 @@ import pytest
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang, read_program
 from robosmi.transformations.t2m.c_source.call import own_macros
 from robosmi.transformations.t2m.c_source.invocation import arguments
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 MEANT = {
     "a condition": ("#ifdef __GNUC__\nint seen;\n#endif\n", []),

@@ -11,10 +11,10 @@ from robosmi.metamodels import ccode
 from robosmi.model.structure import feature_names
 from robosmi.model.xmi_writer import to_xmi
 from robosmi.query import all_of_kind
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program
-from robosmi.transformations.t2m.platform_api import ApiIndex
 
 FOLDER = Path(__file__).parent / "cplusplus"
 PROJECT = FOLDER / "project"

@@ -9,9 +9,9 @@ import pytest
 
 from robosmi.metamodels import ccode
 from robosmi.model.xmi_writer import to_xmi
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import clang, parsing, read_program
 from robosmi.transformations.t2m.c_source.foresight import foresee
-from robosmi.transformations.t2m.c_source.lexer import tokens
 
 ROOT = Path(__file__).resolve().parents[4]
 PROGRAMS = [

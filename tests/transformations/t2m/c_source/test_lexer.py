@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from robosmi.transformations.t2m.c_source.lexer import tokens
+from robosmi.transformations.knowledge.lexer import tokens
 
 PARTS = [
     "#",

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.c_source.lexer import tokens
 from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 
 DAMAGED = Path(__file__).parent / "damaged"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.t2m.c_source.lexer import tokens
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.mending import Scratch
 from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
 

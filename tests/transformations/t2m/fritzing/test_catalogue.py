@@ -13,11 +13,11 @@ import pytest
 
 from robosmi.cli.main import main
 from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge import drawn_boards as boards
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import Phrases, conducts_by_bus_only, connector_kind, name_direction, names
 from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
-from robosmi.transformations.t2m import boards
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.fritzing.generated_parts import generated_part
 from tests.transformations.t2m.fritzing.support import FIXTURES, SHARED

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import platform as pf
-from robosmi.transformations.t2m.api_facts import Convention, Entry, PinFacts, PinParameter
-from robosmi.transformations.t2m.platform_model import COMPILER, DIRECTIONS, RELATIONS
+from robosmi.transformations.knowledge.api_facts import Convention, Entry, PinFacts, PinParameter
+from robosmi.transformations.knowledge.platform_model import COMPILER, DIRECTIONS, RELATIONS
 
 _IN_DATA = {literal: word for word, literal in DIRECTIONS.items()}
 _WORDS = {literal: word for word, literal in RELATIONS.items()}

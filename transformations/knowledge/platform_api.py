@@ -12,8 +12,8 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi import resources
-from robosmi.transformations.t2m.api_facts import HEADER_KINDS, ApiFacts, Entry, PinFacts
-from robosmi.transformations.t2m.platform_folder import facts_of, forget_folders
+from robosmi.transformations.knowledge.api_facts import HEADER_KINDS, ApiFacts, Entry, PinFacts
+from robosmi.transformations.knowledge.platform_folder import facts_of, forget_folders
 
 if TYPE_CHECKING:
     from robosmi.metamodels import platform as pf
@@ -43,7 +43,7 @@ class ApiIndex:
     @staticmethod
     def of(model: pf.Platform) -> ApiIndex:
         """The index of a stored platform model; it knows what the program of that plan uses, and no more."""
-        from robosmi.transformations.t2m.stored_platform import StoredFacts  # a migration from sources reads no model
+        from robosmi.transformations.knowledge.stored_platform import StoredFacts  # a migration from sources reads no model
 
         return ApiIndex(StoredFacts(model))
 
@@ -168,7 +168,7 @@ class ApiIndex:
         units: Sequence[tuple[str, ...]] = (),
     ) -> pf.Platform:
         """The part of the platform model that has these names (see `platform_model.build`)."""
-        from robosmi.transformations.t2m.platform_model import build
+        from robosmi.transformations.knowledge.platform_model import build
 
         return build(self, names, tuple(includes), words, units)
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from robosmi.transformations.t2m.api_spelling import literal
-from robosmi.transformations.t2m.c_source.lexer import definition_parts, directive_parts, tokens
+from robosmi.transformations.knowledge.api_spelling import literal
+from robosmi.transformations.knowledge.lexer import definition_parts, directive_parts, tokens
 
 MOST_TOKENS, MOST_NAMES = 400_000, 4_000
 

@@ -14,7 +14,7 @@ from typing import Any
 from robosmi import inputs, resources
 from robosmi.data_text import json_of, toml_of
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.t2m.api_facts import Convention, Entry, PinFacts, PinParameter
+from robosmi.transformations.knowledge.api_facts import Convention, Entry, PinFacts, PinParameter
 
 
 class FolderFacts:

@@ -22,8 +22,8 @@ from robosmi.recommend.index import Library, LibraryIndex
 from robosmi.recommend.layered_index import LayeredIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.recommend.tfidf_ranker import TfidfRanker
-from robosmi.transformations.m2m.device_knowledge import device_knowledge
-from robosmi.transformations.t2m.target_platform import target_facts
+from robosmi.transformations.knowledge.device_knowledge import device_knowledge
+from robosmi.transformations.knowledge.target_platform import target_facts
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import LibraryApi

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from robosmi.metamodels import platform as pf
 
 if TYPE_CHECKING:
-    from robosmi.transformations.t2m.api_facts import Entry, PinParameter
-    from robosmi.transformations.t2m.platform_api import ApiIndex
+    from robosmi.transformations.knowledge.api_facts import Entry, PinParameter
+    from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 DIRECTIONS = {"in": "input", "out": "output", "both": "both", "unknown": "unknown"}
 RELATIONS = {"equals": "equals", "not": "different", "below": "below"}

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable
 from itertools import zip_longest
 
-from robosmi.transformations.t2m.c_source.lexer import tokens
+from robosmi.transformations.knowledge.lexer import tokens
 
 _WORDS = ("name", "number", "string", "char")
 _LITERAL = re.compile(

@@ -1,0 +1,125 @@
+"""How signals run through a circuit: from nets across passive parts to components, what is behind a driver, pins of a board.
+
+Which pin is mapped to what is decided elsewhere (`m2m/connector_mapping`); this is what rules, constraints and pictures ask.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import deque
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from robosmi.metamodels import hardware
+from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, names
+
+Role = hardware.Role
+_SILENT = (Role.Board, Role.Power, Role.Decoration)
+
+
+class ReachedComponent(NamedTuple):
+    """A component that a path ended at: it, its connectors in the net where the path met it, and the passive parts before."""
+
+    component: hardware.Component
+    connectors: tuple[hardware.Connector, ...]
+    via: tuple[hardware.Component, ...]
+
+
+def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
+    """The connectors of each signal pin of a board, by its label, digital before analogue and both by number."""
+    pins: dict[str, list[hardware.Connector]] = {}
+    for connector in board.connectors:
+        if connector.pin:
+            pins.setdefault(connector.pin, []).append(connector)
+    return dict(sorted(pins.items(), key=lambda item: _label_order(item[0])))
+
+
+def walk(
+    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: Names
+) -> list[ReachedComponent]:
+    """What is reached from some nets, nearest first: across two-terminal passive parts, never into a rail or a blocked net.
+
+    Args:
+        start: where to begin; rails among them are left out.
+        blocked: nets that passive parts do not lead into.
+        ignore: the component that is asked about.
+        known: which families conduct by bus only.
+    """
+    found: dict[hardware.Component, ReachedComponent] = {}
+    closed = {id(net) for net in blocked}
+    todo = deque((net, ()) for net in start if not net.rail)  # type: deque[tuple[hardware.Net, tuple[hardware.Component, ...]]]
+    closed.update(id(net) for net, _ in todo)
+    while todo:
+        net, via = todo.popleft()
+        for component, connectors in _by_component(net):
+            if component is ignore or component.role in _SILENT or component in found:
+                continue
+            if component.role is not Role.Passive:
+                found[component] = ReachedComponent(component, tuple(connectors), via)
+                continue
+            beyond = _other_side(component, net, known)
+            if beyond is not None and not beyond.rail and id(beyond) not in closed:
+                closed.add(id(beyond))
+                todo.append((beyond, (*via, component)))
+    return list(found.values())
+
+
+def behind(driver: hardware.Component, known: Names | None = None) -> tuple[list[hardware.Component], list[hardware.Component]]:
+    """What a driver drives and what it senses: outputs and inputs beyond its connectors that lead to no board.
+
+    They are told for the whole device, not channel by channel, and have no mapping of their own.
+    """
+    nets = list(dict.fromkeys(c.net for c in driver.connectors if c.net is not None and not c.net.rail))
+    free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]
+    signals = [c.net for board in _boards_of(driver) for c in board.connectors if c.pin and c.net is not None]
+    reached = [r.component for r in walk(free, signals, driver, known or names()) if not r.component.driver]
+    reached.sort(key=lambda component: natural_key(component.elementId))
+    return [c for c in reached if c.role is Role.Output], [c for c in reached if c.role is Role.Input]
+
+
+def either_side(
+    component: hardware.Component, known: Names | None = None
+) -> tuple[list[hardware.Component], list[hardware.Component]]:
+    """`behind` for a chip that may be on either side of the board (names.toml), nothing for any other component."""
+    known = known or names()
+    about = f"{component.family} / {component.partTitle}"
+    return behind(component, known) if component.driver and about in known.either else ([], [])
+
+
+def _label_order(label: str) -> tuple[int, tuple[tuple[int, str], ...]]:
+    return ("DA".find(label[0]) if label[0] in "DA" and label[1:].isdecimal() else 2, natural_key(label))
+
+
+def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hardware.Connector]]]:
+    groups: dict[hardware.Component, list[hardware.Connector]] = {}
+    for connector in net.connectors:
+        if connector.component is not None:
+            groups.setdefault(connector.component, []).append(connector)
+    return list(groups.items())
+
+
+def _other_side(component: hardware.Component, net: hardware.Net, known: Names) -> hardware.Net | None:
+    """The net at the other terminal of a two-terminal passive part, None for any other part."""
+    if conducts_by_bus_only(component.family, known):
+        return None
+    joined = [set(bus.connectors) for bus in component.buses]
+    terminals: list[hardware.Connector] = []
+    for connector in component.connectors:
+        if not any(connector in bus and any(t in bus for t in terminals) for bus in joined):
+            terminals.append(connector)
+            if len(terminals) > 2:
+                return None
+    if len(terminals) != 2:
+        return None
+    others = [t.net for t in terminals if t.net is not None and t.net is not net]
+    return others[0] if len(others) == 1 else None
+
+
+def _boards_of(component: hardware.Component) -> list[hardware.Component]:
+    return [c for c in component.circuit.components if c.role is Role.Board] if component.circuit is not None else []
+
+
+def natural_key(text: str) -> tuple[tuple[int, str], ...]:
+    """A sort key by which connector2 comes before connector10."""
+    pieces = re.split(r"([0-9]{1,18})", text)  # int() refuses very long numbers
+    return tuple((int(piece), "") if piece[0] in "0123456789" else (-1, piece) for piece in pieces if piece)
