@@ -1,7 +1,8 @@
 """Models of older versions of a metamodel: they are migrated when they are read, so that all else sees the current version.
 
 A step from one version to the next is content, found in the registry (kind "model migration", name = the old namespace URI): an
-object with `packages()`, the old metamodel, and a call that gives the new root for an old one. Current files cost nothing: the
+object with `packages()`, the old metamodels, and a call that gives the new roots for old ones. A step that is registered for
+several namespaces migrates the models of all of them together, with the references between them. Current files cost nothing: the
 steps are looked at only when a file names a namespace that nobody knows. What a step does is `robosmi.transform.migration`'s
 business.
 """
@@ -32,7 +33,7 @@ def read_current(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
 
     Raises:
         SourceError: a file cannot be read, or a rule of a migration raises.
-        ModelError: a file contradicts its metamodel, or another model refers into one that must be migrated.
+        ModelError: a file contradicts its metamodel, or a model refers into one that is migrated without it.
     """
     try:
         return read_models(path, metamodels)
@@ -40,30 +41,37 @@ def read_current(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
         steps = {uri: load(target) for uri, target in registry().entries.get(KIND, {}).items()}
         if not steps:
             raise
-        older = [package for step in steps.values() for package in step.packages()]
+        older = dict.fromkeys(package for step in steps.values() for package in step.packages())
         roots = read_models(path, Metamodels([*metamodels.packages, *older]))
-    migrated = {file: _current(root, steps) for file, root in roots.items()}
-    changed = [root for file, root in roots.items() if migrated[file] is not root]
-    for file, root in roots.items():
-        if migrated[file] is root and (wrong := _reference_into(root, changed)) is not None:
+    current, replaced = _current(roots, steps)
+    for file, root in current.items():
+        if (wrong := _reference_into(root, replaced)) is not None:
             raise ModelError(
                 f"{wrong!r} refers into a model of an older version of its metamodel",
                 location=Location(str(file)),
                 fix="make the models again with the tool that wrote them",
             )
-    return migrated
+    return current
 
 
-def _current(root: Any, steps: dict[str, Any]) -> Any:
-    seen: set[str] = set()
-    while (uri := str(root.eClass.ePackage.nsURI)) in steps and uri not in seen:
-        seen.add(uri)
-        root = steps[uri](root)
-    return root
+def _current(roots: dict[Path, Any], steps: dict[str, Any]) -> tuple[dict[Path, Any], list[Any]]:
+    """The roots in their current versions, and those that were replaced. Each namespace is migrated once."""
+    current, replaced, seen = dict(roots), [], set[str]()
+    while pending := {file: uri for file, root in current.items() if (uri := _namespace(root)) in steps and uri not in seen}:
+        step = steps[next(iter(pending.values()))]
+        older = {file: current[file] for file, uri in pending.items() if steps[uri] is step}
+        seen |= {pending[file] for file in older}
+        replaced += older.values()
+        current |= step(older)
+    return current, replaced
 
 
-def _reference_into(root: Any, changed: list[Any]) -> Any:
-    """An element of a model that refers to one of the migrated ones, or None."""
+def _namespace(root: Any) -> str:
+    return str(root.eClass.ePackage.nsURI)
+
+
+def _reference_into(root: Any, replaced: list[Any]) -> Any:
+    """An element of a model that refers to one of those that were replaced, or None."""
     from robosmi.model.features import all_features
     from robosmi.model.structure import root_of, walk
 
@@ -72,6 +80,6 @@ def _reference_into(root: Any, changed: list[Any]) -> Any:
             if feature.is_reference and not feature.containment and not feature.derived:
                 value = getattr(element, feature.name)
                 targets = list(value) if feature.many else [value] if value is not None else []
-                if any(root_of(target) is one for target in targets for one in changed):
+                if any(root_of(target) is one for target in targets for one in replaced):
                     return element
     return None

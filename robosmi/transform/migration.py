@@ -5,7 +5,7 @@ The rules are a Flock migration; this object only brings the models together. `r
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -52,19 +52,26 @@ class ModelMigration:
         """The packages of the older version."""
         return list(self._metamodel.packages)
 
-    def __call__(self, root: Any) -> Any:
-        """The root of a model in the newer version.
+    def __call__(self, roots: Mapping[Path, Any]) -> dict[Path, Any]:
+        """The roots of models in the newer version, migrated together; the model for the rules is at the first one's path.
+
+        Args:
+            roots: file -> root of a model in the older version.
 
         Raises:
-            RuleError: a rule raises, or nothing or several roots are left.
+            RuleError: a rule raises, or there are not as many roots as before.
         """
         old = Metamodel([*self._metamodel.packages, *self._new.packages])
-        f = Flock(EmfModel(root, old, "Old"), EmfModel((), self._new, "New"), keep_order=True)
+        original = EmfModel(list(roots.values()), old, "Old", next(iter(roots), None))
+        f = Flock(original, EmfModel((), self._new, "New"), keep_order=True)
         self.rules(f)
-        roots = f.run().roots
-        if len(roots) != 1:
+        left = f.run().roots
+        made = {file: f.equivalent(root) for file, root in roots.items()}
+        if len(left) != len(made) or None in made.values():
+            (first, *_), several = roots.values(), len(roots) > 1
+            wanted = f"{len(roots)} roots" if several else "one"
             raise RuleError(
-                f"migrating {root!r} of {root.eClass.ePackage.nsURI} leaves {len(roots)} roots instead of one",
+                f"migrating {first!r} of {first.eClass.ePackage.nsURI} leaves {len(left)} roots instead of {wanted}",
                 fix="retype the classes that were renamed: retype(old, new)",
             )
-        return roots[0]
+        return made

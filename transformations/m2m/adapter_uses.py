@@ -127,9 +127,9 @@ def adapter(
     if not kept and name in names.declared | names.macros:
         wide = Signature(f"{source}_{name}", wide.returns, wide.parameters, wide.variadic)
     return migration.AdapterUse(
-        name=name, signature=raw, targetName=wide.name, result=_type(wide.returns, own),
+        name=name, signature=raw, targetName=wide.name, result=target_type(wide.returns, own),
         parameters=[
-            migration.AdapterParameter(name=given, valueType=_type(parameter_type(declare(kind, given)), own))
+            migration.AdapterParameter(name=given, valueType=target_type(parameter_type(declare(kind, given)), own))
             for kind, given in wide.parameters
         ],
         variadic=wide.variadic, signatureSource=origin, status=migration.AdapterStatus.todo,
@@ -143,7 +143,7 @@ def own_types(program: ccode.Program) -> dict[str, ccode.Declaration]:
     return {d.name: d for unit in program.units for d in unit.declarations if isinstance(d, kinds) and d.name}
 
 
-def _type(spelling: str, own: Mapping[str, ccode.Declaration]) -> migration.TargetType:
+def target_type(spelling: str, own: Mapping[str, ccode.Declaration]) -> migration.TargetType:
     """A type of the target with the program's own types that it names."""
     spelling = spelling.strip()
     named = dict.fromkeys(word for word in type_names(spelling) if word in own)

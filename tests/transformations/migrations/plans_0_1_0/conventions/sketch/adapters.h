@@ -1,0 +1,40 @@
+// Adapters for what the program uses of propeller: each has the signature it had there, with the widths it had
+// there, and a body that is still to be written for Arduino Uno.
+#pragma once
+
+#include <Arduino.h>
+
+// void drive_speed(int left, int right)  [abdrive.h]
+// called in line 8
+// it starts code on another core there
+// P12 (left servo) is BasicServo2WriteP1
+// P13 (right servo) is BasicServo1WriteP1
+// P14 (left encoder) is not bound
+// P15 (right encoder) is not bound
+void drive_speed(int32_t left, int32_t right) {
+  // TODO: complete method
+  (void)left;
+  (void)right;
+}
+
+// void high(int pin)  [simpletools.h]
+// called in line 10
+void high(int32_t pin) {
+  // TODO: complete method
+  (void)pin;
+}
+
+// void low(int pin)  [simpletools.h]
+// called in line 12
+void low(int32_t pin) {
+  // TODO: complete method
+  (void)pin;
+}
+
+// void pause(int time)  [simpletools.h]
+// called in line 11
+// it blocks
+void pause(int32_t time) {
+  // TODO: complete method
+  (void)time;
+}

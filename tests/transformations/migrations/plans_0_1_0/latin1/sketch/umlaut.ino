@@ -1,0 +1,17 @@
+// umlaut: umlaut.c moved from propeller to Arduino Uno.
+// Made by RoboSMi 0.1.0. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+int n = 1;  /* Zähler */
+
+// Geschwindigkeit für den Motor: ±5 µs, Größe in °C
+void setup() {
+  print("Übertragung läuft: %d\n", n);
+}
+
+void loop() {
+  pause(n);  // Ende der Übung
+}

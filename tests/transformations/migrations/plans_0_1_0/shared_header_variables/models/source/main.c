@@ -1,0 +1,10 @@
+#include "simpletools.h"
+#include "state.h"
+
+int main()
+{
+  while (1) {
+    counter++;
+    tick();
+  }
+}

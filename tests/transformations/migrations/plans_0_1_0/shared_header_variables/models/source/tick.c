@@ -1,0 +1,4 @@
+#include "simpletools.h"
+#include "state.h"
+
+void tick(void) { pause(counter + limit); }
