@@ -47,8 +47,8 @@ CONTENT_ABOVE: dict[str, tuple[str, ...]] = {
     "t2m": ("queries", "knowledge"),
     "constraints": ("queries", "knowledge"),
     "m2m": ("queries", "knowledge"),
-    "m2t": ("m2m", "queries", "knowledge"),
-    "migrations": ("queries", "knowledge"),
+    "m2t": ("queries", "knowledge"),
+    "migrations": ("m2m", "queries", "knowledge"),
     "verification": ("queries", "knowledge"),
     "chains": ("verification", "migrations", "m2t", "m2m", "constraints", "t2m", "queries", "knowledge"),
 }
