@@ -18,6 +18,7 @@ _CONTENT = {
     ("ranker", "devices"): "knowledge.library_ranking:device_ranker",
     ("ranker", "tfidf"): "knowledge.library_ranking:tfidf_ranker",
     ("generator", "arduino_sketch"): "m2t.arduino_sketch:generate",
+    ("generator", "avr_c_program"): "m2t.avr_c_program:generate",
     ("chain", "analyse"): "chains.analyse:analyse",
     ("chain", "hardware"): "chains.hardware:hardware",
     ("chain", "parts_import"): "chains.parts:import_parts",

@@ -187,7 +187,8 @@ class Build:
         if not sources:
             return None
         includes = self._library_includes(library, libraries)
-        folders = [self._core_sources(), *(used.include for used in libraries)]
+        core = [self._core_sources()] if "sources" in self.toolchain.core.values else []
+        folders = [*core, *(used.include for used in libraries)]
         files = [file for folder in folders for file in archives.files_below(folder)]
         return self._archive(self._name(library.name, files, sources, "library", includes), sources, "library", includes)
 
@@ -218,7 +219,9 @@ class Build:
     def _link(self, objects: list[Path], libraries: list[Path], report: CompileReport, keep: Path | None) -> CompileReport:
         data = self.toolchain.link
         elf, hex_file = (self.folder / f"{self.sketch.main.stem}{suffix}" for suffix in (".elf", ".hex"))
-        values = self.board.fill() | {"elf": str(elf), "hex": str(hex_file), "core_archive": str(self.core_archive())}
+        values = self.board.fill() | {"elf": str(elf), "hex": str(hex_file)}
+        if "sources" in self.toolchain.core.values:
+            values["core_archive"] = str(self.core_archive())
         lists = {"objects": [str(path) for path in objects], "libraries": [str(path) for path in libraries]}
         arguments = fill(data.texts("arguments"), values, lists)
         tool = self.toolchain.tool(data).key

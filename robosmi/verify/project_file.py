@@ -83,6 +83,25 @@ def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
     return ProjectFile(path, board.value if board else None, board.line if board else None, dict(map(_library, libraries)))
 
 
+def search_project_file(path: Path, board: re.Pattern[str]) -> ProjectFile:
+    """The board that a project file of any other form names; it names no libraries.
+
+    Args:
+        path: the file.
+        board: finds the line; its first group is the name.
+
+    Raises:
+        SourceError: the file cannot be read.
+    """
+    try:
+        text = inputs.read_text(path, inputs.SETTINGS)
+    except (OSError, UnicodeDecodeError) as error:
+        raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
+    found = board.search(text)
+    line = text.count("\n", 0, found.start()) + 1 if found else None
+    return ProjectFile(path, found[1] if found else None, line, {})
+
+
 def _library(text: str) -> tuple[str, str]:
     name, _, version = text.partition("(")
     return name.strip(), version.rstrip(") ").strip()

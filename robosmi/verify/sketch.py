@@ -14,7 +14,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.verify.boards import Board, find_board
-from robosmi.verify.project_file import PROJECT_KEYS, ProjectFile, read_project_file
+from robosmi.verify.project_file import PROJECT_KEYS, ProjectFile, read_project_file, search_project_file
 from robosmi.verify.tables import Table
 from robosmi.verify.toolchain_data import Toolchain
 
@@ -83,7 +83,8 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
         for toolchain in toolchains:
             suffix = toolchain.sketch.text("suffix")
             mains = (sub / f"{sub.name}{suffix}" for sub in sorted(path.iterdir()) if sub.is_dir())
-            found += [(main, toolchain) for main in mains if main.is_file()]
+            known = {main.parent for main, _ in found}  # a folder is a sketch of the first toolchain that knows it
+            found += [(main, toolchain) for main in mains if main.is_file() and main.parent not in known]
     if len(found) > 1:
         names = ", ".join(main.parent.name for main, _ in found)
         raise UsageError(
@@ -111,16 +112,19 @@ def _main(folder: Path, suffix: str) -> Path | None:
 
 def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     folder, data = main.parent, toolchain.sketch
-    parts = sorted(path for path in folder.glob(f"*{data.text('suffix')}") if path.is_file() and path != main)
+    joined = data.flag("parts", True)
+    parts = sorted(path for path in folder.glob(f"*{data.text('suffix')}") if path.is_file() and path != main) if joined else []
     deep = folder / data.text("recursive")
     files = [*folder.glob("*"), *(deep.rglob("*") if deep.is_dir() else ())]
-    sources = sorted(path for path in files if path.suffix in toolchain.suffixes and path.is_file())
+    sources = sorted(path for path in files if path.suffix in toolchain.suffixes and path.is_file() and path != main)
     name = data.text("project_file", "")
     project_file = _project_file(folder / name, data) if name and (folder / name).is_file() else None
     return Sketch(folder, main, tuple(parts), tuple(sources), project_file)
 
 
 def _project_file(path: Path, data: Table) -> ProjectFile:
+    if "project_patterns" in data.values:
+        return search_project_file(path, data.table("project_patterns").pattern("board"))
     keys = data.table("project_keys")
     return read_project_file(path, {key: keys.text(key) for key in PROJECT_KEYS})
 

@@ -78,6 +78,13 @@ class Table:
         """A whole number, or None if the key is not there."""
         return self.number(key) if key in self.values else None
 
+    def flag(self, key: str, default: bool) -> bool:
+        """True or false; the default where the key is missing."""
+        value = self.values.get(key, default)
+        if not isinstance(value, bool):
+            raise self.error(key, f"must be true or false, it is {value!r}")
+        return value
+
     def texts(self, key: str, default: tuple[str, ...] | None = None) -> tuple[str, ...]:
         """A list of texts; missing is an error unless there is a default."""
         if default is not None and key not in self.values:

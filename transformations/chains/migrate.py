@@ -99,13 +99,13 @@ def target(target_name: str | None, settings: Project) -> TargetFacts:
     return target_facts(target_name or settings.target or defaults()["migrate"]["target"])
 
 
-def program(program_files: Any, api: ApiIndex) -> StoredProgram:
+def program(program_files: Any, api: ApiIndex, target: TargetFacts) -> StoredProgram:
     """The program as it is stored.
 
     Raises:
-        SourceError: it cannot be read, or has not one function main.
+        SourceError: it cannot be read, has not one function main, or is in a language that the target does not take.
     """
-    return stored_program(program_files, api)
+    return stored_program(program_files, api, target)
 
 
 def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts, program: StoredProgram) -> StoredDrawing | None:
@@ -134,14 +134,13 @@ def choices(libraries: Mapping[str, str], settings: Project, drawing: StoredDraw
     Raises:
         UsageError: a library is chosen, and there is no drawing or the target has no libraries.
     """
+    if libraries and not target.libraries:
+        raise UsageError(f"a library is chosen, and the target '{target.target}' has none", fix="leave out the choice")
     limits = defaults()
-    made = LibrariesSaid({**settings.libraries, **libraries}, limits["choices"]["limit"], limits["rank"]["candidates"])
+    said = {**settings.libraries, **libraries} if target.libraries else {}
+    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"])
     if made.libraries and drawing is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
-    if made.libraries and not target.libraries:
-        raise UsageError(
-            f"the target '{target.target}' has no libraries, and one is chosen", fix="leave out the choice of a library"
-        )
     return made
 
 
@@ -207,6 +206,7 @@ def models(
     bindings: Sequence[migration.PortBinding],
     library_decisions: tuple[Sequence[migration.LibraryChoice], LibraryModels],
     earlier: ForgivingHistory,
+    settings: Project,
 ) -> MigrationModels:
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
@@ -217,6 +217,9 @@ def models(
     else:
         message = "no drawing was given: ports and libraries stay open"
         findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))
+    if settings.libraries and not target.libraries:
+        message = f"the target '{target.target}' has no libraries: those of the project file are for other targets"
+        findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))
     findings += history_findings(earlier)
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RobosmiError, SourceError, StoppedError
+from robosmi.errors import RobosmiError, StoppedError
 from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
@@ -24,11 +24,17 @@ from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
-from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said
+from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said, target_of
 
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
-KINDS = {".ino": "sketch", ".cpp": "sketch", ".h": "adapters", ".yaml": "project", ".md": "report", ".xmi": "model"}
+KINDS = {
+    **dict.fromkeys((".ino", ".cpp", ".c"), "sketch"),
+    ".h": "adapters",
+    ".yaml": "project",
+    ".md": "report",
+    ".xmi": "model",
+}
 
 
 @dataclass
@@ -98,6 +104,8 @@ class Generated:
 def _kind(name: str) -> str:
     if name.startswith(f"{LAST}/"):
         return "record"
+    if Path(name).name == "Makefile":
+        return "project"
     return "source" if name.startswith(f"{FOLDER}/source/") else KINDS.get(Path(name).suffix, "record")
 
 
@@ -130,7 +138,7 @@ def produce(
             f"{len(open_)} choice(s) are open: {names}",
             fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
         )
-    generator = content("generator", _generator(models))
+    generator = content("generator", str(target_of(plan).generator))
     recover(output)
     manifest, places = Manifest.load(output), Places(output)
     made: Generation = generator(plan, models.files)
@@ -159,18 +167,6 @@ def _told(output: Path, guarded: Guarded) -> list[Finding]:
         for name in guarded.deleted
     ]
     return deleted + [reformed_file(output / name) for name in guarded.reformed]
-
-
-def _generator(models: MigrationModels) -> str:
-    """The name of the generator, as the stored target has it.
-
-    Raises:
-        SourceError: the models have no target.
-    """
-    target = next(iter(models.repository.targets), None)
-    if target is None:
-        raise SourceError("the plan's models have no target", fix="make the plan again with migrate")
-    return str(target.generator)
 
 
 def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping[str, bytes]) -> None:

@@ -15,6 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.local_headers import with_headers
 from robosmi.transformations.chains.reading import read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.code import CodeView, views
@@ -40,7 +41,7 @@ class StoredProgram:
         views: a view of each unit.
         places: path as given -> path of the copy, relative to the models' folder.
         copies: path of the copy -> bytes.
-        findings: what is found in the sources without a target.
+        findings: what is found in the sources alone, and what of it the target's language refuses.
     """
 
     program: ccode.Program
@@ -72,13 +73,16 @@ def program_files(
     return ProgramFiles(with_headers([Path(source.path) for source in sources], folders, api), folders, macros)
 
 
-def stored_program(files: ProgramFiles, api: ApiIndex) -> StoredProgram:
+def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> StoredProgram:
     """Read a program as it is to be migrated and stored.
 
     Raises:
-        SourceError: a file cannot be read as a program, or there is not one function main.
+        SourceError: a file cannot be read as a program, there is not one function main, or a file is not C and the target takes C
+            alone.
     """
     program, findings = read_program(files.paths, api.name, files.include_dirs, files.defines)
+    if target.language == PLAIN_C:
+        _refuse_cplusplus(program, target)
     main = _the_main(program)
     seen = views(program, api)
     for view in seen:
@@ -86,9 +90,23 @@ def stored_program(files: ProgramFiles, api: ApiIndex) -> StoredProgram:
     places = _store_units(program)
     copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
     names = {place: path for path, place in places.items()}
-    for view in seen:
+    for view in seen if target.language == CPLUSPLUS else ():
         findings = [*findings, *remarks(view, copies[view.unit.path], names[view.unit.path])]
     return StoredProgram(program, _sketch_name(main), seen, places, copies, findings)
+
+
+def _refuse_cplusplus(program: ccode.Program, target: TargetFacts) -> None:
+    """Refuse a program with a file that is not C, for a target that takes C alone.
+
+    Raises:
+        SourceError: there is such a file.
+    """
+    for unit in program.units:
+        if unit.language != PLAIN_C:
+            raise SourceError(
+                f"the file is {unit.language}, and the target '{target.target}' takes C alone", location=Location(unit.path),
+                fix="give another --target",
+            )  # fmt: skip
 
 
 def _the_main(program: ccode.Program) -> ccode.Function:

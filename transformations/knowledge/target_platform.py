@@ -23,7 +23,8 @@ from robosmi.verify.tables import Table
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
 """How data calls the places where programs begin."""
-LANGUAGES = ("C", "C++")
+PLAIN_C, CPLUSPLUS = "C", "C++"
+LANGUAGES = (PLAIN_C, CPLUSPLUS)
 _NUMBERS = ("intBits", "longBits", "pointerBits", "doubleBits")
 _NAMES = ("declared", "macros", "same", "absent", "keywords")
 _KEYS = (
@@ -310,6 +311,7 @@ def target_repository(
         target.board = board
         made.boardMappings.clear()
         made.boardMappings.append(load_mapping(facts.platform, board))
+    made.libraries.clear()
     made.libraries.clear()
     made.libraries.extend(libraries)
     if facts.shared is not None:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.transformations.knowledge.target_platform import TargetFacts, TargetNames
+from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts, TargetNames
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
@@ -124,12 +124,17 @@ def adapter(
     kept = handed or origin is Source.program or name in names.absent
     reserved = names.macros | names.keywords
     wide = for_target(signature, {} if kept else target.widths, reserved)
+    if target.language == PLAIN_C:  # where a definition names its parameters, and "..." follows one
+        wide = wide.named(reserved)
+        wide = Signature(wide.name, wide.returns, wide.parameters, wide.variadic and bool(wide.parameters))
     if not kept and name in names.declared | names.macros:
         wide = Signature(f"{source}_{name}", wide.returns, wide.parameters, wide.variadic)
     return migration.AdapterUse(
-        name=name, signature=raw, targetName=wide.name, result=target_type(wide.returns, own),
+        name=name, signature=raw, targetName=wide.name, result=target_type(wide.returns, own, target.language),
         parameters=[
-            migration.AdapterParameter(name=given, valueType=target_type(parameter_type(declare(kind, given)), own))
+            migration.AdapterParameter(
+                name=given, valueType=target_type(parameter_type(declare(kind, given)), own, target.language)
+            )
             for kind, given in wide.parameters
         ],
         variadic=wide.variadic, signatureSource=origin, status=migration.AdapterStatus.todo,
@@ -143,11 +148,14 @@ def own_types(program: ccode.Program) -> dict[str, ccode.Declaration]:
     return {d.name: d for unit in program.units for d in unit.declarations if isinstance(d, kinds) and d.name}
 
 
-def target_type(spelling: str, own: Mapping[str, ccode.Declaration]) -> migration.TargetType:
-    """A type of the target with the program's own types that it names."""
+def target_type(spelling: str, own: Mapping[str, ccode.Declaration], language: str = CPLUSPLUS) -> migration.TargetType:
+    """A type of the target with the program's own types that it names, and its empty value in the target's language."""
     spelling = spelling.strip()
+    empty = nothing(spelling)
+    if empty == "{}" and language == PLAIN_C:
+        empty = f"({spelling}){{0}}"
     named = dict.fromkeys(word for word in type_names(spelling) if word in own)
-    return migration.TargetType(spelling=spelling, emptyValue=nothing(spelling), declarations=[own[word] for word in named])
+    return migration.TargetType(spelling=spelling, emptyValue=empty, declarations=[own[word] for word in named])
 
 
 def _signature(

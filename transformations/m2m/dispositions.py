@@ -57,7 +57,8 @@ def decide(d: Disposition, element: ccode.Located, action: migration.Action, rul
 def dispositions(code: ProgramModel, known: Known) -> ETL:
     """The transformation of a program to dispositions; its rule `Rewritten` is for elements that nothing else judges."""
     t = ETL(code, step=STEP)
-    for module in (includes(known), declarations(), mains(known.divisions), externals(code.program, known)):
+    declared = declarations(known.target.keeps_main)
+    for module in (includes(known), declared, mains(known.divisions), externals(code.program, known)):
         t.include(module)
 
     @t.rule(lazy=True, greedy=True)
@@ -128,23 +129,27 @@ def at_top(element: ccode.Located) -> bool:
     return isinstance(element.eContainer(), ccode.SourceUnit)
 
 
-def declarations() -> ETL:
-    """Macros and what is declared at the top of a file."""
+def declarations(keeps_main: bool) -> ETL:
+    """Macros and what is declared at the top of a file.
+
+    Args:
+        keeps_main: whether main is a function like any other on the target.
+    """
     t = ETL()
 
     @t.rule
     def OwnMacro(m: ccode.Macro, d: Disposition) -> None:
         decide(d, m, retain, "own-macro", "a macro of the program's own")
 
-    @t.rule(guard=lambda f: at_top(f) and f.definition and f.name != "main")
+    @t.rule(guard=lambda f: at_top(f) and f.definition and (keeps_main or f.name != "main"))
     def OwnFunction(f: ccode.Function, d: Disposition) -> None:
         decide(d, f, retain, "own-function", "a function of the program's own")
 
-    @t.rule(guard=lambda f: at_top(f) and not f.definition and f.name != "main")
+    @t.rule(guard=lambda f: at_top(f) and not f.definition and (keeps_main or f.name != "main"))
     def OwnPrototype(f: ccode.Function, d: Disposition) -> None:
         decide(d, f, retain, "own-prototype", "a prototype of the program's own")
 
-    @t.rule(guard=lambda f: at_top(f) and not f.definition and f.name == "main")
+    @t.rule(guard=lambda f: at_top(f) and not f.definition and not keeps_main and f.name == "main")
     def MainPrototype(f: ccode.Function, d: Disposition) -> None:
         decide(d, f, drop, "main-prototype", "the sketch has no main")
 

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
-from robosmi.transformations.knowledge.target_platform import TargetFacts, TargetNames
+from robosmi.transformations.knowledge.target_platform import PLAIN_C, TargetFacts, TargetNames
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
@@ -160,7 +160,10 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     kind = for_target(Signature(name, base.strip()), target.widths).returns
     if not mutable:
         # Constants of unknown value must differ, or a switch over them would not compile; none is 0, for arrays have such sizes.
-        return f"const {kind.removeprefix('const ')} {name} = {number};"
+        plain = kind.removeprefix("const ")
+        if target.language == PLAIN_C and set(plain.split()) <= ARITHMETIC and not {"float", "double"} & set(plain.split()):
+            return f"enum {{ {name} = {number} }};"  # a constant of C is no constant expression
+        return f"const {plain} {name} = {number};"
     storage = "__attribute__((weak)) " if several else "static "  # weak: the one variable of all files
     kind = kind.removeprefix("const ") if "*" not in kind else kind
     if indexed or bracket:
@@ -209,6 +212,8 @@ def type_uses(
             text, status = f"#include <{entry.header}>", migration.AdapterStatus.filled
         else:
             text, status = _type(name, views, sources, pointed=name in pointed), migration.AdapterStatus.todo
+            if target.language == PLAIN_C and text.startswith("struct "):  # in C the tag alone names no type
+                text = f"typedef {text.removesuffix(';')} {name};"
         made.append(migration.SymbolUse(name=name, placeholder=text, status=status))
     return made
 

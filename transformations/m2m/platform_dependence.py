@@ -16,7 +16,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import COMPILER
-from robosmi.transformations.knowledge.target_platform import TargetFacts, TargetNames
+from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
@@ -85,13 +85,14 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
     functions = {a.name: target_types(a) for a in result.adapters}
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names)
     reserved = names.declared | names.macros | names.keywords
-    result.divisions = [divide(main, reserved) for unit in program.units if (main := main_of(unit)) is not None]
+    mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
+    result.divisions = [divide(main, reserved) for main in mains]
     apart = {a.name for a in result.adapters if a.signatureSource is not OWN}
     code = ProgramModel(views)
     judged = dispositions(code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}))
     judged.run()
     result.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element)]
-    _change_unit_texts(views, sources, functions, prototypes, names, result, judged)
+    _change_unit_texts(views, sources, functions, prototypes, names, result, judged, target.language == CPLUSPLUS)
     trace.take(judged.trace)
     for made in result.adapters:
         trace.link("adapter", STEP, [*made.calls, made.function], [made])
@@ -155,6 +156,7 @@ def _change_unit_texts(
     names: TargetNames,
     result: Dependence,
     judged: ETL,
+    cplusplus: bool,
 ) -> None:
     """Dispositions for what the target's names and language want otherwise, and what all dispositions change in the text.
 
@@ -196,7 +198,7 @@ def _change_unit_texts(
     for view in views:
         for macro in redefined(view.unit, names):
             change(macro, REDEFINE, macro.name, f"the target has a macro '{macro.name}' of its own, which gives way")
-        for found in changes(view, sources[view.unit.path], functions):
+        for found in changes(view, sources[view.unit.path], functions) if cplusplus else ():
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
     texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types
+from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types, target_of
 from robosmi.transformations.queries.source_text import is_header
 
 
@@ -46,7 +46,8 @@ class Adapter:
 def adapters(plan: migration.MigrationPlan, uses: Iterable[migration.AdapterUse]) -> list[Adapter]:
     """Adapters of a plan as templates show them."""
     several = plan.program is not None and sum(not is_header(u) for u in plan.program.units) > 1
-    return [_adapter(plan, use, "inline " if several else "") for use in uses]
+    prefix = "static inline " if target_of(plan).language == "C" else "inline " if several else ""
+    return [_adapter(plan, use, prefix) for use in uses]
 
 
 def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: str) -> Adapter:

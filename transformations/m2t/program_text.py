@@ -1,7 +1,7 @@
-"""The program's own files in the sketch: retained code with the plan's changes, `main` as `setup` and `loop`, includes, ports.
+"""The program's own files: retained code with the plan's changes, `main` as the target has it, includes, ports.
 
-The unit that holds `main` becomes the .ino; any other unit becomes a .cpp beside it, a header stays what it is. Retained text
-is copied from the stored source (see `queries.source_text`), in the order of the source, so comments and layout survive.
+The unit that holds `main` becomes the main file; any other unit becomes a module beside it, a header stays what it is. Retained
+text is copied from the stored source (see `queries.source_text`), in the order of the source, so comments and layout survive.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters
 from robosmi.transformations.m2t.main_text import Part, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
+from robosmi.transformations.queries.plan import keeps_main, target_of
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 from robosmi.transformations.queries.text_changes import decision_of
 
@@ -24,7 +25,10 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     own = str(unit.path.rpartition("/")[2])
     if is_header(unit):
         return own
-    return f"{plan.name}.ino" if main_of(unit) is not None else f"{_stem(own, plan)}.cpp"
+    target = target_of(plan)
+    if main_of(unit) is not None:
+        return f"{plan.name}{target.fileSuffix}"
+    return f"{_stem(own, plan)}{target.moduleSuffix}"
 
 
 def own_header(source: SourceText) -> dict[str, Any]:
@@ -50,7 +54,7 @@ def program_text(
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
-    main = main_of(unit)
+    main = None if keeps_main(plan) else main_of(unit)
     prototypes: dict[str, list[ccode.Function]] = {}
     for declared in unit.declarations:
         if isinstance(declared, ccode.Function) and not declared.definition:
@@ -66,7 +70,7 @@ def program_text(
         "libraries": _libraries(plan),
         "types": _retained([], source.unit, source.pieces(0, start, _elements(unit))),
         "adapters": adapters(plan, late),
-        "prototypes": [{"function": f, "head": _head_of(f, source)} for f in ahead],
+        "prototypes": [{"function": f, "head": _prototype(f, source, plan)} for f in ahead],
         "code": _code(plan, source, start, main),
     }
 
@@ -164,6 +168,15 @@ def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: S
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)
     return first < function.startOffset and all(p.startOffset > first for p in prototypes)
+
+
+def _prototype(function: ccode.Function, source: SourceText, plan: migration.MigrationPlan) -> str:
+    """A prototype of a function; where a C target keeps a definition in the manner of old C, one without parameters."""
+    head = _head_of(function, source)
+    if target_of(plan).language != "C" or ";" not in head:
+        return head
+    start = head.partition("(")[0].rstrip()
+    return f"{'int ' if start == function.name else ''}{start}()"
 
 
 def _head_of(function: ccode.Function, source: SourceText) -> str:

@@ -6,8 +6,25 @@ from collections import Counter
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity, Task
+from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
+
+
+def target_of(plan: migration.MigrationPlan) -> platform.Target:
+    """The target of a plan, as it is stored with the plan's platforms.
+
+    Raises:
+        SourceError: the plan's models have none.
+    """
+    if plan.targetDescription is None:
+        raise SourceError("the plan has no description of its target", fix="make the plan again with migrate")
+    return plan.targetDescription
+
+
+def keeps_main(plan: migration.MigrationPlan) -> bool:
+    """Whether programs of the plan's target begin with main, so that it stays as it is."""
+    return target_of(plan).structure is platform.EntryStructure.mainFunction
 
 
 def disposition_counts(plan: migration.MigrationPlan) -> dict[str, int]:

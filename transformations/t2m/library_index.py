@@ -4,7 +4,7 @@
 
 Kept are declared metadata, header names, how often each word occurs in a header (the 700 commonest words of each: the
 source has no more), and from a second file what the headers declare (`library_api_facts`). All other text is left out. The
-file format is in `robosmi.recommend.index`, the ranking in `transformations.m2m.library_ranking`.
+file format is in `robosmi.recommend.index`, the ranking in `transformations.knowledge.library_ranking`.
 """
 
 from __future__ import annotations

@@ -1,0 +1,93 @@
+"""The target `avr-c`: C stays C, main stays main, and what is made builds with make and with `robosmi compile`."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import SourceError, UsageError
+from robosmi.verify.toolchain import compile_sketch
+from tests.running import run
+from tests.tools import require_tools
+
+HERE = Path(__file__).parent
+CASES = HERE.parent / "transformations" / "m2t" / "cases"
+PROGRAMS = sorted(path for path in CASES.iterdir() if any(path.rglob("input/*.c")) and path.name != "broken_source")
+
+
+@pytest.fixture
+def line_follower(examples: Path, tmp_path: Path) -> Path:
+    """The line follower moved to the target, with the Uno of its drawing."""
+    shutil.copytree(examples / "line_follower", tmp_path / "input")
+    outcome = run("migrate", tmp_path / "input" / "line_follower.c", "--target", "avr-c", "-o", tmp_path / "out")
+    assert outcome.code in (0, 1), outcome.err
+    assert "[RS412]" in outcome.out + outcome.err
+    return tmp_path / "out"
+
+
+def test_main_and_the_text_of_the_program_stay(line_follower: Path) -> None:
+    text = (line_follower / "line_follower" / "line_follower.c").read_text()
+    assert "int main() {\n  while (1) {\n    long sLeft  = GetQTIState(leftQTI);\n" in text
+    assert "enum { Red633nmLED1WriteP1 = AVR_PIN('B', 4) };  // Red (633nm)-LED1: anode on D12\n" in text
+    assert "setup" not in text
+    assert sorted(p.name for p in (line_follower / "line_follower").iterdir()) == [
+        "MIGRATION.md", "Makefile", "adapters.h", "line_follower.c",
+    ]  # fmt: skip
+
+
+def test_the_makefile_builds_what_compile_builds(line_follower: Path) -> None:
+    require_tools("avr-gcc", "avr-objcopy", "avr-size", "make")
+    report = compile_sketch(line_follower)
+    assert report.ok
+    assert report.fits
+    assert (report.board, report.flash_limit, report.ram_limit) == ("uno", 32768, 2048)
+    assert report.diagnostics == ()
+    folder = line_follower / "line_follower"
+    done = subprocess.run(["make", "-C", folder], capture_output=True, text=True, check=True)
+    assert "warning" not in done.stderr
+    size = subprocess.run(["avr-size", folder / "line_follower.elf"], capture_output=True, text=True, check=True)
+    text, data, *_ = map(int, size.stdout.splitlines()[1].split()[:2])
+    assert text + data == report.flash_bytes
+    assert (folder / "line_follower.hex").is_file()
+
+
+def test_the_makefile_says_for_which_board_it_is(tmp_path: Path) -> None:
+    """A drawing, here a table, may have any AVR board; the same folder compiles for another one that is asked for."""
+    require_tools("avr-gcc", "avr-objcopy", "avr-size")
+    shutil.copytree(HERE / "program", tmp_path / "input")
+    table = tmp_path / "input" / "wiring.csv"
+    table.write_text(table.read_text().replace("connector\n", "connector,board\n").replace("anode\n", "anode,leonardo\n"))
+    robosmi.migrate([tmp_path / "input" / "beacon.c"], tmp_path / "out", target="avr-c")
+    make = (tmp_path / "out" / "beacon" / "Makefile").read_text()
+    assert "BOARD := leonardo\nMCU := atmega32u4\nF_CPU := 16000000\n" in make
+    assert compile_sketch(tmp_path / "out").board == "leonardo"
+    assert compile_sketch(tmp_path / "out", "mega").board == "mega"
+
+
+@pytest.mark.parametrize("case", PROGRAMS, ids=lambda path: path.name)
+def test_programs_compile_as_c(case: Path, tmp_path: Path) -> None:
+    """Programs with all that C has and C++ has not, of one file and of several."""
+    require_tools("avr-gcc", "avr-objcopy", "avr-size")
+    robosmi.migrate(sorted(case.rglob("input/*.c")), tmp_path, target="avr-c")
+    report = compile_sketch(tmp_path)
+    assert [d.message for d in report.diagnostics if d.severity.name == "error"] == []
+    assert report.ok
+
+
+def test_a_library_cannot_be_chosen_where_there_are_none(examples: Path, tmp_path: Path) -> None:
+    program = examples / "line_follower" / "line_follower.c"
+    with pytest.raises(UsageError, match="a library is chosen, and the target 'avr-c' has none"):
+        robosmi.migrate([program], tmp_path, target="avr-c", libraries={"Basic Servo1": "Servo"})
+    with pytest.raises(UsageError, match="the target 'avr-c' has no libraries"):
+        robosmi.recommend_libraries(examples / "line_follower" / "line_following_robot.fzz", target="avr-c")
+
+
+def test_cplusplus_is_refused_where_c_alone_is_taken(tmp_path: Path) -> None:
+    program = tmp_path / "robot.cpp"
+    program.write_text("class Robot {};\nint main() { Robot r; (void)r; return 0; }\n")
+    with pytest.raises(SourceError, match=r"the file is C\+\+, and the target 'avr-c' takes C alone"):
+        robosmi.migrate([program], tmp_path / "out", target="avr-c")

@@ -1,0 +1,88 @@
+"""The files that the programs of all targets have, as rules of EGX: the program's units, its adapters, the report.
+
+A generator names its templates and says what its project file shows. Each rule makes a file by a template; what a template shows
+beyond the plan is prepared by the module of that file. Templates name their parts, so that every generated line is traced to its
+elements and to the step of the method that made it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.generate import Gen, Generation
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2t.adapters import adapters, made_apart, with_own_types
+from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
+from robosmi.transformations.m2t.task_list import report
+from robosmi.transformations.queries.circuit import pin_literal
+from robosmi.transformations.queries.source_text import SourceText, is_header
+from robosmi.transformations.queries.text_changes import all_changes
+
+
+@dataclass(frozen=True)
+class ProgramTemplates:
+    """The templates of a target's files.
+
+    Attributes:
+        unit: of a unit that is compiled.
+        header: of a header of the program's own.
+        adapters: of the adapters.
+        project: of the project file.
+        project_file: name of the project file.
+    """
+
+    unit: str
+    header: str
+    adapters: str
+    project: str
+    project_file: str
+
+
+def program_files(
+    plan: migration.MigrationPlan, sources: Mapping[str, bytes], templates: ProgramTemplates, project: Mapping[str, Any]
+) -> Generation:
+    """The files of a program, their paths relative to the output folder; nothing is written.
+
+    Args:
+        plan: a complete plan.
+        sources: path of a unit -> its bytes.
+        templates: of the target's files.
+        project: what the project file shows beyond the plan.
+
+    Raises:
+        RuleError: a template is wrong.
+    """
+    g = Gen()
+    assert plan.program is not None
+    late, changes = with_own_types(plan), all_changes(plan)
+    texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
+
+    @g.rule(
+        domain=plan.program.units,
+        template=lambda u: templates.header if is_header(u) else templates.unit,
+        target=lambda u: f"{plan.name}/{file_name(u, plan)}",
+    )
+    def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
+        text = texts[unit]
+        return own_header(text) if is_header(unit) else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late)}
+
+    @g.rule(template=templates.adapters, target=f"{plan.name}/adapters.h")
+    def Adapters() -> dict[str, Any]:
+        listed = adapters(plan, made_apart(plan))
+        return {
+            "plan": plan,
+            "adapters": [a for a in listed if a.use not in late],
+            "renamed": [a for a in listed if a.name not in ("", a.use.name)],
+        }
+
+    @g.rule(template=templates.project, target=f"{plan.name}/{templates.project_file}")
+    def Project() -> dict[str, Any]:
+        return {"plan": plan, **project}
+
+    @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")
+    def Report() -> dict[str, Any]:
+        return {"plan": plan, **report(plan)}
+
+    return g.make()
