@@ -60,6 +60,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.valid_c
 	$(BIN)/python -m tests.fuzz.growth
 	$(BIN)/python -m tests.fuzz.environments
+	$(BIN)/python -m tests.fuzz.runs
 
 wheel:
 	@sh .ci/wheel

@@ -63,6 +63,9 @@ def folders(kind: str, project: Path | None = None) -> Iterator[Path]:
     Args:
         kind: one of `KINDS`.
         project: the project folder; the current folder if None.
+
+    Raises:
+        SourceError: the project has templates that nobody has trusted (see `trust`).
     """
     return map(Path, _folders(kind, project))
 
@@ -76,6 +79,10 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
     own.append(_user_data())
     for root in own:
         if os.path.isdir(folder := os.path.join(root, kind)):
+            if kind == "templates" and root is own[0]:
+                from robosmi.trust import demand  # most projects have no templates of their own
+
+                demand(Path(root))
             yield folder
     yield from _of_plugins(kind)
     yield str(built_in(kind))

@@ -19,6 +19,17 @@ def add_source_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="macro defined from outside")
 
 
+def output_folder(text: str) -> Path:
+    """The output folder that an option names; an empty text, as of an unset variable, would mean the current folder.
+
+    Raises:
+        UsageError: it is empty, or no path.
+    """
+    if not text.strip() or "\0" in text:
+        raise UsageError("the output folder has no name", fix="give a folder: -o OUT (or -o . for the current one)")
+    return Path(text)
+
+
 def pairs(texts: list[str], option: str) -> dict[str, str]:
     """`NAME=VALUE` texts as a dict.
 

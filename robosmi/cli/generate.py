@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from robosmi.cli.common import output_folder
 from robosmi.cli.migrate import filled
 from robosmi.plugins import content
 from robosmi.report import Report
@@ -13,7 +14,7 @@ from robosmi.report import Report
 def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("plan", metavar="plan.xmi", type=Path, help="a stored plan, perhaps edited")
-    parser.add_argument("-o", dest="output", metavar="OUT", type=Path, required=True, help="output folder")
+    parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
 

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from robosmi import inputs
+from robosmi.cli.common import output_folder
 from robosmi.report import Report
 
 
@@ -16,7 +17,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     export.add_argument("folder", metavar="DIR", type=Path)
     generate = actions.add_parser("generate", help="generate typed Python packages from .ecore files and what they refer to")
     generate.add_argument("metamodels", metavar="X.ecore", type=Path, nargs="+")
-    generate.add_argument("-o", dest="output", metavar="DIR", type=Path, required=True)
+    generate.add_argument("-o", dest="output", metavar="DIR", type=output_folder, required=True)
     for sub in (export, generate):
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from robosmi.cli.asking import ask_libraries, may_ask
-from robosmi.cli.common import add_source_options, pairs
+from robosmi.cli.common import add_source_options, output_folder, pairs
 from robosmi.diagnostics import Finding
 from robosmi.plugins import content
 from robosmi.project import Accepted, project_of
@@ -40,7 +40,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     add_source_options(parser)
     parser.add_argument("--hardware", metavar="SKETCH", type=Path, help="drawing of the new hardware")
     parser.add_argument("--target", metavar="NAME", help="target board")
-    parser.add_argument("-o", dest="output", metavar="OUT", type=Path, required=True, help="output folder")
+    parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
     parser.add_argument(
         "--library",
         dest="libraries",

@@ -14,6 +14,7 @@ Rules are `rules`', texts `templates`', files `staging`'s. docs/reference/egl.md
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -25,6 +26,7 @@ from robosmi.generate.result import Generation, Write
 from robosmi.generate.rules import Flag, Formatter, GenerationRule, value_of, variable_of
 from robosmi.generate.staging import Staging, as_text
 from robosmi.generate.templates import Templates, Where
+from robosmi.model.commit import at_work
 from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
 from robosmi.query.erl import Blocks, as_model, failed, place_of
@@ -210,7 +212,7 @@ class Gen:
             StoppedError: with `keep`, an edit would be lost.
         """
         try:
-            with collector_at_rest():
+            with collector_at_rest(), nullcontext() if dry_run else at_work(self.folder):
                 self._run_rules()
                 return self._staging.finish(dry_run=dry_run)
         finally:

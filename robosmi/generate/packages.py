@@ -17,7 +17,7 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.generate.manifest import NAME, Manifest, reformed_file
 from robosmi.generate.places import Places
 from robosmi.model.codegen import Rendered, render
-from robosmi.model.commit import update
+from robosmi.model.commit import at_work, update
 
 
 @dataclass(frozen=True)
@@ -54,21 +54,22 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
         StoppedError: a file in the way was edited, or was not made by robosmi.
     """
     rendered = render(metamodels, folder)
-    contents: dict[str, bytes] = {}
-    obsolete: set[str] = set()
-    seen: dict[str, bytes | None] = {}
-    reformed: list[Finding] = []
-    for root in sorted({path.partition("/")[0] for path in rendered.files}):
-        inner = {path.partition("/")[2]: data for path, data in rendered.files.items() if path.partition("/")[0] == root}
-        places = Places(folder / root)
-        guarded = Manifest.load(folder / root).guard(places, inner)
-        obsolete |= {f"{root}/{name}" for name in guarded.obsolete}
-        seen |= {f"{root}/{name}": data for name, data in places.seen.items()}
-        reformed += [reformed_file(folder / root / name) for name in guarded.reformed]
-        contents |= {f"{root}/{name}": data for name, data in inner.items()}
-        contents[f"{root}/{NAME}"] = Manifest.of(inner).to_bytes()
-    unchanged = {path for path, data in rendered.files.items() if _has(folder / path, data)}
-    update(folder, contents, obsolete, seen)
+    with at_work(folder):
+        contents: dict[str, bytes] = {}
+        obsolete: set[str] = set()
+        seen: dict[str, bytes | None] = {}
+        reformed: list[Finding] = []
+        for root in sorted({path.partition("/")[0] for path in rendered.files}):
+            inner = {path.partition("/")[2]: data for path, data in rendered.files.items() if path.partition("/")[0] == root}
+            places = Places(folder / root)
+            guarded = Manifest.load(folder / root).guard(places, inner)
+            obsolete |= {f"{root}/{name}" for name in guarded.obsolete}
+            seen |= {f"{root}/{name}": data for name, data in places.seen.items()}
+            reformed += [reformed_file(folder / root / name) for name in guarded.reformed]
+            contents |= {f"{root}/{name}": data for name, data in inner.items()}
+            contents[f"{root}/{NAME}"] = Manifest.of(inner).to_bytes()
+        unchanged = {path for path, data in rendered.files.items() if _has(folder / path, data)}
+        update(folder, contents, obsolete, seen)
     return GeneratedPackages(
         [folder / path for path in sorted({*rendered.files} - unchanged)],
         [folder / path for path in sorted(unchanged)],

@@ -20,7 +20,7 @@ from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.generate.text_form import FileText, read, same_text
-from robosmi.model.commit import commit, recover
+from robosmi.model.commit import commit, look_only
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -157,7 +157,7 @@ class Staging:
         if found is None:
             if self._places is None:
                 if not self._unread:
-                    recover(self.folder)
+                    look_only(self.folder)
                 self._places = Places(self.folder)
             if self._record is not None and f"{name}/".startswith(f"{self._record.place}/"):
                 raise SourceError(f"the target '{name}' is where the last texts are kept", fix="give the file another name")

@@ -15,6 +15,7 @@ from typing import Any
 
 import jinja2
 from jinja2.runtime import Context
+from jinja2.sandbox import SandboxedEnvironment
 from pyecore.ecore import EObject
 
 from robosmi import resources
@@ -25,6 +26,7 @@ from robosmi.generate.identity import region_id
 from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
 from robosmi.generate.regions import partition
+from robosmi.generate.sandbox import allowed, may_call, refused
 from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.query.problems import unknown_property
 
@@ -35,20 +37,22 @@ _KNOWN: dict[type, bool] = {}
 """Class -> whether its objects are model elements; asking pyecore and abc each time would cost more than the attribute."""
 
 
-class _Environment(jinja2.Environment):
-    """Jinja's environment; notes the elements that are looked at and refuses features that they do not have."""
+class _Environment(SandboxedEnvironment):
+    """Jinja's sandbox; notes the elements that are looked at and refuses features that they do not have."""
 
     seen: list[Any]
-    sandboxed = True  # only so that calls in templates go through `call`
-    intercepted_binops: frozenset[str] = frozenset()
-    intercepted_unops: frozenset[str] = frozenset()
 
     def call(self, context: Context, function: Any, /, *args: Any, **kwargs: Any) -> Any:
         if function.__class__ is MethodType and function.__self__.__class__ is Out:  # asking what else Jinja may pass costs more
             kwargs.pop("_loop_vars", None)  # Jinja's own, given inside loops and blocks
             kwargs.pop("_block_vars", None)
             return function(*args, **kwargs)
+        if not may_call(function):
+            raise refused(function, "()")
         return context.call(function, *args, **kwargs)
+
+    def is_safe_attribute(self, obj: Any, attr: str, value: Any) -> bool:  # Jinja's own way to attributes, in `getitem` too
+        return allowed(obj, attr)
 
     def region_id(self, element: Any, *purpose: str) -> str:
         """`region_id`, which is a look at the element too."""
@@ -67,8 +71,13 @@ class _Environment(jinja2.Environment):
             is_element = _KNOWN[obj.__class__] = isinstance(obj, (EObject, ModelElement))
         if is_element:
             self.seen.append(obj)
+        if not allowed(obj, attribute):
+            raise refused(obj, attribute)
         try:
-            return getattr(obj, attribute)
+            found = getattr(obj, attribute)
+            if attribute in ("format", "format_map"):  # their texts reach for attributes too
+                return self.wrap_str_format(found) or found
+            return found
         except AttributeError as error:
             if isinstance(error, RobosmiError):
                 raise

@@ -3,6 +3,7 @@
 All new contents are put beside their places first, then a journal says what goes where, then they are moved; what was begun is
 finished (or thrown away, if there was no journal yet) by `recover`, which every run calls first. So each file is the old or
 the new one, whole, at any time, and after the next run all are of one kind. A folder that is new appears in one step.
+A journal that no run of this user made for this folder (see `runs`) is reported and not carried out.
 This holds when a process is killed; nothing is promised for a machine that loses power.
 """
 
@@ -11,16 +12,19 @@ from __future__ import annotations
 import errno
 import json
 import os
+import secrets
 import shutil
 import stat
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, SourceError, StoppedError
-from robosmi.inputs import OUTPUT, read_bytes
+from robosmi.inputs import OUTPUT, RECORD, read_bytes
 from robosmi.model.files import within
+from robosmi.model.runs import alone, bind, is_bound, release
 
 STAGE = ".robosmi-commit"
 """Folder with what is about to be moved into place; in the output folder, or beside one that is new (with its name behind)."""
@@ -49,8 +53,21 @@ def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
     for name in contents:
         if not within(name):
             raise InternalError(f"'{name}' would be written outside of the output folder '{folder}'")
-    recover(folder)
-    commit(folder, {name: data for name, data in contents.items() if not _has(folder / name, data)}, removed, seen)
+    with at_work(folder):
+        commit(folder, {name: data for name, data in contents.items() if not _has(folder / name, data)}, removed, seen)
+
+
+@contextmanager
+def at_work(folder: Path) -> Iterator[None]:
+    """From the recovery of an output folder to the end of a run: no other run of this user gets in between. May be nested.
+
+    Raises:
+        StoppedError: another run is at work, or an interrupted one must be looked at (see `recover`).
+        SourceError: the folder cannot be written.
+    """
+    with alone(folder):
+        recover(folder)
+        yield
 
 
 def _has(path: Path, data: bytes) -> bool:
@@ -74,37 +91,64 @@ def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
         return
     if folder.exists() and not folder.is_dir():
         raise SourceError("the output path is a file", location=Location(str(folder)), fix="give another output folder")
+    for name in (*contents, *removed):
+        if not within(name) or name.partition("/")[0].casefold().startswith(STAGE):
+            raise InternalError(f"'{name}' would be written outside of the output folder '{folder}', or where files wait")
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
-        if folder.exists():
-            with _locked(folder):
-                _finish(folder)
-                _write(folder, contents, removed, seen or {})
-        else:
-            _appear(folder, contents)
+        with at_work(folder):
+            _commit(folder, contents, removed, seen or {})
     except OSError as error:
         named = str(error.filename or folder)
         place = Location(str(folder) if STAGE in named else named)
         raise SourceError(f"cannot write here: {error.strerror or error}", location=place, fix=_FIX) from error
 
 
+def _commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen) -> None:
+    if folder.exists():
+        with _locked(folder):
+            _write(folder, contents, removed, seen)
+    else:
+        _appear(folder, contents)
+
+
 def recover(folder: Path) -> None:
     """Finish what a killed run had begun to write, or throw it away where it had not begun.
 
     Raises:
-        StoppedError: that run is still at work.
+        StoppedError: that run is still at work, or its journal is not of this user, or was made for another folder.
         SourceError: the folder cannot be written.
     """
     beside = _beside(folder)
+    if not os.path.lexists(beside) and not os.path.lexists(folder / STAGE):
+        return
     try:
-        if beside.is_dir():
-            shutil.rmtree(beside)
-        if (folder / STAGE).is_dir():
-            with _locked(folder):
-                _finish(folder)
+        with alone(folder):
+            for stage in (beside, folder / STAGE):
+                if os.path.lexists(stage) and (stage.is_symlink() or not stage.is_dir()):
+                    raise _in_the_way(str(stage), "a link or file has the name of the folder where files wait to be written")
+            if beside.is_dir():
+                with _locked(beside):
+                    shutil.rmtree(beside)
+            if (folder / STAGE).is_dir():
+                with _locked(folder):
+                    _finish(folder)
     except OSError as error:
         place = Location(str(error.filename or folder))
         raise SourceError(f"cannot write here: {error.strerror or error}", location=place, fix=_FIX) from error
+
+
+def look_only(folder: Path) -> None:
+    """Make sure that nothing is to be finished in a folder that is only read, as in a dry run, which finishes nothing.
+
+    Raises:
+        StoppedError: a run was interrupted there, or is at work.
+    """
+    if os.path.lexists(folder / STAGE):
+        raise StoppedError(
+            "a run is at work in this folder, or was interrupted there", location=Location(str(folder)),
+            fix="wait for it; if there is none, run again without a dry run, which finishes it first",
+        )  # fmt: skip
 
 
 def interrupted(folder: Path) -> bool:
@@ -119,12 +163,15 @@ def _beside(folder: Path) -> Path:
 def _appear(folder: Path, contents: Mapping[str, bytes]) -> None:
     """A new folder: made beside its place, moved there in one step."""
     beside = _beside(folder)
-    if beside.is_dir():
-        shutil.rmtree(beside)
     try:
         _no_file_is_a_folder(folder, contents)
-        _put(beside, contents)
-        os.rename(beside, folder)
+        beside.mkdir()
+        with _locked(beside):
+            _put(beside, contents)
+            os.rename(beside, folder)
+    except FileExistsError as error:
+        message = "another run is making this folder"
+        raise StoppedError(message, location=Location(str(folder)), fix="wait for it, then run again") from error
     except (OSError, SourceError):
         shutil.rmtree(beside, ignore_errors=True)
         raise
@@ -156,6 +203,7 @@ def _check(folder: Path, contents: Mapping[str, bytes]) -> None:
                 raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), parent)
         elif os.path.lexists(parent):
             raise _in_the_way(parent, "a file stands where a folder is to be made")
+    _inside(folder, contents)
     for name in contents:
         target = f"{folder}/{name}"
         try:
@@ -164,6 +212,19 @@ def _check(folder: Path, contents: Mapping[str, bytes]) -> None:
             is_folder = False
         if is_folder:
             raise _in_the_way(target, "a folder stands where a file is to be written")
+
+
+def _inside(folder: Path, names: Collection[str]) -> None:
+    """Make sure that no link leads out of the folder.
+
+    Raises:
+        SourceError: one does.
+    """
+    root = os.path.realpath(folder)
+    for parent in {f"{folder}/{name}".rpartition("/")[0] for name in names}:
+        real = os.path.realpath(parent)
+        if os.path.commonpath([real, root]) != root:
+            raise _in_the_way(parent, "a link leads out of the output folder")
 
 
 def _in_the_way(path: str, message: str) -> SourceError:
@@ -211,13 +272,17 @@ def _write(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
     names = {name: f"new/{number}" for number, name in enumerate(contents)}
     try:
         _check(folder, contents)
+        _inside(folder, removed)
+        stage.mkdir()
         _put(stage, {names[name]: data for name, data in contents.items()})
         for name, place in names.items():
             if os.path.exists(f"{folder}/{name}"):
                 shutil.copymode(f"{folder}/{name}", stage / place)
-        journal = json.dumps({"move": {place: name for name, place in names.items()}, "remove": sorted(removed)})
-        (stage / "journal").write_text(journal, encoding="utf-8")
+        moved = {place: name for name, place in names.items()}
+        journal = json.dumps({"run": secrets.token_hex(16), "move": moved, "remove": sorted(removed)}).encode()
+        (stage / "journal").write_bytes(journal)
         _untouched(folder, [*contents, *removed], seen)
+        bind(folder, journal)
     except (OSError, SourceError, StoppedError):
         shutil.rmtree(stage, ignore_errors=True)
         raise
@@ -229,26 +294,53 @@ def _finish(folder: Path) -> None:
     """Move what the journal says; throw away what has no journal."""
     stage = folder / STAGE
     journal = stage / _JOURNAL
-    if journal.is_file():
-        plan = json.loads(journal.read_text(encoding="utf-8"))
+    if os.path.lexists(journal):
+        moves, removed = _journal(folder, journal)
         made: set[str] = set()
-        for place, name in plan["move"].items():
+        for place, name in moves.items():
             target = f"{folder}/{name}"
             parent = target.rpartition("/")[0]
             if parent not in made:
                 made.add(parent)
+                _inside(folder, [name])
                 os.makedirs(parent, exist_ok=True)
             try:
                 os.replace(f"{stage}/{place}", target)
             except FileNotFoundError:
                 if not os.path.exists(target):
                     raise  # moved already by the run that was killed
-        for name in plan["remove"]:
+        for name in removed:
+            _inside(folder, [name])
             Path(folder, name).unlink(missing_ok=True)
             _tidy(folder, Path(folder, name).parent)
         journal.unlink()
+        release(folder)
     if stage.is_dir():
         shutil.rmtree(stage)
+
+
+def _journal(folder: Path, path: Path) -> tuple[dict[str, str], list[str]]:
+    """What a journal of this user's own says: place in the stage -> relative path, and the relative paths that go.
+
+    Raises:
+        StoppedError: no run of this user made it for this folder, or a path of it leads out of the folder.
+    """
+    why = "by another user, or in another place, or it came with the folder"
+    try:
+        data = read_bytes(path, RECORD, follow=False)
+        if is_bound(folder, data):
+            found = json_of(data.decode())
+            moves, removed = dict(found["move"]), list(found["remove"])
+            if all(within(name) for name in (*moves, *moves.values(), *removed)):
+                return moves, removed
+            why = "and names files outside of the folder"
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        why = f"and cannot be read ({error})"
+    raise StoppedError(
+        f"the record of an interrupted run is here that was made {why}; nothing of it was done, and nothing was written",
+        location=Location(str(path)),
+        fix=f"let that user run again in that place, or compare the files with '{STAGE}/new', remove '{STAGE}', run again",
+    )
 
 
 def _tidy(folder: Path, parent: Path) -> None:

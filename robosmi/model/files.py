@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import os
 import tempfile
-from pathlib import Path, PurePosixPath
+from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -74,4 +74,6 @@ def write_atomic(path: Path, data: bytes) -> None:
 def within(name: str) -> bool:
     """Whether a relative path stays in the folder it is relative to."""
     path = PurePosixPath(name)
-    return bool(path.parts) and not path.is_absolute() and ".." not in path.parts
+    windows = PureWindowsPath(name)
+    drive = os.name == "nt" and bool(windows.drive or windows.root)
+    return bool(path.parts) and not path.is_absolute() and ".." not in windows.parts and "\0" not in name and not drive

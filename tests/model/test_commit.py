@@ -15,10 +15,11 @@ import pytest
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate import Gen
 from robosmi.model.commit import STAGE, commit, interrupted, recover
+from robosmi.model.runs import bind
 from tests.running import tree
 
 FILES = 40
-KILLS = 200
+KILLS = 300
 
 
 def text(version: int, number: int) -> str:
@@ -52,7 +53,7 @@ def versions(folder: Path) -> set[int]:
     return set(made.values())
 
 
-def test_kill_at_200_random_points_of_a_run_leaves_every_file_whole(tmp_path: Path) -> None:
+def test_kill_at_300_random_points_of_a_run_leaves_every_file_whole(tmp_path: Path) -> None:
     chance = random.Random(17)
     folder = tmp_path / "out"
     generate(folder, 0)
@@ -86,7 +87,9 @@ def test_recovery_completes_a_run_whose_journal_is_there_and_drops_one_without(t
     assert not stage.exists()
     (stage / "new").mkdir(parents=True)
     (stage / "new" / "0").write_bytes(b"2")
-    (stage / "journal.json").write_text('{"move": {"new/0": "b/c", "new/1": "a"}, "remove": ["d"]}')
+    journal = b'{"move": {"new/0": "b/c", "new/1": "a"}, "remove": ["d"]}'
+    (stage / "journal.json").write_bytes(journal)
+    bind(tmp_path / "out", journal)
     assert interrupted(tmp_path / "out")
     recover(tmp_path / "out")
     assert (tmp_path / "out" / "b" / "c").read_bytes() == b"2"

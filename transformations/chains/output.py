@@ -6,6 +6,7 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from robosmi.generate.manifest import Guarded, Manifest, reformed_file
 from robosmi.generate.places import Places
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
-from robosmi.model.commit import recover, update
+from robosmi.model.commit import at_work, look_only, update
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
@@ -139,23 +140,25 @@ def produce(
             fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
         )
     generator = content("generator", str(target_of(plan).generator))
-    recover(output)
-    manifest, places = Manifest.load(output), Places(output)
-    made: Generation = generator(plan, models.files)
-    kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files)
-    _trace_texts(plan, made, kept.files)
-    contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
-    exempt = inputs or {}
-    known = {**{name: places.look(name) for name in sorted(kept.merged | kept.orphans)}, **exempt}
-    guarded = manifest.guard(places, contents | kept.records, inputs=known)
-    kept.findings += _told(output, guarded)
-    by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
-    if not dry_run:
-        record = Manifest.of(contents | kept.records, by_person)
-        # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
-        record.files |= {name: manifest.files[name] for name in (*exempt, *kept.orphans) if name in manifest.files}
-        everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-        update(output, everything, guarded.obsolete | kept.obsolete, places.seen)
+    if dry_run:
+        look_only(output)
+    with nullcontext() if dry_run else at_work(output):
+        manifest, places = Manifest.load(output), Places(output)
+        made: Generation = generator(plan, models.files)
+        kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files)
+        _trace_texts(plan, made, kept.files)
+        contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
+        exempt = inputs or {}
+        known = {**{name: places.look(name) for name in sorted(kept.merged | kept.orphans)}, **exempt}
+        guarded = manifest.guard(places, contents | kept.records, inputs=known)
+        kept.findings += _told(output, guarded)
+        by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
+        if not dry_run:
+            record = Manifest.of(contents | kept.records, by_person)
+            # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
+            record.files |= {name: manifest.files[name] for name in (*exempt, *kept.orphans) if name in manifest.files}
+            everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
+            update(output, everything, guarded.obsolete | kept.obsolete, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
 

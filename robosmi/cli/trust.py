@@ -1,0 +1,23 @@
+"""`robosmi trust FOLDER`: what a folder's `.robosmi` holds may run from now on, as it is."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.report import Report
+from robosmi.trust import trust
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("folder", metavar="FOLDER", type=Path, help="a project, or its folder .robosmi")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("trust")
+    folder, files = trust(arguments.folder)
+    report.result = {"folder": str(folder), "trusted": files}
+    report.lines = [f"trusted as they are now, in {folder}:", *(f"  {name}" for name in files)]
+    return report

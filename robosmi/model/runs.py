@@ -1,0 +1,137 @@
+"""Which run is at work in an output folder, and which journal is its own: kept outside of the folder, by its real path.
+
+A lock lets one run of a user after the other into a folder. A record holds the digest of the journal that this user's run
+carries out there, so that a journal that came with a folder from somebody else is told apart. Writing itself is `commit`'s.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import stat
+import tempfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from robosmi import resources
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, StoppedError
+from robosmi.inputs import RECORD, read_text
+
+PATIENCE = 60.0
+"""Seconds that a run waits for another one in the same folder."""
+
+_held = threading.local()
+
+
+@contextmanager
+def alone(folder: Path, patience: float | None = None) -> Iterator[None]:
+    """Keep other runs of this user out of a folder; a run that is in already goes on. The system frees the lock of a killed run.
+
+    Args:
+        folder: the output folder; it need not exist.
+        patience: seconds to wait for another run; `PATIENCE` if None.
+
+    Raises:
+        StoppedError: another run is still at work after that time.
+        SourceError: there is no place for the lock.
+    """
+    real = os.path.realpath(folder)
+    path = _place(real.casefold(), "lock")  # one folder has several spellings on some systems
+    mine: set[Path] = _held.__dict__.setdefault("paths", set())
+    if path in mine:
+        yield
+        return
+    from filelock import FileLock, Timeout  # only what writes has to wait for it
+
+    lock, who = FileLock(path, timeout=PATIENCE if patience is None else patience), path.with_suffix(".who")
+    try:
+        lock.acquire()
+    except Timeout:
+        try:
+            name = f"another run (process {int(read_text(who, RECORD))})"
+        except (OSError, ValueError):
+            name = "another run"
+        raise StoppedError(
+            f"{name} is at work in this folder; nothing was written", location=Location(str(folder)),
+            fix="wait for it, then run again",
+        ) from None  # fmt: skip
+    except OSError as error:
+        raise _no_place(path, error) from error
+    mine.add(path)
+    try:
+        _store(who, str(os.getpid()))
+        yield
+    finally:
+        mine.discard(path)
+        lock.release()
+
+
+def bind(folder: Path, journal: bytes) -> None:
+    """Note that a journal is about to be carried out in a folder by a run of this user.
+
+    Raises:
+        SourceError: there is no place for the note.
+    """
+    _store(_place(os.path.realpath(folder), "journal"), hashlib.sha256(journal).hexdigest())
+
+
+def is_bound(folder: Path, journal: bytes) -> bool:
+    """Whether a run of this user has made that journal for that folder, where the folder is now."""
+    try:
+        noted = read_text(_place(os.path.realpath(folder), "journal"), RECORD)
+    except (OSError, ValueError):
+        return False
+    return noted == hashlib.sha256(journal).hexdigest()
+
+
+def release(folder: Path) -> None:
+    """Forget the journal of a folder: it was carried out."""
+    _place(os.path.realpath(folder), "journal").unlink(missing_ok=True)
+
+
+def _store(path: Path, text: str) -> None:
+    try:
+        beside = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}")
+        beside.write_text(text, encoding="utf-8")
+        os.replace(beside, path)
+    except OSError as error:
+        raise _no_place(path, error) from error
+
+
+def _place(key: str, ending: str) -> Path:
+    return _state() / f"{hashlib.sha256(os.fsencode(key)).hexdigest()}.{ending}"
+
+
+def _state() -> Path:
+    """The folder of locks and records: among the user's data, or, for a user who has no place, in the temporary folder.
+
+    Raises:
+        SourceError: there is neither.
+    """
+    folder = resources.user_data() / "runs"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if os.access(folder, os.W_OK):
+            return folder
+    except OSError:
+        pass
+    owner = os.getuid() if hasattr(os, "getuid") else 0
+    folder = Path(tempfile.gettempdir()) / f"robosmi-{owner}"
+    try:
+        folder.mkdir(mode=0o700, exist_ok=True)
+        found = folder.lstat()
+    except OSError as error:
+        raise _no_place(folder, error) from error
+    if not stat.S_ISDIR(found.st_mode) or (hasattr(os, "getuid") and (found.st_uid != owner or found.st_mode & 0o077)):
+        raise _no_place(folder, PermissionError("it belongs to somebody else, or others may write there"))
+    return folder
+
+
+def _no_place(path: Path, error: OSError) -> SourceError:
+    return SourceError(
+        f"the lock of a run cannot be kept here: {error.strerror or error}", location=Location(str(path)),
+        fix="set ROBOSMI_HOME to a folder of your own that can be written",
+    )  # fmt: skip
