@@ -11,6 +11,7 @@ import pytest
 
 from robosmi.errors import RuleError, SourceError
 from robosmi.generate import Gen
+from robosmi.trust import trust
 from tests.generate.support import library
 
 PARTS = """\
@@ -106,12 +107,14 @@ def test_built_in_templates_are_compiled_once_and_anew_when_they_change(tmp_path
     own = tmp_path / ".robosmi" / "templates"
     own.mkdir(parents=True)
     (own / "mine.j2").write_text("one {{ x }}")
+    trust(tmp_path)
     monkeypatch.chdir(tmp_path)
     first, second = Gen(), Gen()
     assert first.text("mine.j2", x=1) == second.text("mine.j2", x=1) == "one 1"
     assert first.templates._environment is second.templates._environment
     (own / "mine.j2").write_text("two, longer {{ x }}")
     os.utime(own / "mine.j2", (1, 1))
+    trust(tmp_path)
     assert Gen().text("mine.j2", x=1) == "two, longer 1"
     monkeypatch.chdir(tmp_path.parent)
     with pytest.raises(RuleError, match=r"there is no template 'mine\.j2'"):

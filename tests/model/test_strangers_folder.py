@@ -49,10 +49,12 @@ def test_a_journal_never_acts_outside_of_its_folder(move: dict[str, str], remove
     folder = planted(tmp_path, move, remove, bound=bound)
     (folder / "link").symlink_to(tmp_path)
     before = tree(tmp_path)
-    for act in (lambda: recover(folder), lambda: commit(folder, {"a": b"1"}), lambda: update(folder, {"a": b"1"})):
-        with pytest.raises((StoppedError, SourceError)):
-            act()
-        assert tree(tmp_path) == before
+    with pytest.raises((StoppedError, SourceError)):
+        recover(folder)
+    assert tree(tmp_path) == before
+    with pytest.raises((StoppedError, SourceError)):
+        commit(folder, {"a": b"1"})
+    assert tree(tmp_path) == before
 
 
 def test_an_absolute_path_in_a_journal_is_refused(tmp_path: Path) -> None:
