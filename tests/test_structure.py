@@ -247,6 +247,16 @@ def test_the_search_for_opening_calls_finds_them() -> None:
     assert {call.rpartition(" ")[2] for call in opening_calls(module)} == {"os.open", "os.fdopen"}
 
 
+def test_no_two_public_classes_have_one_name() -> None:
+    """Generated packages apart: there a name is the metamodel's."""
+    places: dict[str, list[str]] = {}
+    for path in written_by_hand():
+        for node in tree_of(path).body:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                places.setdefault(node.name, []).append(str(path.relative_to(ROOT)))
+    assert {name: found for name, found in places.items() if len(found) > 1} == {}
+
+
 def is_overload(node: ast.AST) -> bool:
     """Whether it is one of several signatures of a function, which has its docstring at the last one."""
     return any(isinstance(d, ast.Name) and d.id == "overload" for d in getattr(node, "decorator_list", []))

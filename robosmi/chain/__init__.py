@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from robosmi.chain.chain import Chain
 from robosmi.chain.reading import read_chain
-from robosmi.chain.run import ChainResult, Run
+from robosmi.chain.run import ChainResult, ChainRun
 from robosmi.chain.steps import Step, StepResult
 
-__all__ = ["Chain", "ChainResult", "Run", "Step", "StepResult", "read_chain"]
+__all__ = ["Chain", "ChainResult", "ChainRun", "Step", "StepResult", "read_chain"]

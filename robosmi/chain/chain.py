@@ -28,7 +28,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robosmi.chain.graph import Dependencies, graph_of, in_order, missing
-from robosmi.chain.run import ChainResult, Progress, Run
+from robosmi.chain.run import ChainResult, ChainRun, Progress
 from robosmi.chain.steps import CALL, GIVEN, Step, relative
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError, did_you_mean
@@ -295,7 +295,7 @@ class Chain:
 
     def start(
         self, *, dry_run: bool = False, keep: bool = True, force: bool = False, progress: Progress | None = None, **values: Any
-    ) -> Run:
+    ) -> ChainRun:
         """A run in which nothing is done yet: to be asked for values, told others, and asked again.
 
         Args:
@@ -305,7 +305,7 @@ class Chain:
         Raises:
             SourceError: the chain is wrong, or a value is given that the chain does not know.
         """  # fmt: skip
-        run = Run(
+        run = ChainRun(
             self.check(), self.dependencies(), self.folder, self.name, dry_run=dry_run, keep=keep, force=force, progress=progress
         )
         run.give(**values)

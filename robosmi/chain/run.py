@@ -60,7 +60,7 @@ class ChainResult:
         return "\n".join(lines)
 
 
-class Run:
+class ChainRun:
     """One run of a chain.
 
     Args:

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from robosmi.plugins import content
-from robosmi.recommend.history import Entry, History
+from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report import Report
 
 
@@ -53,7 +53,7 @@ def run(arguments: argparse.Namespace) -> Report:
     return report
 
 
-def _line(entry: Entry) -> str:
+def _line(entry: HistoryEntry) -> str:
     library = f"{entry.library} {entry.version}".rstrip()
     target = f" for {entry.target}" if entry.target else ""
     return f"{entry.count:4} x  {entry.title or entry.part_id}: {library}{target}  (last {entry.last_used})"

@@ -15,7 +15,7 @@ from robosmi.project import Accepted, project_of
 from robosmi.report import Report
 
 
-class Generated(Protocol):
+class GeneratedReport(Protocol):
     """What the chains that generate give back (their content is not known to the command line)."""
 
     @property
@@ -73,7 +73,7 @@ def run(arguments: argparse.Namespace) -> Report:
     return filled(report, done, project.severity, project.accept)
 
 
-def filled(report: Report, made: Generated, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
+def filled(report: Report, made: GeneratedReport, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
     """The report of a generation, whether from sources or from a stored plan."""
     report.result, report.findings, report.tasks = made.result(), list(made.findings), list(made.tasks())
     report.artifacts = made.artifacts()

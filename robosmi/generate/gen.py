@@ -29,7 +29,7 @@ from robosmi.generate.templates import Templates, Where
 from robosmi.model.commit import at_work
 from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
-from robosmi.query.erl import Blocks, as_model, failed, place_of
+from robosmi.query.erl import RuleBlocks, as_model, failed, place_of
 
 F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])
 RECORD = ".robosmi/generated"
@@ -70,8 +70,8 @@ class Gen:
             raise SourceError("the output path is a file", location=Location(str(folder)), fix="give another output folder")
         self.models: list[Model] = [as_model(m) for m in models]
         self.templates = Templates(templates, {**{m.name: m for m in self.models}, **(values or {})}, filters)
-        self.pre = Blocks()
-        self.post = Blocks()
+        self.pre = RuleBlocks()
+        self.post = RuleBlocks()
         self.rules: list[GenerationRule] = []
         self._record = Record(self.folder, RECORD if keep is True else keep) if keep else None
         self._staging = self._fresh()

@@ -20,7 +20,7 @@ from jinja2.parser import Parser
 from jinja2.runtime import Context
 
 from robosmi.errors import RuleError, did_you_mean
-from robosmi.generate.output import Buffer, Chop, Part, Raw, chop, outdented
+from robosmi.generate.output import Buffer, Chop, Raw, TextPart, chop, outdented
 from robosmi.generate.regions import CONTENT_TYPES, CONTROLLED, PROTECTED, CommentStyle
 from robosmi.query.values import as_string, collection_kind
 
@@ -56,7 +56,7 @@ class Out:
 
     def __init__(self, comments: Comments, buffer: Buffer) -> None:
         self.regions: list[str] = []
-        self.named: list[Part] = []
+        self.named: list[TextPart] = []
         self.open: str | None = None
         self._comments, self._buffer = comments, buffer
         self._own: list[CommentStyle] = []
@@ -189,7 +189,7 @@ class Out:
                 found += one
             elif one is not None:
                 found.append(one)
-        self.named.append(Part(len(self._buffer.parts), name, tuple(found), step))
+        self.named.append(TextPart(len(self._buffer.parts), name, tuple(found), step))
         return ""
 
     def stop(self) -> str:

@@ -136,7 +136,7 @@ def outdented(text: str, indenters: Iterable[str] = ("\t", "    ")) -> str:
     return "\n".join(next((line[len(level) :] for level in levels if line.startswith(level)), line) for line in lines)
 
 
-class Part(NamedTuple):
+class TextPart(NamedTuple):
     """A part of a template that says itself what its lines come from (`out.part`).
 
     Attributes:
@@ -165,12 +165,12 @@ class Text(str):
     _seen: list[Any]
     _marks: list[int]
     regions: list[str]
-    named: list[Part]
+    named: list[TextPart]
 
     @property
-    def lines_of_parts(self) -> list[tuple[int, int, Part]]:
+    def lines_of_parts(self) -> list[tuple[int, int, TextPart]]:
         """First and last line (from 0) of each named part that has text."""
-        found: list[tuple[int, int, Part]] = []
+        found: list[tuple[int, int, TextPart]] = []
         line = sum(piece.count("\n") for piece in self._parts[: self.named[0].piece]) if self.named else 0
         stops = [part.piece for part in self.named[1:]] + [len(self._parts)]
         for part, stop in zip(self.named, stops, strict=True):
@@ -199,7 +199,7 @@ def text_of(
     seen: list[Any] | None = None,
     marks: list[int] | None = None,
     regions: list[str] | None = None,
-    named: list[Part] | None = None,
+    named: list[TextPart] | None = None,
 ) -> Text:
     """A `Text`.
 

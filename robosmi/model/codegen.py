@@ -24,7 +24,7 @@ from robosmi.model.ecore_description import Class, Package
 from robosmi.model.ecore_loader import MetamodelError, load_metamodels
 from robosmi.model.linearise import bases, topological
 from robosmi.model.package_cycles import Cycles
-from robosmi.model.package_names import Names
+from robosmi.model.package_names import PackageNames
 from robosmi.model.package_problems import problems_of
 from robosmi.model.package_types import Notes
 from robosmi.model.package_view import Mixins, PackageView, view_of
@@ -33,7 +33,7 @@ MIXINS = "mixins.py"
 
 
 @dataclass
-class Run:
+class PackageRun:
     """What one run of the generator works on: the packages with everything that holds for all of them."""
 
     packages: list[Package]
@@ -42,7 +42,7 @@ class Run:
 
     def __post_init__(self) -> None:
         classes = [c for p in self.all() for c in p.classifiers if isinstance(c, Class)]
-        self.names = Names(self.packages)
+        self.names = PackageNames(self.packages)
         self.bases = bases(topological(classes)[0])
         self.cycles = Cycles(self.packages)
 
@@ -66,7 +66,7 @@ class PackageTask(pyecoregen.EcoreTask):
         """The name of the file inside the package's folder."""
         return "__init__.py"
 
-    def filtered_elements(self, model: Run) -> Iterator[Package]:
+    def filtered_elements(self, model: PackageRun) -> Iterator[Package]:
         """The packages that become files."""
         return model.all()
 
@@ -79,7 +79,7 @@ class PackageGenerator(pyecoregen.EcoreGenerator):
         super().__init__(**kwargs)
         self.tasks = [PackageTask()]
 
-    def render(self, run: Run) -> dict[str, bytes]:
+    def render(self, run: PackageRun) -> dict[str, bytes]:
         """The files of a run: relative path -> bytes."""
         environment = self.create_environment(trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True)
         made = {}
@@ -122,7 +122,7 @@ def render(metamodels: Sequence[Path], folder: Path | None = None) -> Rendered:
     packages = load_metamodels(metamodels)
     if problems := problems_of(packages):
         raise MetamodelError(problems)
-    run = Run(packages, {})
+    run = PackageRun(packages, {})
     if folder is not None:
         run.mixins = {path: found for p in run.all() if (found := _mixins(folder, path := "/".join(run.names.module(p))))}
     files = PackageGenerator().render(run)
@@ -131,7 +131,7 @@ def render(metamodels: Sequence[Path], folder: Path | None = None) -> Rendered:
     return Rendered(files, sources, [*run.notes.findings, *_namespaces(run)], classes)
 
 
-def _namespaces(run: Run) -> Iterable[Finding]:
+def _namespaces(run: PackageRun) -> Iterable[Finding]:
     """Findings on packages that model files could not name."""
     seen: dict[str, Package] = {}
     for package in run.all():

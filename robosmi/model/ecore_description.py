@@ -19,7 +19,7 @@ XML_TYPE_URI = "http://www.eclipse.org/emf/2003/XMLType"
 
 
 @dataclass(eq=False)
-class Element:
+class DescribedElement:
     """Anything with a name and a place.
 
     Attributes:
@@ -33,7 +33,7 @@ class Element:
 
 
 @dataclass(eq=False)
-class Package(Element):
+class Package(DescribedElement):
     """An EPackage.
 
     Attributes:
@@ -46,7 +46,7 @@ class Package(Element):
     prefix: str = ""
     source: Path = field(default=Path(), repr=False)
     parent: Package | None = field(default=None, repr=False)
-    find: Callable[[Any, str], list[Element]] = field(default=lambda node, name: [], repr=False)
+    find: Callable[[Any, str], list[DescribedElement]] = field(default=lambda node, name: [], repr=False)
     classifiers: list[Classifier] = field(default_factory=list, repr=False)
     subpackages: list[Package] = field(default_factory=list, repr=False)
 
@@ -77,7 +77,7 @@ class Package(Element):
 
 
 @dataclass(eq=False)
-class Classifier(Element):
+class Classifier(DescribedElement):
     """An EClassifier."""
 
     package: Package = field(default=None, repr=False)  # type: ignore[assignment]
@@ -97,7 +97,7 @@ class DataType(Classifier):
 
 
 @dataclass(eq=False)
-class Literal(Element):
+class Literal(DescribedElement):
     """An EEnumLiteral; `text` is what model files say."""
 
     value: int = 0
@@ -112,14 +112,14 @@ class Enumeration(DataType):
 
 
 @dataclass(eq=False)
-class TypeParameter(Element):
+class TypeParameter(DescribedElement):
     """An ETypeParameter. Generated code has no type parameters: the first bound stands for it."""
 
     bounds: list[Classifier | TypeParameter] = field(default_factory=list, repr=False)
 
 
 @dataclass(eq=False)
-class Typed(Element):
+class Typed(DescribedElement):
     """An ETypedElement. `type` is None for an operation without a result."""
 
     type: Classifier | TypeParameter | None = None

@@ -13,10 +13,10 @@ from typing import Any
 
 from pyecore import ecore
 
-from robosmi.model.ecore_description import Class, Classifier, Element, Feature, Operation, Package, Typed, TypeParameter
-from robosmi.model.ecore_xml import Node
+from robosmi.model.ecore_description import Class, Classifier, DescribedElement, Feature, Operation, Package, Typed, TypeParameter
+from robosmi.model.ecore_xml import EcoreNode
 
-Pair = tuple[Element, Any]
+Pair = tuple[DescribedElement, Any]
 """A description, and what was made for it."""
 
 
@@ -28,7 +28,7 @@ class Details:
         made: what was made for a description, or pyecore's own for one of Ecore's; None where there is nothing.
     """
 
-    def __init__(self, packages: Iterable[Package], made: Callable[[Element], Any]) -> None:
+    def __init__(self, packages: Iterable[Package], made: Callable[[DescribedElement], Any]) -> None:
         self.packages = list(packages)
         self.made = made
         self.parameters: dict[TypeParameter, Any] = {}
@@ -66,9 +66,9 @@ class Details:
                 declared = self.parameters[parameter] = ecore.ETypeParameter(parameter.name)
                 made.eTypeParameters.append(declared)
 
-    def complete(self, package: Package, one: Element, made: Any) -> None:
+    def complete(self, package: Package, one: DescribedElement, made: Any) -> None:
         """All that the file says of an element besides."""
-        node: Node = one.node
+        node: EcoreNode = one.node
         self.annotations(package, one, made)
         for parameter in getattr(one, "type_parameters", ()):
             declared = self.parameters[parameter]
@@ -88,7 +88,7 @@ class Details:
 
     def typed(self, package: Package, one: Typed, made: Any) -> None:
         """Generic type, bounds, and what references and operations have besides."""
-        node: Node = one.node
+        node: EcoreNode = one.node
         for child in node.tagged("eGenericType"):
             generic = self.generic(package, child)
             if _says_more(generic):
@@ -110,7 +110,7 @@ class Details:
                 made.eExceptions.extend([self.made(kind) for kind in found] + [kind.eClassifier for kind in generic])
 
     @staticmethod
-    def names(node: Node, made: Any) -> None:
+    def names(node: EcoreNode, made: Any) -> None:
         """The Java classes that the file names, as it names them."""
         if "<" in (text := node.get("instanceTypeName")):
             made.instanceTypeName, text = text, ""
@@ -120,7 +120,7 @@ class Details:
         else:
             made.instanceClassName_ = text or None  # pyecore would take its own table's type for it
 
-    def generic(self, package: Package, node: Node) -> Any:
+    def generic(self, package: Package, node: EcoreNode) -> Any:
         """The EGenericType that a node describes, with its arguments and bounds."""
         result = self._generic(package, node)
         pending = [(node, result)]
@@ -135,14 +135,14 @@ class Details:
                 pending.append((child, inner))
         return result
 
-    def _generic(self, package: Package, node: Node) -> Any:
+    def _generic(self, package: Package, node: EcoreNode) -> Any:
         kind = next((self.made(c) for c in package.find(node, "eClassifier") if isinstance(c, Classifier)), None)
         parameter = next(
             (self.parameters.get(p) for p in package.find(node, "eTypeParameter") if isinstance(p, TypeParameter)), None
         )
         return ecore.EGenericType(eClassifier=kind, eTypeParameter=parameter)
 
-    def annotations(self, package: Package, one: Element, made: Any) -> None:
+    def annotations(self, package: Package, one: DescribedElement, made: Any) -> None:
         """The annotations of an element, and theirs."""
         pending = [(one.node, made)]
         while pending:

@@ -17,7 +17,7 @@ from urllib.parse import unquote
 from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.model.ecore_description import ECORE, KNOWN, XML_TYPES, Package
-from robosmi.model.ecore_xml import Node, read_nodes
+from robosmi.model.ecore_xml import EcoreNode, read_nodes
 from robosmi.model.files import read_input
 
 _PLATFORM = re.compile(r"platform:/(?:resource|plugin)/(.+)")
@@ -29,10 +29,10 @@ class EcoreFile:
     """One .ecore file: its root packages and what has an `xmi:id`."""
 
     path: Path
-    roots: list[Node]
-    idents: dict[str, Node] = field(default_factory=dict, repr=False)
+    roots: list[EcoreNode]
+    idents: dict[str, EcoreNode] = field(default_factory=dict, repr=False)
 
-    def find(self, fragment: str, start: Node | None = None) -> Node | None:
+    def find(self, fragment: str, start: EcoreNode | None = None) -> EcoreNode | None:
         """The node at an EMF fragment: `//Class/feature`, `/1/Class`, `//@eClassifiers.2` or an `xmi:id`.
 
         Args:
@@ -42,7 +42,7 @@ class EcoreFile:
         if not fragment.startswith("/"):
             return self.idents.get(fragment) or (start or self.roots[0] if not fragment else None)
         first, *steps = fragment[1:].split("/")
-        node: Node | None = start or self.roots[0]
+        node: EcoreNode | None = start or self.roots[0]
         if first:
             node = self.roots[int(first)] if first.isdecimal() and int(first) < len(self.roots) else None
         for step in steps:
@@ -52,7 +52,7 @@ class EcoreFile:
         return node
 
 
-def _step(node: Node, step: str) -> Node | None:
+def _step(node: EcoreNode, step: str) -> EcoreNode | None:
     if step.startswith("@"):
         tag, _, index = step[1:].partition(".")
         children = node.tagged(tag)
@@ -66,7 +66,7 @@ class EcoreFiles:
 
     def __init__(self) -> None:
         self._files: dict[Path, EcoreFile] = {}
-        self._by_uri: dict[str, tuple[EcoreFile, Node]] = {}
+        self._by_uri: dict[str, tuple[EcoreFile, EcoreNode]] = {}
         self._beside: dict[Path, dict[str, Path]] = {}
 
     def load(self, path: Path) -> EcoreFile:
@@ -97,7 +97,7 @@ class EcoreFiles:
                     self._by_uri.setdefault(node.get("nsURI"), (file, node))
         return file
 
-    def find(self, uri: str, referrer: EcoreFile) -> tuple[EcoreFile, Node] | Package | None:
+    def find(self, uri: str, referrer: EcoreFile) -> tuple[EcoreFile, EcoreNode] | Package | None:
         """Where a reference leads: a file with the package that `//` stands for in it, one of Ecore's own packages, or None.
 
         Args:

@@ -22,7 +22,7 @@ from robosmi.model.ecore_description import (
     Class,
     Classifier,
     DataType,
-    Element,
+    DescribedElement,
     Enumeration,
     Feature,
     Literal,
@@ -33,7 +33,7 @@ from robosmi.model.ecore_description import (
     known,
 )
 from robosmi.model.ecore_files import EcoreFile, EcoreFiles
-from robosmi.model.ecore_xml import Node
+from robosmi.model.ecore_xml import EcoreNode
 
 GENMODEL = "http://www.eclipse.org/emf/2002/GenModel"
 _KIND_PREFIX = re.compile(r"[\w.-]*:E\w+\s+")
@@ -100,9 +100,9 @@ class _Loader:
         self.files = EcoreFiles()
         self.packages: list[Package] = []
         self.problems: list[Problem] = []
-        self._built: dict[Node, Element] = {}
+        self._built: dict[EcoreNode, DescribedElement] = {}
         self._done: set[Path] = set()
-        self._pending: list[tuple[EcoreFile, Node, str, type, Callable[[Any], None]]] = []
+        self._pending: list[tuple[EcoreFile, EcoreNode, str, type, Callable[[Any], None]]] = []
         self._typed: list[Typed] = []
 
     def problem(self, kind: str, location: Location, message: str, fix: str) -> None:
@@ -114,7 +114,7 @@ class _Loader:
         if file.path in self._done:
             return
         self._done.add(file.path)
-        stack: list[tuple[Node, Package | None]] = [(node, None) for node in reversed(file.roots)]
+        stack: list[tuple[EcoreNode, Package | None]] = [(node, None) for node in reversed(file.roots)]
         while stack:
             node, parent = stack.pop()
             package = Package(
@@ -128,17 +128,17 @@ class _Loader:
                 package.classifiers.append(self._classifier(file, child, package))
             stack.extend((child, package) for child in reversed(node.tagged("eSubpackages")))
 
-    def _place(self, file: EcoreFile, node: Node) -> Location:
+    def _place(self, file: EcoreFile, node: EcoreNode) -> Location:
         return Location(str(file.path), node.line)
 
-    def _name(self, file: EcoreFile, node: Node, what: str) -> str:
+    def _name(self, file: EcoreFile, node: EcoreNode, what: str) -> str:
         name = node.get("name")
         if not name:
             place = self._place(file, node)
             self.problem("a name is missing", place, f"a {what} has no name", "give it a name in the .ecore file")
         return name
 
-    def _classifier(self, file: EcoreFile, node: Node, package: Package) -> Classifier:
+    def _classifier(self, file: EcoreFile, node: EcoreNode, package: Package) -> Classifier:
         place, text = self._place(file, node), _documentation(node)
         made: Classifier
         if node.kind == "EEnum":
@@ -163,7 +163,7 @@ class _Loader:
         self._built[node] = made
         return made
 
-    def _class(self, file: EcoreFile, node: Node, package: Package) -> Class:
+    def _class(self, file: EcoreFile, node: EcoreNode, package: Package) -> Class:
         cls = Class(self._name(file, node, "class"), self._place(file, node), _documentation(node), package)
         cls.interface = node.flag("interface")
         cls.abstract = node.flag("abstract")
@@ -207,7 +207,7 @@ class _Loader:
             self._built[child] = operation
         return cls
 
-    def _type_parameters(self, file: EcoreFile, node: Node, found: list[TypeParameter]) -> None:
+    def _type_parameters(self, file: EcoreFile, node: EcoreNode, found: list[TypeParameter]) -> None:
         for child in node.tagged("eTypeParameters"):
             parameter = TypeParameter(child.get("name"), self._place(file, child), node=child)
             for bound in child.tagged("eBounds"):
@@ -215,7 +215,7 @@ class _Loader:
             found.append(parameter)
             self._built[child] = parameter
 
-    def _typing(self, file: EcoreFile, node: Node, typed: Typed) -> None:
+    def _typing(self, file: EcoreFile, node: EcoreNode, typed: Typed) -> None:
         typed.lower = self._integer(file, node, "lowerBound", 0)
         typed.upper = self._integer(file, node, "upperBound", 1)
         typed.ordered, typed.unique = node.flag("ordered", True), node.flag("unique", True)
@@ -225,13 +225,13 @@ class _Loader:
         for generic in node.tagged("eGenericType"):
             self._generic(file, generic, _setter(typed, "type"))
 
-    def _generic(self, file: EcoreFile, node: Node, put: Callable[[Any], None]) -> None:
+    def _generic(self, file: EcoreFile, node: EcoreNode, put: Callable[[Any], None]) -> None:
         """A use of a generic type: its classifier or its type parameter; the arguments are left out."""
         for name, kind in (("eClassifier", Classifier), ("eTypeParameter", TypeParameter)):
             for text, line in _references(node, name):
                 self._pending.append((file, line, text, kind, put))
 
-    def _integer(self, file: EcoreFile, node: Node, name: str, default: int) -> int:
+    def _integer(self, file: EcoreFile, node: EcoreNode, name: str, default: int) -> int:
         text = node.attributes.get(name)
         try:
             return default if text is None else int(text)
@@ -262,15 +262,15 @@ class _Loader:
         for typed in self._typed:
             typed.type = _erased(typed)
 
-    def _referred(self, file: EcoreFile, node: Node, name: str) -> list[Element]:
+    def _referred(self, file: EcoreFile, node: EcoreNode, name: str) -> list[DescribedElement]:
         """What a node refers to by a feature that models do not need; nothing is a problem here, and no further file is read."""
-        found: list[Element] = []
+        found: list[DescribedElement] = []
         for text, _ in _references(node, name):
             for word in [text] if name in ("eClassifier", "eTypeParameter") else text.split():
                 uri, _, fragment = word.rpartition("#")
                 where: Any = (file, None) if not uri else self.files.find(uri, file)
                 if isinstance(where, Package):
-                    target: Element | None = known(where, fragment.rpartition("/")[2])
+                    target: DescribedElement | None = known(where, fragment.rpartition("/")[2])
                 else:
                     there = where and where[0].find(fragment, where[1])
                     target = self._built.get(there) if there else None
@@ -278,7 +278,7 @@ class _Loader:
                     found.append(target)
         return found
 
-    def _target(self, file: EcoreFile, node: Node, text: str) -> Element | None:
+    def _target(self, file: EcoreFile, node: EcoreNode, text: str) -> DescribedElement | None:
         uri, mark, fragment = text.rpartition("#")
         if not mark:
             uri, fragment = "", text
@@ -291,7 +291,7 @@ class _Loader:
             )  # fmt: skip
             return None
         if isinstance(where, Package):
-            found: Element | None = known(where, fragment.rpartition("/")[2])
+            found: DescribedElement | None = known(where, fragment.rpartition("/")[2])
         else:
             target, start = where
             self.build(target)
@@ -304,11 +304,11 @@ class _Loader:
         return found
 
 
-def _setter(element: Element, name: str) -> Callable[[Any], None]:
+def _setter(element: DescribedElement, name: str) -> Callable[[Any], None]:
     return lambda found: setattr(element, name, found)
 
 
-def _references(node: Node, name: str) -> list[tuple[str, Node]]:
+def _references(node: EcoreNode, name: str) -> list[tuple[str, EcoreNode]]:
     """The references of a feature of Ecore: as an attribute (`#//A other.ecore#//B`) or as elements with `href`."""
     text = _KIND_PREFIX.sub("", node.get(name)).strip()
     if name == "eSuperTypes":
@@ -324,7 +324,7 @@ def _references(node: Node, name: str) -> list[tuple[str, Node]]:
     return found + [(child.get("href"), child) for child in node.tagged(name) if child.get("href")]
 
 
-def _documentation(node: Node) -> str:
+def _documentation(node: EcoreNode) -> str:
     """The GenModel documentation of a node, or an empty text."""
     for annotation in node.tagged("eAnnotations"):
         if annotation.get("source") == GENMODEL:

@@ -17,7 +17,7 @@ _XSI = ("http://www.w3.org/2001/XMLSchema-instance", "http://www.omg.org/XMI", "
 _SEPARATOR = "\x1f"
 
 
-class Node:
+class EcoreNode:
     """An XML element: local name, attributes without namespace, children, line.
 
     Attributes:
@@ -31,7 +31,7 @@ class Node:
 
     __slots__ = ("_named", "attributes", "children", "ident", "kind", "line", "namespace", "parent", "tag", "text")
 
-    def __init__(self, tag: str, namespace: str, line: int, parent: Node | None) -> None:
+    def __init__(self, tag: str, namespace: str, line: int, parent: EcoreNode | None) -> None:
         self.tag = tag
         self.namespace = namespace
         self.line = line
@@ -40,8 +40,8 @@ class Node:
         self.ident = ""
         self.text = ""
         self.attributes: dict[str, str] = {}
-        self.children: list[Node] = []
-        self._named: dict[str, Node] | None = None
+        self.children: list[EcoreNode] = []
+        self._named: dict[str, EcoreNode] | None = None
 
     def get(self, name: str, default: str = "") -> str:
         """The value of an attribute."""
@@ -51,11 +51,11 @@ class Node:
         """The value of a boolean attribute."""
         return {"true": True, "false": False}.get(self.attributes.get(name, "").strip(), default)
 
-    def tagged(self, *tags: str) -> list[Node]:
+    def tagged(self, *tags: str) -> list[EcoreNode]:
         """The children with one of these tags."""
         return [child for child in self.children if child.tag in tags]
 
-    def named(self, name: str) -> Node | None:
+    def named(self, name: str) -> EcoreNode | None:
         """The first child of that name."""
         if self._named is None:
             self._named = {}
@@ -64,7 +64,7 @@ class Node:
                     self._named.setdefault(child.attributes["name"], child)
         return self._named.get(name)
 
-    def walk(self) -> Iterator[Node]:
+    def walk(self) -> Iterator[EcoreNode]:
         """The node and all below it, in document order."""
         stack = [self]
         while stack:
@@ -73,7 +73,7 @@ class Node:
             stack.extend(reversed(node.children))
 
 
-def read_nodes(data: bytes, path: Path) -> Node:
+def read_nodes(data: bytes, path: Path) -> EcoreNode:
     """The root node of a file.
 
     Args:
@@ -86,12 +86,12 @@ def read_nodes(data: bytes, path: Path) -> Node:
     parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
     parser.ordered_attributes = True
     parser.buffer_text = True
-    stack: list[Node] = []
-    roots: list[Node] = []
+    stack: list[EcoreNode] = []
+    roots: list[EcoreNode] = []
 
     def start(name: str, values: list[str]) -> None:
         namespace, _, tag = name.rpartition(_SEPARATOR)
-        node = Node(tag, namespace, parser.CurrentLineNumber, stack[-1] if stack else None)
+        node = EcoreNode(tag, namespace, parser.CurrentLineNumber, stack[-1] if stack else None)
         for key, value in zip(values[::2], values[1::2], strict=True):
             space, _, local = key.rpartition(_SEPARATOR)
             if not space:

@@ -66,7 +66,7 @@ class Promise:
         raise refused(self.element, self.feature._name)
 
 
-class Link(Promise):
+class OnDemandLink(Promise):
     """A promise whose value is found by the element and the feature alone, so that many can share how (`make`)."""
 
     __slots__ = ()
@@ -165,7 +165,7 @@ def settle(element: Any, links: Callable[[Any, Any], Any] | None = None) -> Any:
                 if holds:
                     pending.extend(_parts(slot, feature))
             elif is_link and links is not None:
-                Link(one, feature, links)
+                OnDemandLink(one, feature, links)
             elif slot is None:
                 slots[name] = _empty(cls, name, feature)
             elif holds and (built := _promised(one, feature, slot)) is not None:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from robosmi.model.ecore_description import Class, DataType, Feature, Operation, Package, is_known
 from robosmi.model.package_cycles import Cycles
 from robosmi.model.package_members import ClassMembers
-from robosmi.model.package_names import Names, Scope
+from robosmi.model.package_names import PackageNames, Scope
 from robosmi.model.package_types import PARTS, is_feature_map, pyecore_type
 from robosmi.model.source_text import assignment, call, imports, string
 
@@ -26,7 +26,7 @@ class Links:
         statements: the statements.
     """
 
-    def __init__(self, package: Package, names: Names, scope: Scope, cycles: Cycles) -> None:
+    def __init__(self, package: Package, names: PackageNames, scope: Scope, cycles: Cycles) -> None:
         self._package, self._names, self._scope = package, names, scope
         self._heads: list[str] = []
         self._types: list[str] = []

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from robosmi.diagnostics import Severity
 from robosmi.model.ecore_description import Class, Feature, Operation, Typed, is_known
 from robosmi.model.package_cycles import Cycles
-from robosmi.model.package_names import Names, Scope
+from robosmi.model.package_names import PackageNames, Scope
 from robosmi.model.package_types import (
     PARTS,
     Notes,
@@ -59,7 +59,9 @@ class ClassMembers:
         late: attributes whose type or default cannot be there when the class is defined.
     """
 
-    def __init__(self, cls: Class, scope: Scope, names: Names, cycles: Cycles, written: frozenset[str], notes: Notes) -> None:
+    def __init__(
+        self, cls: Class, scope: Scope, names: PackageNames, cycles: Cycles, written: frozenset[str], notes: Notes
+    ) -> None:
         self._cls, self._scope, self._names, self._cycles, self._notes = cls, scope, names, cycles, notes
         inherited = _keys(cls, names)
         self.features: list[FeatureText] = []
@@ -170,7 +172,7 @@ class ClassMembers:
         return [f"{name}: {any_type}" for name, keys in inherited.items() if len(keys) > 1 and name not in defined]
 
 
-def _keys(cls: Class, names: Names) -> dict[str, set[Hashable]]:
+def _keys(cls: Class, names: PackageNames) -> dict[str, set[Hashable]]:
     """Python name -> what the ancestors declare under it."""
     found: dict[str, set[Hashable]] = {}
     for base in cls.ancestors():

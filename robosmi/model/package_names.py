@@ -1,7 +1,7 @@
 """Which Python name everything of a run of the generator has: packages, classifiers, features, operations, literals.
 
-`Names` is for the whole run, `Scope` for one generated module: it decides under which name the module knows what it imports,
-so that a class called `Element` or a feature called `str` hides nothing. The escape rule itself is `python_names`'.
+`PackageNames` is for the whole run, `Scope` for one generated module: it decides under which name the module knows what it
+imports, so that a class called `Element` or a feature called `str` hides nothing. The escape rule itself is `python_names`'.
 """
 
 from __future__ import annotations
@@ -9,12 +9,12 @@ from __future__ import annotations
 import builtins
 from collections.abc import Collection, Sequence
 
-from robosmi.model.ecore_description import Class, Classifier, Element, Enumeration, Package
+from robosmi.model.ecore_description import Class, Classifier, DescribedElement, Enumeration, Package
 from robosmi.model.linearise import topological
 from robosmi.model.python_names import LITERAL, MEMBER, MODULE, python_name
 
 
-class Names:
+class PackageNames:
     """The Python names of all packages of a run.
 
     Args:
@@ -22,7 +22,7 @@ class Names:
     """
 
     def __init__(self, packages: Sequence[Package]) -> None:
-        self._names: dict[Element, str] = {}
+        self._names: dict[DescribedElement, str] = {}
         self._give(packages, ())
         for package in (p for root in packages for p in root.walk()):
             self._give([*package.classifiers, *package.subpackages], MODULE)
@@ -33,7 +33,7 @@ class Names:
         for cls in topological(classes)[0]:
             self._members(cls)
 
-    def __getitem__(self, element: Element) -> str:
+    def __getitem__(self, element: DescribedElement) -> str:
         return self._names.get(element, element.name)
 
     def module(self, package: Package) -> list[str]:
@@ -45,7 +45,7 @@ class Names:
             current = current.parent
         return names[::-1]
 
-    def _give(self, elements: Sequence[Element], reserved: Collection[str], taken: Collection[str] = ()) -> None:
+    def _give(self, elements: Sequence[DescribedElement], reserved: Collection[str], taken: Collection[str] = ()) -> None:
         """Give each of these its name; those that can keep theirs come first."""
         used = set(taken)
         for keep in (True, False):
@@ -76,7 +76,7 @@ class Scope:
         names: the names of the run.
     """
 
-    def __init__(self, package: Package, names: Names) -> None:
+    def __init__(self, package: Package, names: PackageNames) -> None:
         self.package = package
         self.names = names
         self._members = {names[m] for c in package.classifiers for m in _inner(c)}
@@ -137,7 +137,7 @@ class Scope:
         return self._used[when]
 
 
-def _inner(classifier: Classifier) -> Sequence[Element]:
+def _inner(classifier: Classifier) -> Sequence[DescribedElement]:
     if isinstance(classifier, Class):
         return [*classifier.features, *classifier.operations]
     return classifier.literals if isinstance(classifier, Enumeration) else []

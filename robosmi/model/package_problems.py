@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from robosmi.model.ecore_description import ECORE, ECORE_URI, Class, DataType, Element, Enumeration, Package, is_known
+from robosmi.model.ecore_description import ECORE, ECORE_URI, Class, DataType, DescribedElement, Enumeration, Package, is_known
 from robosmi.model.ecore_loader import Problem
 from robosmi.model.linearise import topological
 from robosmi.model.package_types import MAP_ENTRY
@@ -59,7 +59,7 @@ def _packages(packages: Sequence[Package]) -> Iterator[Problem]:
             )  # fmt: skip
 
 
-def _twice(owner: str, what: str, elements: Sequence[Element]) -> Iterator[Problem]:
+def _twice(owner: str, what: str, elements: Sequence[DescribedElement]) -> Iterator[Problem]:
     seen: set[str] = set()
     for element in elements:
         if element.name in seen:

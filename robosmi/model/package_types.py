@@ -15,13 +15,13 @@ from robosmi.model.ecore_description import (
     Class,
     Classifier,
     DataType,
-    Element,
+    DescribedElement,
     Enumeration,
     Feature,
     Typed,
     is_known,
 )
-from robosmi.model.package_names import Names, Scope
+from robosmi.model.package_names import PackageNames, Scope
 from robosmi.model.source_text import string
 from robosmi.model.strict_package import XML_JAVA, python_type
 
@@ -58,7 +58,7 @@ class Notes:
 
     findings: list[Finding] = field(default_factory=list)
 
-    def add(self, rule: str, severity: Severity, element: Element, path: str, message: str, fix: str) -> None:
+    def add(self, rule: str, severity: Severity, element: DescribedElement, path: str, message: str, fix: str) -> None:
         """Note one thing about one element of the metamodel."""
         self.findings.append(Finding(rule, severity, message, element.location, path, fix))
 
@@ -148,7 +148,7 @@ def _eobject(scope: Scope, when: str) -> str:
     return scope.symbol(PARTS, "EObject", when)
 
 
-def default_value(feature: Feature, scope: Scope, names: Names, notes: Notes, when: str = "run") -> tuple[str, str] | None:
+def default_value(feature: Feature, scope: Scope, names: PackageNames, notes: Notes, when: str = "run") -> tuple[str, str] | None:
     """The keyword and the source text of an attribute's default value, or None where there is none."""
     text, kind = feature.default, feature.classifier
     if text is None or feature.is_reference or feature.many or kind is None:

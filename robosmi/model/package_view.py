@@ -10,12 +10,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Severity
-from robosmi.model.ecore_description import Class, DataType, Element, Enumeration, Package, is_known
+from robosmi.model.ecore_description import Class, DataType, DescribedElement, Enumeration, Package, is_known
 from robosmi.model.linearise import topological
 from robosmi.model.package_cycles import Cycles
 from robosmi.model.package_links import Links
 from robosmi.model.package_members import ClassMembers
-from robosmi.model.package_names import Names, Scope
+from robosmi.model.package_names import PackageNames, Scope
 from robosmi.model.package_types import PARTS, STRICT, Notes
 from robosmi.model.source_text import assignment, call, docstring, imports, string
 
@@ -66,7 +66,7 @@ class PackageView:
 
 
 def view_of(
-    package: Package, names: Names, bases: Mapping[Class, list[Class]], cycles: Cycles, mixins: Mixins, notes: Notes
+    package: Package, names: PackageNames, bases: Mapping[Class, list[Class]], cycles: Cycles, mixins: Mixins, notes: Notes
 ) -> PackageView:
     """The view of one package.
 
@@ -130,7 +130,7 @@ def view_of(
     )
 
 
-def _header(cls: Class, bases: list[Class], late: bool, mixin: bool, scope: Scope, names: Names) -> str:
+def _header(cls: Class, bases: list[Class], late: bool, mixin: bool, scope: Scope, names: PackageNames) -> str:
     arguments = [scope.symbol(".mixins", f"{names[cls]}Mixin")] if mixin else []
     own = [base for base in bases if not is_known(base)]
     when = "typing" if late else "run"
@@ -140,7 +140,7 @@ def _header(cls: Class, bases: list[Class], late: bool, mixin: bool, scope: Scop
     return call(f"class {names[cls]}", arguments, "", ":")
 
 
-def _decorators(cls: Class, bases: list[Class], late: bool, scope: Scope, names: Names) -> list[str]:
+def _decorators(cls: Class, bases: list[Class], late: bool, scope: Scope, names: PackageNames) -> list[str]:
     found = []
     if cls.interface:
         found.append(f"@{scope.symbol(PARTS, 'interface')}")
@@ -155,7 +155,7 @@ def _decorators(cls: Class, bases: list[Class], late: bool, scope: Scope, names:
     return found
 
 
-def _enumeration(kind: Enumeration, scope: Scope, names: Names) -> EnumerationView:
+def _enumeration(kind: Enumeration, scope: Scope, names: PackageNames) -> EnumerationView:
     arguments = [string(kind.name), _mapping([(x.name, str(x.value)) for x in kind.literals])]
     texts = [(x.name, string(x.text)) for x in kind.literals if x.text != x.name]
     renamed = [(x.name, string(names[x])) for x in kind.literals if names[x] != x.name]
@@ -182,7 +182,7 @@ def _mapping(pairs: list[tuple[str, str]]) -> str:
     return "{\n" + "".join(f"            {string(key)}: {value},\n" for key, value in pairs) + "        }"
 
 
-def _data_type(kind: DataType, scope: Scope, names: Names) -> str:
+def _data_type(kind: DataType, scope: Scope, names: PackageNames) -> str:
     arguments = [string(kind.name)] + ([string(kind.instance_class)] if kind.instance_class else [])
     return call(f"{names[kind]}: {scope.symbol('typing', 'Any')} = {scope.symbol(PARTS, 'datatype')}", arguments, "")
 
@@ -209,12 +209,12 @@ def _imports(scope: Scope, bases: Mapping[Class, list[Class]], classes: list[Cla
     }
 
 
-def _note_names(package: Package, names: Names, notes: Notes) -> None:
+def _note_names(package: Package, names: PackageNames, notes: Notes) -> None:
     """Note each name that has another form in Python."""
-    elements: list[tuple[Element, str]] = [(package, package.path)]
+    elements: list[tuple[DescribedElement, str]] = [(package, package.path)]
     for classifier in package.classifiers:
         elements.append((classifier, classifier.path))
-        inner: list[Element] = []
+        inner: list[DescribedElement] = []
         if isinstance(classifier, Enumeration):
             inner += classifier.literals
         elif isinstance(classifier, Class):

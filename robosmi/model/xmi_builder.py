@@ -14,7 +14,20 @@ from robosmi.errors import did_you_mean
 from robosmi.model.features import class_in, class_names
 from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.xmi_document import Document, PackageOf, Problem
-from robosmi.model.xmi_plan import CHILD, CHILDREN, IGNORED, REFUSED, VALUE, VALUES, XMI, XMI_ID, XSI, ClassPlan, Entry, Plans
+from robosmi.model.xmi_plan import (
+    CHILD,
+    CHILDREN,
+    IGNORED,
+    REFUSED,
+    VALUE,
+    VALUES,
+    XMI,
+    XMI_ID,
+    XSI,
+    ClassPlan,
+    FeatureEntry,
+    Plans,
+)
 
 XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
 """The namespaces that XMI itself has had."""
@@ -44,7 +57,7 @@ class Builder:
         """Pass over everything up to the end of the current element."""
         raise NotImplementedError
 
-    def contain(self, element: Any, slots: dict[str, Any], entry: Entry, child: Any, child_slots: dict[str, Any]) -> None:
+    def contain(self, element: Any, slots: dict[str, Any], entry: FeatureEntry, child: Any, child_slots: dict[str, Any]) -> None:
         """Put a child into a feature that takes one."""
         feature = entry.feature
         if entry.many:
@@ -67,7 +80,7 @@ class Builder:
         """Note a problem at the current line."""
         self.problem(self.expat.CurrentLineNumber, text)
 
-    def child_plan(self, entry: Entry, attributes: dict[str, str]) -> ClassPlan | None:
+    def child_plan(self, entry: FeatureEntry, attributes: dict[str, str]) -> ClassPlan | None:
         """The plan of a contained element: of the type that the file names, else of the declared one."""
         named = attributes.pop(f"{XSI}}}type", None) or attributes.pop(f"{self.xmi}}}type", None)
         if named is None:
@@ -114,7 +127,7 @@ class Builder:
         plan = self.types[qualified] = self.plans.of(eclass)
         return plan
 
-    def other_attribute(self, plan: ClassPlan, entries: dict[str, Entry], name: str, text: str) -> str | None:
+    def other_attribute(self, plan: ClassPlan, entries: dict[str, FeatureEntry], name: str, text: str) -> str | None:
         """An attribute that is no feature under its full name. Gives the URI of an element that lies elsewhere."""
         if name == "href":
             return text
@@ -129,7 +142,9 @@ class Builder:
         self.here(f"{plan.name} has no feature '{local}'{near}")
         return None
 
-    def rare_attribute(self, child: Any, slots: dict[str, Any], plan: ClassPlan, entry: Entry, name: str, text: str) -> None:
+    def rare_attribute(
+        self, child: Any, slots: dict[str, Any], plan: ClassPlan, entry: FeatureEntry, name: str, text: str
+    ) -> None:
         """Attributes other than single values and references."""
         if entry.kind == XMI_ID:
             slots["_internal_id"] = text
@@ -147,7 +162,7 @@ class Builder:
         if self.document.ids.setdefault(text, child) is not child:
             self.here(f"the id '{text}' is used twice")
 
-    def add_value(self, element: Any, slots: dict[str, Any], owner: str, entry: Entry, text: str | None) -> None:
+    def add_value(self, element: Any, slots: dict[str, Any], owner: str, entry: FeatureEntry, text: str | None) -> None:
         """Set a value, or add one to many; None is xsi:nil."""
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
@@ -172,7 +187,7 @@ class Builder:
             many.map[value] = len(many.items)
             many.items.append(value)
 
-    def part_elsewhere(self, element: Any, entry: Entry, link: str) -> None:
+    def part_elsewhere(self, element: Any, entry: FeatureEntry, link: str) -> None:
         """Note a contained element that lies in another file."""
         if element is None or entry.kind not in (CHILD, CHILDREN):
             self.here("a root cannot lie in another file")

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robosmi.model.xmi_plan import ClassPlan, Entry
+from robosmi.model.xmi_plan import ClassPlan, FeatureEntry
 
 Problem = Callable[[int, str], None]
 PackageOf = Callable[[str], Any]
@@ -51,6 +51,6 @@ class Document:
     path: Path
     roots: list[Any] = field(default_factory=list)
     ids: dict[str, Any] = field(default_factory=dict)
-    references: list[tuple[Any, Entry, str, int, bool]] = field(default_factory=list)
-    parts: list[tuple[Any, Entry, str, int, int]] = field(default_factory=list)
+    references: list[tuple[Any, FeatureEntry, str, int, bool]] = field(default_factory=list)
+    parts: list[tuple[Any, FeatureEntry, str, int, int]] = field(default_factory=list)
     counted: list[tuple[Any, ClassPlan, int]] = field(default_factory=list)

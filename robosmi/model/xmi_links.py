@@ -19,7 +19,7 @@ from robosmi.model.features import as_package
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.xmi_document import Document
 from robosmi.model.xmi_places import shown
-from robosmi.model.xmi_plan import Entry
+from robosmi.model.xmi_plan import FeatureEntry
 
 Problem = Callable[[Document, int, str], None]
 Open = Callable[[Document, str, int], Any]
@@ -30,7 +30,7 @@ _KEY = re.compile(r"([^=,]+)='([^']*)'")
 _TYPE = re.compile(r"[^\s:#/]+:[^\s:#/]+")
 
 
-class Linker:
+class XmiLinker:
     """Resolves what the documents of one load refer to.
 
     Args:
@@ -42,7 +42,7 @@ class Linker:
         self.open_file = open_file
         self.problem = problem
         self._found: dict[int, dict[str, Any]] = {}
-        self._two_sided: list[tuple[Document, int, Any, Entry, list[Any]]] = []
+        self._two_sided: list[tuple[Document, int, Any, FeatureEntry, list[Any]]] = []
 
     def link(self, document: Document) -> None:
         """Resolve the references of a document; `finish` must follow when all documents are linked."""
@@ -75,7 +75,7 @@ class Linker:
                     targets.append(target)
             self._add(document, line, owner, entry, targets)
 
-    def _wrong(self, document: Document, line: int, owner: Any, entry: Entry, text: str) -> None:
+    def _wrong(self, document: Document, line: int, owner: Any, entry: FeatureEntry, text: str) -> None:
         self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name} {text}")
 
     def _one(self, document: Document, text: str) -> list[str]:
@@ -90,7 +90,7 @@ class Linker:
 
     # --- URIs
 
-    def target(self, document: Document, link: str, line: int, owner: Any, entry: Entry) -> Any:
+    def target(self, document: Document, link: str, line: int, owner: Any, entry: FeatureEntry) -> Any:
         """The element that a URI leads to, or None with the problem noted."""
         found: Any = None
         if link in document.ids:
@@ -111,7 +111,7 @@ class Linker:
 
     # --- values
 
-    def _set(self, document: Document, line: int, owner: Any, entry: Entry, target: Any) -> None:
+    def _set(self, document: Document, line: int, owner: Any, entry: FeatureEntry, target: Any) -> None:
         slots = owner.__dict__
         slot = slots.get(entry.key)
         if slot is not None and slot._value is not None and slot._value is not target:
@@ -123,7 +123,7 @@ class Linker:
         else:
             self._two_sided.append((document, line, owner, entry, [target]))
 
-    def _add(self, document: Document, line: int, owner: Any, entry: Entry, targets: list[Any]) -> None:
+    def _add(self, document: Document, line: int, owner: Any, entry: FeatureEntry, targets: list[Any]) -> None:
         slots = owner.__dict__
         many = slots.get(entry.key)
         if many is None:
@@ -153,7 +153,7 @@ class Linker:
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
                     )
 
-    def _contain(self, document: Document, owner: Any, entry: Entry, link: str, line: int, place: int) -> None:
+    def _contain(self, document: Document, owner: Any, entry: FeatureEntry, link: str, line: int, place: int) -> None:
         """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
         part = self.target(document, link, line, owner, entry)
         if part is None:

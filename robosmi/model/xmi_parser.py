@@ -30,7 +30,7 @@ from robosmi.model.xmi_plan import (
     XMI_ID,
     XSI,
     ClassPlan,
-    Entry,
+    FeatureEntry,
     Plans,
 )
 from robosmi.model.xml_characters import may_hold_escapes, restored
@@ -120,7 +120,7 @@ class _Parser(Builder):
         push, pop = stack.append, stack.pop
         element: Any = None
         slots: Any = None
-        entries: dict[str, Entry] = {}
+        entries: dict[str, FeatureEntry] = {}
 
         def start(tag: str, attributes: dict[str, str]) -> None:
             nonlocal element, slots, entries
@@ -199,7 +199,7 @@ class _Parser(Builder):
         return start, end
 
     def other_child(
-        self, element: Any, slots: Any, entries: dict[str, Entry], tag: str, attributes: dict[str, str]
+        self, element: Any, slots: Any, entries: dict[str, FeatureEntry], tag: str, attributes: dict[str, str]
     ) -> tuple[ClassPlan | None, Any]:
         """A root, a value or reference in an element of its own, or a name that is no feature.
 
@@ -236,7 +236,7 @@ class _Parser(Builder):
             self.text_of(element, slots, entry, attributes)
         return None, None
 
-    def text_of(self, element: Any, slots: Any, entry: Entry, attributes: dict[str, str]) -> None:
+    def text_of(self, element: Any, slots: Any, entry: FeatureEntry, attributes: dict[str, str]) -> None:
         """Take the text up to the end of the current element as a value or a reference."""
         line = self.expat.CurrentLineNumber
         owner = type(element).__name__
@@ -278,7 +278,7 @@ class _Parser(Builder):
                 self.locations(text)
             if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
                 self.several = True
-                return None, Entry(ROOT)
+                return None, FeatureEntry(ROOT)
             if uri == "http://www.eclipse.org/emf/2002/Ecore":
                 raise ForeignRoot
         package = self.package_of(uri)
@@ -292,7 +292,7 @@ class _Parser(Builder):
         plan = self.plans.of(eclass)
         if not self.usable(plan):
             return None, None
-        return plan, Entry(ROOT)
+        return plan, FeatureEntry(ROOT)
 
     def skip(self) -> None:
         """Pass over everything up to the end of the current element."""

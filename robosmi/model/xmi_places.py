@@ -34,7 +34,7 @@ class UnusableId(ValueError):
     """An id that begins with `/`: EMF takes it for a way from the root."""
 
 
-class Places:
+class XmiPlaces:
     """Finds the place of any element of a set of models.
 
     Args:

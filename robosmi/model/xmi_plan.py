@@ -21,7 +21,7 @@ XMI = "http://www.omg.org/XMI"
 XSI = "http://www.w3.org/2001/XMLSchema-instance"
 
 
-class Entry:
+class FeatureEntry:
     """One name of one class.
 
     Attributes:
@@ -84,7 +84,7 @@ class ClassPlan:
         self.cls = eclass.python_class
         self.name = str(eclass.name)
         self.abstract = features.is_abstract(eclass)
-        self.entries: dict[str, Entry] = {f"{XMI}}}id": Entry(XMI_ID)}
+        self.entries: dict[str, FeatureEntry] = {f"{XMI}}}id": FeatureEntry(XMI_ID)}
         self.bounds: list[tuple[str, str, int, int]] = []
         self.refused: str | None = None
         lean.prepare(self.cls)
@@ -105,26 +105,26 @@ class ClassPlan:
             if lower > 0 or upper > 1:
                 self.bounds.append((entry.key, name, lower, upper))
 
-    def _attribute(self, feature: Any, kind: Any) -> Entry:
+    def _attribute(self, feature: Any, kind: Any) -> FeatureEntry:
         if getattr(kind, "name", "") == datatypes.FEATURE_MAP:
             self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
-            return Entry(REFUSED, feature, self.refused)
+            return FeatureEntry(REFUSED, feature, self.refused)
         if feature.derived_class is not ecore.ECollection or (feature.derived and feature.many):
-            return Entry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
+            return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         lean.repair_default(feature, kind)
-        entry = Entry(VALUES if feature.many else VALUE, feature)
+        entry = FeatureEntry(VALUES if feature.many else VALUE, feature)
         entry.convert = datatypes.from_text(kind)
         entry.is_id = bool(feature.iD)
         return entry
 
-    def _reference(self, feature: Any, kind: Any) -> Entry:
+    def _reference(self, feature: Any, kind: Any) -> FeatureEntry:
         if feature.derived and (feature.many or feature.derived_class is not ecore.ECollection):
-            return Entry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
+            return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         back = features.opposite(feature)
         if back is not None and back.containment:
-            return Entry(IGNORED, feature)  # the containment itself says it
+            return FeatureEntry(IGNORED, feature)  # the containment itself says it
         kept_once = feature.many and feature.unique
-        entry = Entry((CHILDREN if kept_once else CHILD) if feature.containment else REFERENCE, feature)
+        entry = FeatureEntry((CHILDREN if kept_once else CHILD) if feature.containment else REFERENCE, feature)
         entry.declared = kind
         entry.back = back
         return entry

@@ -18,7 +18,7 @@ from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_document import Document, ForeignRoot, Unreadable
-from robosmi.model.xmi_links import Linker, resolve
+from robosmi.model.xmi_links import XmiLinker, resolve
 from robosmi.model.xmi_parser import parse
 from robosmi.model.xmi_plan import Plans
 
@@ -213,7 +213,9 @@ class _Reader:
 
     def link(self) -> None:
         """Resolve all references, reading further files as they are met."""
-        linker = Linker(self.find, lambda document, line, text: self.problems.append((Location(str(document.path), line), text)))
+        linker = XmiLinker(
+            self.find, lambda document, line, text: self.problems.append((Location(str(document.path), line), text))
+        )
         linked = 0
         while linked < len(self.documents):
             document = list(self.documents.values())[linked]

@@ -21,7 +21,7 @@ from robosmi.model.ecore_writer import EcoreText
 from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
-from robosmi.model.xmi_places import Places, Unplaced, UnusableId, metamodel_place, metamodel_uri, relative, shown
+from robosmi.model.xmi_places import Unplaced, UnusableId, XmiPlaces, metamodel_place, metamodel_uri, relative, shown
 from robosmi.model.xml_characters import in_attribute, in_text, refuse_forbidden
 
 _PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
@@ -42,7 +42,7 @@ def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
             cannot, a value is not of its feature's type or too many, an id is used twice, or an element contains itself.
     """
     roots = {name: _roots(given) for name, given in models.items()}
-    places = Places(roots)
+    places = XmiPlaces(roots)
     with collector_at_rest():
         return {name: _Writer(name, roots[name], places).write() for name in (models if wanted is None else wanted)}
 
@@ -55,7 +55,7 @@ def _roots(given: Any) -> list[Any]:
 class _Writer:
     """One file."""
 
-    def __init__(self, name: str, roots: list[Any], places: Places) -> None:
+    def __init__(self, name: str, roots: list[Any], places: XmiPlaces) -> None:
         self.name = name
         self.roots = roots
         self.places = places

@@ -137,7 +137,7 @@ def type_name(given: Any) -> str:
         return repr(given)
 
 
-class Blocks(list[Callable[[], Any]]):
+class RuleBlocks(list[Callable[[], Any]]):
     """The pre or post blocks of a module in order; also a decorator that adds one."""
 
     def __call__(self, block: F) -> F:

@@ -27,7 +27,7 @@ _TRIES = 20
 
 
 @dataclass(frozen=True, order=True)
-class Entry:
+class HistoryEntry:
     """How often one library was chosen for one part.
 
     Attributes:
@@ -106,10 +106,10 @@ class History:
                 counts[library] = counts.get(library, 0) + int(count)
         return _ordered(counts.items())
 
-    def entries(self) -> list[Entry]:
+    def entries(self) -> list[HistoryEntry]:
         """All choices, by part identifier, title and library."""
         sql = "SELECT part_id, title, library, count, last_used, version, target, component FROM {table}"
-        return sorted(Entry(*row) for row in self._database.read(sql, {}))
+        return sorted(HistoryEntry(*row) for row in self._database.read(sql, {}))
 
     def record(
         self,
@@ -138,7 +138,7 @@ class History:
         """
         if not library or not (part_id or title):
             raise UsageError("a choice needs a part and a library", fix="name both")
-        entry = Entry(part_id, title, library, 1, (day or date.today()).isoformat(), version, target, component)
+        entry = HistoryEntry(part_id, title, library, 1, (day or date.today()).isoformat(), version, target, component)
 
         def count(statements: Statements) -> int:
             more = f"UPDATE {{table}} SET count = count + 1, component = :component, {_LATER} WHERE {_KEY}"
@@ -148,7 +148,7 @@ class History:
 
         self._write(count)
 
-    def take_over(self, entries: Iterable[Entry]) -> int:
+    def take_over(self, entries: Iterable[HistoryEntry]) -> int:
         """Take over choices kept elsewhere, all or nothing. Returns how many entries are new or changed.
 
         Where an entry is there already, the higher count and the later day are kept: a second time changes nothing.
@@ -236,7 +236,7 @@ class ForgivingHistory:
             return {}
 
 
-def _key(entry: Entry, *more: str) -> Values:
+def _key(entry: HistoryEntry, *more: str) -> Values:
     return {name: getattr(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
 
 

@@ -17,22 +17,22 @@ from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.quoting import csv_cell, csv_text
-from robosmi.recommend.history import Entry
+from robosmi.recommend.history import HistoryEntry
 
 SCHEMA = "robosmi/history/1"
 """Names the JSON form."""
 
-COLUMNS = tuple(field.name for field in fields(Entry))
+COLUMNS = tuple(field.name for field in fields(HistoryEntry))
 _TEXTS = tuple(name for name in COLUMNS if name != "count")
 _NEEDED = ("part_id", "title", "library", "count", "last_used")
 
 
-def to_json(entries: Iterable[Entry]) -> str:
+def to_json(entries: Iterable[HistoryEntry]) -> str:
     """`{"schema", "entries": [{part_id, title, library, count, last_used, version, target, component}]}`."""
     return json.dumps({"schema": SCHEMA, "entries": [asdict(entry) for entry in entries]}, indent=1, ensure_ascii=False) + "\n"
 
 
-def to_csv(entries: Iterable[Entry]) -> str:
+def to_csv(entries: Iterable[HistoryEntry]) -> str:
     """A table with a heading; lines end in CRLF (RFC 4180). Formulas are quoted by `csv_cell`."""
     out = io.StringIO()
     writer = csv.writer(out)
@@ -41,7 +41,7 @@ def to_csv(entries: Iterable[Entry]) -> str:
     return out.getvalue()
 
 
-def from_json(text: str, location: Location | None = None) -> list[Entry]:
+def from_json(text: str, location: Location | None = None) -> list[HistoryEntry]:
     """What `to_json` gave.
 
     Raises:
@@ -57,7 +57,7 @@ def from_json(text: str, location: Location | None = None) -> list[Entry]:
     return [entry_of(item, f"entry {number}", location) for number, item in enumerate(document["entries"], 1)]
 
 
-def from_csv(text: str, location: Location | None = None) -> list[Entry]:
+def from_csv(text: str, location: Location | None = None) -> list[HistoryEntry]:
     """What `to_csv` gave; columns in any order, those beyond `part_id, title, library, count, last_used` may be missing.
 
     Raises:
@@ -79,7 +79,7 @@ def from_csv(text: str, location: Location | None = None) -> list[Entry]:
         raise SourceError(f"this is no CSV: {error}", location=location, fix="correct the quotes") from error
 
 
-def entry_of(item: object, where: str, location: Location | None) -> Entry:
+def entry_of(item: object, where: str, location: Location | None) -> HistoryEntry:
     """The entry behind plain values.
 
     Raises:
@@ -89,7 +89,7 @@ def entry_of(item: object, where: str, location: Location | None) -> Entry:
     if wrong or not isinstance(item, dict):
         fix = "an entry has a part (part_id or title), a library, a count above 0 and a day such as 2026-11-21"
         raise SourceError(f"{where} of the history is damaged: {wrong}", location=location, fix=fix)
-    return Entry(**{name: item.get(name, "") for name in COLUMNS})
+    return HistoryEntry(**{name: item.get(name, "") for name in COLUMNS})
 
 
 def _wrong(item: object) -> str:

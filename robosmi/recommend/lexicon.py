@@ -30,7 +30,7 @@ _FIX = f"write {','.join(COLUMNS)}; names apart by |"
 
 
 @dataclass(frozen=True, slots=True)
-class Device:
+class KnownDevice:
     """One entry.
 
     Attributes:
@@ -147,7 +147,7 @@ def _row(row: list[str], place: Location) -> _Row:
     return _Row(names, kinds, cast(Need, need), row[3].strip(), place)
 
 
-def _resolved(rows: list[_Row], number_of: Callable[[str], int | None]) -> list[Device]:
+def _resolved(rows: list[_Row], number_of: Callable[[str], int | None]) -> list[KnownDevice]:
     """The entries with what they inherit.
 
     Raises:
@@ -161,7 +161,7 @@ def _resolved(rows: list[_Row], number_of: Callable[[str], int | None]) -> list[
             chain.append(above[chain[-1]][0])
         need: Need = next((rows[n].need for n in chain if rows[n].need), "")
         interface = next((rows[n].interface for n in chain if rows[n].interface), "")
-        devices.append(Device(row.names, above[number], row.kinds, need, interface, len(chain) - 1))
+        devices.append(KnownDevice(row.names, above[number], row.kinds, need, interface, len(chain) - 1))
     return devices
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.recommend.component import ComponentQuery
-from robosmi.recommend.lexicon import Device, Lexicon
+from robosmi.recommend.lexicon import KnownDevice, Lexicon
 from robosmi.recommend.recognition import Recognised, bus, recognise, texts
 from robosmi.recommend.words import StopWords, models, plain, words
 
@@ -107,7 +107,7 @@ def _add_devices(part: PartWords, lexicon: Lexicon, usual: Usual, stop: StopWord
             _add_usual(part, usual, found, device, weight, distance)
 
 
-def _add_usual(part: PartWords, usual: Usual, found: Recognised, device: Device, weight: float, distance: int) -> None:
+def _add_usual(part: PartWords, usual: Usual, found: Recognised, device: KnownDevice, weight: float, distance: int) -> None:
     """Usual libraries of a device; those listed for the very name that the part has go before those for its other names."""
     keys = {plain(name): name.removesuffix("*") for name in (*device.names, *device.stands_for)}
     listed = [found.name] if not distance and found.name in usual else [key for key in keys if key in usual]

@@ -13,7 +13,7 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.model.ordering import post_order
 from robosmi.query.collections import Q
-from robosmi.query.erl import Blocks, as_model, run_over
+from robosmi.query.erl import RuleBlocks, as_model, run_over
 from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
 from robosmi.transform.rule import Rule, bind, declare
@@ -48,8 +48,8 @@ class ETL:
         self.step = step
         self.models: list[Model] = [as_model(m) for m in models]
         self.schedule = schedule
-        self.pre = Blocks()
-        self.post = Blocks()
+        self.pre = RuleBlocks()
+        self.post = RuleBlocks()
         self.rules: list[Rule] = []
         self.trace = Trace()
         self.warnings: list[str] = []

@@ -16,7 +16,7 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.features import eclass_of
 from robosmi.model.structure import feature_names
 from robosmi.query.collections import Q
-from robosmi.query.erl import Blocks, as_model, failed, run_over, technology
+from robosmi.query.erl import RuleBlocks, as_model, failed, run_over, technology
 from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
@@ -83,8 +83,8 @@ class Flock:
         self.original = _emf(original)
         self.migrated = _emf(migrated)
         self.keep_order = keep_order
-        self.pre = Blocks()
-        self.post = Blocks()
+        self.pre = RuleBlocks()
+        self.post = RuleBlocks()
         self.warnings: list[str] = []
         self._mappings: list[Mapping] = []
         self._rules: list[MigrateRule] = []

@@ -11,7 +11,7 @@ from typing import Any, overload
 
 from robosmi.model.driver import Model
 from robosmi.model.ordering import post_order
-from robosmi.query.erl import Blocks, as_model, run_over
+from robosmi.query.erl import RuleBlocks, as_model, run_over
 from robosmi.validate.constraint import Context, F
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
@@ -31,8 +31,8 @@ class EVL:
 
     def __init__(self, *models: Any) -> None:
         self.models: list[Model] = [as_model(m) for m in models]
-        self.pre = Blocks()
-        self.post = Blocks()
+        self.pre = RuleBlocks()
+        self.post = RuleBlocks()
         self.contexts: list[Context] = []
         self._constraints = Context(None)
         self._critiques = Context(None)

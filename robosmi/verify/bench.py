@@ -15,7 +15,7 @@ from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError
 from robosmi.plugins import content, registry
-from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, Trace, Wave
+from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
 Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
 
@@ -125,13 +125,15 @@ class Bench(ABC):
         if device is not None:
             device.bus_stop()
 
-    def trace(self, engine: str, state: str, horizon_us: float, waves: Iterable[Wave], console: Iterable[ConsoleByte]) -> Trace:
+    def trace(
+        self, engine: str, state: str, horizon_us: float, waves: Iterable[Wave], console: Iterable[ConsoleByte]
+    ) -> PinTrace:
         """What was seen until the horizon, by time."""
 
         def by_time(found: Iterable[Seen]) -> tuple[Seen, ...]:
             return tuple(sorted((each for each in found if each.at_us <= horizon_us), key=lambda each: each.at_us))
 
-        return Trace(
+        return PinTrace(
             engine, state, min(self.now, horizon_us),
             by_time(self.changes), by_time(waves), by_time(console), by_time(self.events),
         )  # fmt: skip

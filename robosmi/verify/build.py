@@ -26,8 +26,8 @@ from robosmi.verify.compile_report import (
 )
 from robosmi.verify.libraries import (
     STAND_IN,
-    Library,
-    LibraryIndex,
+    CompiledLibrary,
+    LibraryFolders,
     missing_headers,
     resolve,
 )
@@ -48,7 +48,7 @@ class Build:
     board: Board
     toolchain: Toolchain
     installed: Installed
-    index: LibraryIndex
+    index: LibraryFolders
     folder: Path
 
     def report(self, keep: Path | None = None) -> CompileReport:
@@ -89,7 +89,7 @@ class Build:
         linker = self.toolchain.tool(self.toolchain.link)
         return f"{linker.command} {self.installed.version}, {self.toolchain.core.text('name')} {self.installed.core_version}"
 
-    def _about_sketch(self, libraries: Iterable[Library]) -> list[Finding]:
+    def _about_sketch(self, libraries: Iterable[CompiledLibrary]) -> list[Finding]:
         """What can be said before compiling."""
         place = Location(str(self.sketch.main))
         findings = [
@@ -118,16 +118,16 @@ class Build:
         texts += self.toolchain.flags.texts(mode)
         return fill(texts, values, {"extra_flags": self.board.extra_flags}) + [f"-I{path}" for path in includes]
 
-    def _own_includes(self, libraries: Iterable[Library]) -> list[Path]:
+    def _own_includes(self, libraries: Iterable[CompiledLibrary]) -> list[Path]:
         """Where the sketch's headers are found: its own folder (the tools run in it) first."""
         return [Path("."), *(library.include for library in libraries)]
 
     @staticmethod
-    def _library_includes(library: Library, libraries: Iterable[Library]) -> list[Path]:
+    def _library_includes(library: CompiledLibrary, libraries: Iterable[CompiledLibrary]) -> list[Path]:
         """Where a library's headers are found: its own folders first; the sketch's folder is not among them."""
         return [*library.own_includes(), *(other.include for other in libraries if other is not library)]
 
-    def _missing(self, source: Path, libraries: list[Library]) -> list[str]:
+    def _missing(self, source: Path, libraries: list[CompiledLibrary]) -> list[str]:
         """The headers that the preprocessor does not find when it reads a file of the sketch or of a library."""
         tool = self.toolchain.language(source.suffix).tool
         owner = next((library for library in libraries if source.is_relative_to(library.include)), None)
@@ -154,7 +154,7 @@ class Build:
             results = list(pool.map(one, sources, objects))
         return objects, "".join(text for text, _ in results), any(failed for _, failed in results)
 
-    def _compile_sketch(self, sources: Sequence[Path], libraries: list[Library]) -> tuple[list[Path], str, bool]:
+    def _compile_sketch(self, sources: Sequence[Path], libraries: list[CompiledLibrary]) -> tuple[list[Path], str, bool]:
         return self._compile(sources, "sketch", self._own_includes(libraries), self.folder / "sketch")
 
     # ---- archives of libraries and of the core
@@ -181,7 +181,7 @@ class Build:
         plain = "".join(letter if letter.isalnum() else "_" for letter in what)
         return f"{plain}-{self.board.name}-{key}.a"
 
-    def _archive_library(self, library: Library, libraries: list[Library]) -> Path | None:
+    def _archive_library(self, library: CompiledLibrary, libraries: list[CompiledLibrary]) -> Path | None:
         """The archive of a library, or None if it is headers only."""
         sources = library.files(self.toolchain.suffixes)
         if not sources:

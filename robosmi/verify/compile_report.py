@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
-from robosmi.verify.libraries import Library
+from robosmi.verify.libraries import CompiledLibrary
 
 COMPILER_ERROR = "RS801"
 COMPILER_WARNING = "RS802"
@@ -62,7 +62,7 @@ class CompileReport:
     ram_bytes: int | None
     flash_limit: int
     ram_limit: int
-    libraries: tuple[Library, ...] = ()
+    libraries: tuple[CompiledLibrary, ...] = ()
     diagnostics: tuple[Finding, ...] = ()
     warnings_elsewhere: int = 0
     seconds: float = 0.0

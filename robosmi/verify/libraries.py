@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 
 from robosmi import inputs
-from robosmi.verify.tables import Table, find_files
+from robosmi.verify.tables import DataTable, find_files
 from robosmi.verify.toolchain_data import Toolchain, fill, places
 
 INSTALLED, STAND_IN = "installed", "stand-in"
@@ -21,7 +21,7 @@ INSTALLED, STAND_IN = "installed", "stand-in"
 
 
 @dataclass(frozen=True)
-class Library:
+class CompiledLibrary:
     """A library that can be compiled against.
 
     Attributes:
@@ -59,7 +59,7 @@ class Library:
         return {"name": self.name, "source": self.source, "version": self.version, "folder": str(self.folder)}
 
 
-class LibraryIndex:
+class LibraryFolders:
     """Finds the library that offers a header, for one toolchain on one machine.
 
     Args:
@@ -81,25 +81,25 @@ class LibraryIndex:
         return places(texts, data.text("env"))
 
     @cached_property
-    def installed(self) -> list[Library]:
+    def installed(self) -> list[CompiledLibrary]:
         """The installed libraries for this architecture, in search order."""
         found = (path for folder in self.folders for path in sorted(folder.iterdir()) if path.is_dir())
         return [library for path in found if (library := self._installed(path))]
 
     @cached_property
-    def stand_ins(self) -> list[tuple[Library, tuple[str, ...]]]:
+    def stand_ins(self) -> list[tuple[CompiledLibrary, tuple[str, ...]]]:
         """The stand-ins of the repository with the headers that they offer."""
         pattern = f"{self._toolchain.platform}/stand_ins/*/stand_in.toml"
         return [self._stand_in(path) for path in find_files(pattern, self._project)]
 
-    def find(self, header: str) -> Library | None:
+    def find(self, header: str) -> CompiledLibrary | None:
         """The library that offers a header, e.g. `Servo.h`, or None. One that bears the header's name goes first."""
         offers = [library for library in self.installed if (library.include / header).is_file()]
         offers = offers or [library for library, headers in self.stand_ins if header in headers]
         stem = Path(header).stem
         return min(offers, key=lambda library: stem not in (library.name, library.folder.name), default=None)
 
-    def _installed(self, folder: Path) -> Library | None:
+    def _installed(self, folder: Path) -> CompiledLibrary | None:
         data = self._toolchain.libraries
         properties = _properties(folder / data.text("properties"))
         known = [word.strip() for word in (properties.get("architectures") or "*").split(",")]
@@ -108,12 +108,12 @@ class LibraryIndex:
         inner = folder / data.text("recursive")
         deep = bool(properties) and inner.is_dir()
         name, version = properties.get("name") or folder.name, properties.get("version", "")
-        return Library(name, version, INSTALLED, folder, inner if deep else folder, deep, data.texts("flat", ()))
+        return CompiledLibrary(name, version, INSTALLED, folder, inner if deep else folder, deep, data.texts("flat", ()))
 
     @staticmethod
-    def _stand_in(path: Path) -> tuple[Library, tuple[str, ...]]:
-        table = Table.read(path)
-        library = Library(table.text("library"), table.text("version"), STAND_IN, path.parent, path.parent, False, ())
+    def _stand_in(path: Path) -> tuple[CompiledLibrary, tuple[str, ...]]:
+        table = DataTable.read(path)
+        library = CompiledLibrary(table.text("library"), table.text("version"), STAND_IN, path.parent, path.parent, False, ())
         headers = table.texts("headers")
         for header in headers:
             if not (path.parent / header).is_file():
@@ -130,8 +130,11 @@ def _properties(path: Path) -> dict[str, str]:
 
 
 def resolve(
-    sources: Iterable[Path], index: LibraryIndex, suffixes: Iterable[str], missing: Callable[[Path, list[Library]], list[str]]
-) -> list[Library]:
+    sources: Iterable[Path],
+    index: LibraryFolders,
+    suffixes: Iterable[str],
+    missing: Callable[[Path, list[CompiledLibrary]], list[str]],
+) -> list[CompiledLibrary]:
     """The libraries that sources need, and those that these need, in the order they were found.
 
     Args:
@@ -140,7 +143,7 @@ def resolve(
         suffixes: of the sources of a library.
         missing: runs the preprocessor on a file with the libraries so far; the headers it did not find.
     """
-    used: list[Library] = []
+    used: list[CompiledLibrary] = []
     waiting = list(sources)
     while waiting:
         source = waiting.pop(0)

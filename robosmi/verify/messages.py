@@ -20,7 +20,7 @@ from robosmi.verify.compile_report import (
     LINK_ERROR,
     MISSING_HEADER,
 )
-from robosmi.verify.tables import Table
+from robosmi.verify.tables import DataTable
 
 _SEVERITY = {"fatal error": Severity.error, "error": Severity.error, "warning": Severity.warning}
 
@@ -37,7 +37,7 @@ def own_path(path: str, folder: Path) -> str | None:
     return None if inside.startswith("..") or not os.path.exists(full) else str(folder / inside)
 
 
-def compiler_findings(text: str, patterns: Table, folder: Path) -> tuple[list[Finding], int]:
+def compiler_findings(text: str, patterns: DataTable, folder: Path) -> tuple[list[Finding], int]:
     """The findings in what compilers printed, each once, and the number of warnings about other files.
 
     Args:
@@ -69,7 +69,7 @@ def compiler_findings(text: str, patterns: Table, folder: Path) -> tuple[list[Fi
     return list(findings.values()), elsewhere
 
 
-def _finding(message: str, severity: Severity, place: Location, patterns: Table) -> Finding:
+def _finding(message: str, severity: Severity, place: Location, patterns: DataTable) -> Finding:
     missing = patterns.pattern("missing_header").match(message)
     if missing:
         fix = patterns.text("missing_header_fix").replace("{header}", missing["header"])
@@ -81,7 +81,7 @@ def _finding(message: str, severity: Severity, place: Location, patterns: Table)
     return Finding(rule, severity, message, place)
 
 
-def linker_findings(text: str, patterns: Table, files: Iterable[Path]) -> list[Finding]:
+def linker_findings(text: str, patterns: DataTable, files: Iterable[Path]) -> list[Finding]:
     """The findings in what the linker printed, each once.
 
     The linker of a program optimised as a whole knows no lines. The place is where the name first stands in the sketch's files,

@@ -24,7 +24,7 @@ _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")
 
 
 @dataclass(frozen=True)
-class Entry:
+class ProjectEntry:
     """A scalar of the file: the keys and list indices that lead to it, its text and its line (from 1)."""
 
     path: tuple[str | int, ...]
@@ -107,7 +107,7 @@ def _library(text: str) -> tuple[str, str]:
     return name.strip(), version.rstrip(") ").strip()
 
 
-def parse(text: str, path: Path) -> list[Entry]:
+def parse(text: str, path: Path) -> list[ProjectEntry]:
     """The scalars of a file in block style.
 
     Args:
@@ -117,7 +117,7 @@ def parse(text: str, path: Path) -> list[Entry]:
     Raises:
         SourceError: a line is in another style of YAML, or indented against its neighbours.
     """
-    entries: list[Entry] = []
+    entries: list[ProjectEntry] = []
     levels: list[tuple[int, tuple[str | int, ...]]] = [(-1, ())]
     counts: dict[tuple[str | int, ...], int] = {}
 
@@ -155,9 +155,9 @@ def parse(text: str, path: Path) -> list[Entry]:
                 raise refuse(number, f"'{value[:20]}' is a style of YAML that is not read here")
             levels.append((indent, key))
             if value:
-                entries.append(Entry(key, _unquote(value), number))
+                entries.append(ProjectEntry(key, _unquote(value), number))
         elif _is_item(levels[-1][1]) and not body.startswith(_FLOW):
-            entries.append(Entry(levels[-1][1], _unquote(_scalar(body)), number))
+            entries.append(ProjectEntry(levels[-1][1], _unquote(_scalar(body)), number))
         else:
             raise refuse(number, f"'{body[:40]}' is not a `key: value` line")
     return entries

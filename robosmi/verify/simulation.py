@@ -1,4 +1,4 @@
-"""Running a compiled program on a simulated microcontroller: what is asked (`Job`), what was seen (`Trace`), who runs it
+"""Running a compiled program on a simulated microcontroller: what is asked (`Job`), what was seen (`PinTrace`), who runs it
 (`Engine`).
 
 An engine is content, a class registered as `engine` under its name; devices are content, too, registered as `device` (their
@@ -110,7 +110,7 @@ class DeviceEvent:
 
 
 @dataclass(frozen=True)
-class Trace:
+class PinTrace:
     """What was seen in a run.
 
     Attributes:
@@ -170,7 +170,7 @@ class Engine(Protocol):
     def serves(self, mcu: str) -> bool:
         """Whether it knows the microcontroller."""
 
-    def run(self, job: Job) -> Trace:
+    def run(self, job: Job) -> PinTrace:
         """Run a program in this process until the horizon, or until it stops itself.
 
         Raises:
@@ -208,7 +208,7 @@ def engine_names() -> list[str]:
     return list(registry().entries.get("engine", {}))
 
 
-def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> Trace:
+def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinTrace:
     """Run a program on a simulator, in a process of its own.
 
     Args:
@@ -260,12 +260,12 @@ def _end(process: subprocess.Popen[str]) -> None:
         os.killpg(process.pid, signal.SIGKILL)
 
 
-def _trace(answer: dict[str, Any], engine: str) -> Trace:
+def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
     if "error" in answer:
         errors = {each.__name__: each for each in (UsageError, MissingToolError, VerificationError)}
         raise errors.get(answer["error"], VerificationError)(answer["message"], fix=answer["fix"])
     try:
-        return Trace(
+        return PinTrace(
             answer["engine"], answer["state"], answer["simulated_us"],
             tuple(PinChange(*each) for each in answer["changes"]),
             tuple(Wave(*each) for each in answer["waves"]),

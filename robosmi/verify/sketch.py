@@ -15,7 +15,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.verify.boards import Board, find_board
 from robosmi.verify.project_file import PROJECT_KEYS, ProjectFile, read_project_file, search_project_file
-from robosmi.verify.tables import Table
+from robosmi.verify.tables import DataTable
 from robosmi.verify.toolchain_data import Toolchain
 
 
@@ -122,7 +122,7 @@ def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     return Sketch(folder, main, tuple(parts), tuple(sources), project_file)
 
 
-def _project_file(path: Path, data: Table) -> ProjectFile:
+def _project_file(path: Path, data: DataTable) -> ProjectFile:
     if "project_patterns" in data.values:
         return search_project_file(path, data.table("project_patterns").pattern("board"))
     keys = data.table("project_keys")

@@ -1,6 +1,6 @@
 """Typed reading of the repository's TOML files: a value of the wrong kind is an error that names file and key.
 
-`Table` is one table of such a file. What the keys mean is known to `boards`, `toolchain_data` and `libraries`; nothing here
+`DataTable` is one table of such a file. What the keys mean is known to `boards`, `toolchain_data` and `libraries`; nothing here
 knows a key.
 """
 
@@ -22,7 +22,7 @@ KIND = "platform_repo"
 
 
 @dataclass(frozen=True)
-class Table:
+class DataTable:
     """One table of a TOML file of the repository.
 
     Attributes:
@@ -36,14 +36,14 @@ class Table:
     prefix: str = ""
 
     @staticmethod
-    def read(path: Path) -> Table:
+    def read(path: Path) -> DataTable:
         """The whole file.
 
         Raises:
             PlatformDataError: it cannot be read, or is no TOML.
         """
         try:
-            return Table(path, toml_of(inputs.read_text(path, inputs.SETTINGS)))
+            return DataTable(path, toml_of(inputs.read_text(path, inputs.SETTINGS)))
         except (OSError, ValueError) as error:
             raise PlatformDataError(f"the file cannot be read: {error}", location=Location(str(path))) from error
 
@@ -101,18 +101,18 @@ class Table:
         except re.error as error:
             raise self.error(key, f"is no regular expression: {error}") from error
 
-    def table(self, key: str) -> Table:
+    def table(self, key: str) -> DataTable:
         """A table inside."""
-        return Table(self.path, self._get(key, dict, "a table"), f"{self.prefix}{key}.")
+        return DataTable(self.path, self._get(key, dict, "a table"), f"{self.prefix}{key}.")
 
-    def tables(self, key: str, needed: bool = True) -> list[Table]:
+    def tables(self, key: str, needed: bool = True) -> list[DataTable]:
         """A list of tables inside; empty if the key is missing and not needed."""
         if not needed and key not in self.values:
             return []
         items = self._get(key, list, "a list of tables")
         if not all(isinstance(item, dict) for item in items):
             raise self.error(key, "must be a list of tables")
-        return [Table(self.path, item, f"{self.prefix}{key}[{index}].") for index, item in enumerate(items)]
+        return [DataTable(self.path, item, f"{self.prefix}{key}[{index}].") for index, item in enumerate(items)]
 
 
 def find_files(pattern: str, project: Path | None = None) -> Iterator[Path]:

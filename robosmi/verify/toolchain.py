@@ -17,7 +17,7 @@ from robosmi.plugins import content
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.build import Build
 from robosmi.verify.compile_report import MISSING_HEADER, TOO_BIG, CompileReport
-from robosmi.verify.libraries import LibraryIndex
+from robosmi.verify.libraries import LibraryFolders
 from robosmi.verify.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import Installed, find_installed
@@ -49,7 +49,7 @@ def compile_sketch(
     boards = load_boards(toolchain.platform, project)
     chosen = choose_board(sketch, boards, toolchain, board)
     installed = find_installed(toolchain)
-    index = LibraryIndex(toolchain, installed.core, project)
+    index = LibraryFolders(toolchain, installed.core, project)
     report = _build(sketch, chosen, toolchain, installed, index, keep)
     if report.ok and not report.fits:
         bigger = [b for b in boards if b.flash_bytes > chosen.flash_bytes or b.ram_bytes > chosen.ram_bytes]
@@ -92,7 +92,7 @@ def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
 
 
 def _build(
-    sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryIndex, keep: Path | None
+    sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryFolders, keep: Path | None
 ) -> CompileReport:
     with tempfile.TemporaryDirectory(prefix="robosmi-") as folder:
         return Build(sketch, board, toolchain, installed, index, Path(folder)).report(keep)

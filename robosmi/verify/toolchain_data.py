@@ -13,14 +13,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from robosmi.errors import PlatformDataError
-from robosmi.verify.tables import Table, find_files
+from robosmi.verify.tables import DataTable, find_files
 
 USES = ("sketch", "library", "core")
 """Whose source a file can be: flags differ."""
 
 
 @dataclass(frozen=True)
-class Language:
+class ToolchainLanguage:
     """How files of some suffixes are compiled: the tool's key, its flags, and further flags per use (see `USES`)."""
 
     suffixes: tuple[str, ...]
@@ -59,24 +59,24 @@ class Toolchain:
     install: str
     tools: Mapping[str, ToolEntry]
     tool_places: tuple[str, ...]
-    languages: tuple[Language, ...]
-    sketch: Table
-    core: Table
-    flags: Table
-    archive: Table
-    link: Table
-    hex: Table
-    size: Table
-    messages: Table
-    libraries: Table
-    environment: Table
+    languages: tuple[ToolchainLanguage, ...]
+    sketch: DataTable
+    core: DataTable
+    flags: DataTable
+    archive: DataTable
+    link: DataTable
+    hex: DataTable
+    size: DataTable
+    messages: DataTable
+    libraries: DataTable
+    environment: DataTable
 
     @property
     def suffixes(self) -> tuple[str, ...]:
         """The suffixes of all files that can be compiled."""
         return tuple(suffix for language in self.languages for suffix in language.suffixes)
 
-    def language(self, suffix: str) -> Language:
+    def language(self, suffix: str) -> ToolchainLanguage:
         """The language of files of a suffix.
 
         Raises:
@@ -87,7 +87,7 @@ class Toolchain:
                 return language
         raise PlatformDataError(f"no language of the toolchain '{self.name}' has the suffix '{suffix}'")
 
-    def tool(self, table: Table) -> ToolEntry:
+    def tool(self, table: DataTable) -> ToolEntry:
         """The tool that a table names under `tool`.
 
         Raises:
@@ -105,7 +105,7 @@ def load_toolchain(path: Path) -> Toolchain:
     Raises:
         PlatformDataError: an entry is missing or of the wrong kind.
     """
-    table = Table.read(path)
+    table = DataTable.read(path)
     tools = table.table("tools")
     entries = {key: _tool(key, tools.table(key)) for key, value in tools.values.items() if isinstance(value, dict)}
     return Toolchain(
@@ -133,21 +133,21 @@ def load_toolchain(path: Path) -> Toolchain:
     )
 
 
-def _tool(key: str, entry: Table) -> ToolEntry:
+def _tool(key: str, entry: DataTable) -> ToolEntry:
     return ToolEntry(key, entry.text("command"), entry.text("package"), entry.texts("version"))
 
 
-def _language(entry: Table, tools: Mapping[str, ToolEntry]) -> Language:
+def _language(entry: DataTable, tools: Mapping[str, ToolEntry]) -> ToolchainLanguage:
     if entry.text("tool") not in tools:
         raise entry.error("tool", f"names '{entry.text('tool')}', which is not among the tools")
     by_use = {use: entry.texts(use) for use in USES}
-    return Language(entry.texts("suffixes"), entry.text("tool"), entry.texts("flags"), by_use)
+    return ToolchainLanguage(entry.texts("suffixes"), entry.text("tool"), entry.texts("flags"), by_use)
 
 
 def load_toolchains(project: Path | None = None) -> list[Toolchain]:
     """All toolchains for sketches, by platform: the repository's files `<platform>/toolchain.toml` with a table `[sketch]`."""
     paths = find_files("*/toolchain.toml", project)
-    return [load_toolchain(path) for path in paths if "sketch" in Table.read(path).values]
+    return [load_toolchain(path) for path in paths if "sketch" in DataTable.read(path).values]
 
 
 def fill(texts: Iterable[str], values: Mapping[str, str], lists: Mapping[str, Iterable[str]] | None = None) -> list[str]:

@@ -13,7 +13,7 @@ from typing import Any
 
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
-from robosmi.verify.simulation import DeviceUse, Engine, Job, Trace
+from robosmi.verify.simulation import DeviceUse, Engine, Job, PinTrace
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:
@@ -26,7 +26,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
     job = Job(**{**given, "devices": tuple(DeviceUse(**use) for use in given["devices"])})
     engine: Engine = content("engine", question["engine"])()
     try:
-        trace: Trace = engine.run(job)
+        trace: PinTrace = engine.run(job)
     except RobosmiError as error:
         return {"error": type(error).__name__, "message": error.message, "fix": error.fix}
     return {

@@ -14,12 +14,12 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
-from robosmi.transformations.knowledge.adapter_files import Piece, read_adapter_file
+from robosmi.transformations.knowledge.adapter_files import AdapterPiece, read_adapter_file
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.simulation import DeviceUse, Trace, simulate
+from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
 from robosmi.verify.toolchain import compile_sketch
 
 ROOT = Path(__file__).parents[2]
@@ -28,7 +28,7 @@ NO_PIN = "255"
 
 
 @cache
-def pieces() -> tuple[Piece, ...]:
+def pieces() -> tuple[AdapterPiece, ...]:
     """All pieces of all adapter files."""
     return tuple(piece for path in sorted(ADAPTERS.glob("*.cpp")) for piece in read_adapter_file(path))
 
@@ -66,7 +66,7 @@ class Uno:
 
     def run(
         self, program: str, uses: Sequence[str], milliseconds: float, devices: Sequence[DeviceUse] = (), engine: str | None = None
-    ) -> Trace:
+    ) -> PinTrace:
         """Compile a program (with `setup` and `loop`), run it, and tell what was seen. Warnings of the compiler are failures."""
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place) / "case"
@@ -115,7 +115,7 @@ _SIGNATURE = re.compile(r"\b(?P<name>\w+)\s*\((?P<parameters>[^()]*)\)\s*\{")
 _LAST_NAME = re.compile(r"(\w+)\s*$")
 
 
-def broken(piece: Piece) -> dict[str, str]:
+def broken(piece: AdapterPiece) -> dict[str, str]:
     """An adapter broken in each way that makes sense for it: name of the way -> the text."""
     name = piece.target_name or piece.name
     found = next(match for match in _SIGNATURE.finditer(piece.text) if match["name"] == name)

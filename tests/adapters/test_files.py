@@ -14,7 +14,7 @@ from pathlib import Path
 import clang.cindex
 import pytest
 
-from robosmi.transformations.knowledge.adapter_files import Piece
+from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from tests.adapters.bench import NO_PIN, pieces
@@ -52,7 +52,7 @@ def warnings(text: str, mcu: str, folder: Path) -> str:
     return "\n".join(line for line in done.stderr.splitlines() if line.startswith("adapters.cpp:") or "error" in line)
 
 
-def program(needed: list[Piece], wanted: set[tuple[str, str]]) -> str:
+def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
     """The pieces as a program that uses those wanted."""
     functions = [piece for piece in needed if piece.kind == "adapter" and (piece.header, piece.name) in wanted]
     names = [piece.target_name or piece.name for piece in functions if "template" not in piece.text]
@@ -125,7 +125,7 @@ def uses(header: str) -> dict[tuple[str, str], set[tuple[str, str]]]:
 
 
 @pytest.mark.parametrize("piece", pieces(), ids=lambda piece: f"{piece.header}/{piece.name}")
-def test_what_is_declared_is_what_the_text_uses(piece: Piece) -> None:
+def test_what_is_declared_is_what_the_text_uses(piece: AdapterPiece) -> None:
     known = AdapterPieces(pieces())
     if piece.mcus and "atmega328p" not in piece.mcus:
         return

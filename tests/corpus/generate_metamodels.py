@@ -32,7 +32,7 @@ from robosmi.model.codegen import Rendered, render
 from robosmi.model.commit import update
 from robosmi.model.ecore_description import Class, Enumeration, Package, is_known
 from robosmi.model.ecore_loader import MetamodelError, load_metamodels
-from robosmi.model.package_names import Names
+from robosmi.model.package_names import PackageNames
 from robosmi.model.package_types import is_feature_map
 
 
@@ -48,7 +48,7 @@ def distinct(paths: list[Path]) -> Iterator[Path]:
 
 def differences(packages: list[Package], base: str) -> Iterator[str]:
     """Where the imported packages are not what the metamodel says."""
-    names = Names(packages)
+    names = PackageNames(packages)
     for root in packages:
         for package in root.walk():
             module = importlib.import_module(".".join([base, *names.module(package)]))
@@ -71,7 +71,7 @@ def differences(packages: list[Package], base: str) -> Iterator[str]:
                             yield f"{classifier.path}: {literal.name} is not found"
 
 
-def class_differences(cls: Class, made: Any, names: Names) -> Iterator[str]:
+def class_differences(cls: Class, made: Any, names: PackageNames) -> Iterator[str]:
     """Where an imported class is not what the metamodel says."""
     eclass = made.eClass
     if (eclass.name, eclass.abstract) != (cls.name, cls.abstract or cls.interface):
@@ -109,7 +109,7 @@ def class_differences(cls: Class, made: Any, names: Names) -> Iterator[str]:
 
 def construct(packages: list[Package], base: str) -> int:
     """Make an element of each concrete class, by its Python name; the number of elements."""
-    names, count = Names(packages), 0
+    names, count = PackageNames(packages), 0
     for root in packages:
         for package in root.walk():
             module = importlib.import_module(".".join([base, *names.module(package)]))

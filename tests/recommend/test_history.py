@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 
 from robosmi.errors import MissingToolError, SourceError, UsageError
 from robosmi.model import load_model, save_model
-from robosmi.recommend.history import Entry, ForgivingHistory, History, chosen_from_history, default_place
+from robosmi.recommend.history import ForgivingHistory, History, HistoryEntry, chosen_from_history, default_place
 from robosmi.recommend.history_exchange import SCHEMA, from_csv, from_json, to_csv, to_json
 from robosmi.transformations.chains.history import export_history, import_history
 from robosmi.transformations.t2m.history_model import history_to_model, model_to_history
@@ -46,7 +46,7 @@ def test_choices_are_counted_for_the_very_part(history: History) -> None:
     history.record("p", "other title", "C", day=DAY)
     history.record("other part", "t", "C", day=DAY)
     assert list(history.choices("p", "t").items()) == [("A", 2), ("B", 1)]
-    assert Entry("p", "t", "A", 2, "2026-11-21") in history.entries(), "the later day is kept"
+    assert HistoryEntry("p", "t", "A", 2, "2026-11-21") in history.entries(), "the later day is kept"
     assert len(history.entries()) == 4
 
 
@@ -100,13 +100,15 @@ def test_choices_for_a_model_number(history: History) -> None:
 
 
 ENTRIES = [
-    Entry("p", "t, with a comma", "A", 2, "2026-11-21", "1.0", "uno", "T1"),
-    Entry("q", 'a "quoted"\ntitle', "Bü", 1, "2026-01-01"),
+    HistoryEntry("p", "t, with a comma", "A", 2, "2026-11-21", "1.0", "uno", "T1"),
+    HistoryEntry("q", 'a "quoted"\ntitle', "Bü", 1, "2026-01-01"),
 ]
 
 
 @pytest.mark.parametrize(("write", "read"), [(to_json, from_json), (to_csv, from_csv)])
-def test_what_is_exported_is_imported(write: Callable[..., str], read: Callable[..., list[Entry]], history: History) -> None:
+def test_what_is_exported_is_imported(
+    write: Callable[..., str], read: Callable[..., list[HistoryEntry]], history: History
+) -> None:
     text = write(ENTRIES)
     assert read(text) == ENTRIES
     assert history.take_over(read(text)) == 2
@@ -115,8 +117,8 @@ def test_what_is_exported_is_imported(write: Callable[..., str], read: Callable[
 
 
 ODD = [
-    Entry("\0\x01", "\f\v\x1b[1m\r\n\t\r", "\x7f\x85\u2028", 1, "2026-01-01", "=1+1", "\u241b000C", "\ufeff\ufffe\uffff"),
-    Entry('"', "x" * 300_000, ",;\"'", 2**31 - 1, "2026-01-01", "\n", " a ", "\N{GRINNING FACE}"),
+    HistoryEntry("\0\x01", "\f\v\x1b[1m\r\n\t\r", "\x7f\x85\u2028", 1, "2026-01-01", "=1+1", "\u241b000C", "\ufeff\ufffe\uffff"),
+    HistoryEntry('"', "x" * 300_000, ",;\"'", 2**31 - 1, "2026-01-01", "\n", " a ", "\N{GRINNING FACE}"),
 ]
 
 
@@ -133,8 +135,12 @@ _TEXT = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=2
 
 
 @settings(max_examples=60)
-@given(st.lists(st.builds(Entry, _TEXT, _TEXT, _TEXT, st.integers(1, 9), st.just("2026-01-01"), _TEXT, _TEXT, _TEXT), max_size=3))
-def test_any_text_survives_the_exchange(entries: list[Entry]) -> None:
+@given(
+    st.lists(
+        st.builds(HistoryEntry, _TEXT, _TEXT, _TEXT, st.integers(1, 9), st.just("2026-01-01"), _TEXT, _TEXT, _TEXT), max_size=3
+    )
+)
+def test_any_text_survives_the_exchange(entries: list[HistoryEntry]) -> None:
     assert from_json(to_json(entries)) == entries
     assert from_csv(to_csv(entries).encode().decode()) == entries
     with tempfile.TemporaryDirectory() as folder:
@@ -145,9 +151,9 @@ def test_any_text_survives_the_exchange(entries: list[Entry]) -> None:
 
 def test_taking_over_keeps_the_higher_count_and_the_later_day(history: History) -> None:
     history.record("p", "t", "A", day=date(2027, 1, 1))
-    assert history.take_over([Entry("p", "t", "A", 2, "2026-11-21")]) == 1
-    assert history.entries() == [Entry("p", "t", "A", 2, "2027-01-01")]
-    assert history.take_over([Entry("p", "t", "A", 1, "2026-11-21")]) == 0
+    assert history.take_over([HistoryEntry("p", "t", "A", 2, "2026-11-21")]) == 1
+    assert history.entries() == [HistoryEntry("p", "t", "A", 2, "2027-01-01")]
+    assert history.take_over([HistoryEntry("p", "t", "A", 1, "2026-11-21")]) == 0
 
 
 GOOD = {"part_id": "p", "title": "t", "library": "A", "count": 1, "last_used": "2026-11-21"}
@@ -221,9 +227,9 @@ def test_a_file_of_format_1_is_read_and_brought_up_to_date(tmp_path: Path) -> No
     with closing(sqlite3.connect(old)) as db:
         db.executescript((DATA / "history_1.sql").read_text())
     history = History(old)
-    assert history.entries() == [Entry("p", "t", "A", 3, "2026-11-20")]
+    assert history.entries() == [HistoryEntry("p", "t", "A", 3, "2026-11-20")]
     history.record("p", "t", "A", day=DAY)
-    assert history.entries() == [Entry("p", "t", "A", 4, "2026-11-21")]
+    assert history.entries() == [HistoryEntry("p", "t", "A", 4, "2026-11-21")]
 
 
 def test_a_history_that_cannot_be_used_has_no_choices_and_says_why(tmp_path: Path) -> None:
@@ -286,7 +292,7 @@ def test_a_shared_database(url: str) -> None:
         history.record("p", "t", library, version="1", day=DAY)
     assert list(history.choices("p", "t").items()) == [("A", 2), ("B", 1)]
     assert History(url).choices("p", "t") == {"A": 2, "B": 1}
-    assert history.take_over([Entry("p", "t", "B", 5, "2027-01-01", "1")]) == 1
+    assert history.take_over([HistoryEntry("p", "t", "B", 5, "2027-01-01", "1")]) == 1
     assert history.choices("p", "t") == {"B": 5, "A": 2}
     assert history.forget("p", library="A") == 2
     assert [(e.library, e.count, e.last_used) for e in history.entries()] == [("B", 5, "2027-01-01")]

@@ -12,14 +12,14 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
 from robosmi.model import load_model, save_model
 from robosmi.model.files import write_atomic
-from robosmi.recommend.history import Entry, History
+from robosmi.recommend.history import History, HistoryEntry
 from robosmi.recommend.history_exchange import from_csv, from_json, to_csv, to_json
 from robosmi.transformations.t2m.history_model import history_to_model, model_to_history
 
 FORMS = (".xmi", ".csv", ".json")
 
 
-def export_history(history: History, path: Path) -> list[Entry]:
+def export_history(history: History, path: Path) -> list[HistoryEntry]:
     """Write the whole history into a file. Returns what is in it.
 
     Raises:

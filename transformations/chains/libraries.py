@@ -39,7 +39,7 @@ class Imported:
 
 
 @dataclass(frozen=True)
-class Shown:
+class ShownLibrary:
     """A library with what it offers to a program."""
 
     facts: LibraryFacts
@@ -74,14 +74,14 @@ class Shown:
         return lines if self.api.headers else [*lines, "  nothing is known of what its headers declare"]
 
 
-def show_library(name: str, platform: str) -> Shown:
+def show_library(name: str, platform: str) -> ShownLibrary:
     """A library of the index, with what it offers.
 
     Raises:
         UsageError: the index has none of that name.
     """
     facts = library_by_name(name, platform)
-    return Shown(facts, library_api(facts.name, platform))
+    return ShownLibrary(facts, library_api(facts.name, platform))
 
 
 def import_libraries(folder: Path, platform: str) -> Imported:

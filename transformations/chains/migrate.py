@@ -14,7 +14,7 @@ from typing import Any
 
 from robosmi import __version__
 from robosmi.chain import Chain
-from robosmi.chain.run import Progress, Run
+from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import UsageError
 from robosmi.inputs import read_once
@@ -118,7 +118,8 @@ def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts,
     if path is None:
         return None
     made = stored_drawing(path, settings.roles, target)
-    declared = {d.name for view in program.views for d in (*view.of_kind(ccode.Declaration), *view.unit.macros)}
+    declared = {d.name for view in program.views for d in view.of_kind(ccode.Declaration) if isinstance(d, ccode.Declaration)}
+    declared |= {macro.name for view in program.views for macro in view.unit.macros}
     made.findings.extend(keep_apart(made.hardware.connections, declared, Location(str(path))))
     return made
 
@@ -278,7 +279,7 @@ def plan_migration(
     return made
 
 
-def _started(chain: Chain | None, progress: Progress | None, **values: Any) -> Run:
+def _started(chain: Chain | None, progress: Progress | None, **values: Any) -> ChainRun:
     return (chain if chain is not None else migration_chain()).start(progress=progress, **values)
 
 

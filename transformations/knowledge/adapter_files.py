@@ -31,7 +31,7 @@ _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
 
 
 @dataclass(frozen=True)
-class PinParameter:
+class AdapterPin:
     """A parameter of an adapter that is a pin of the target.
 
     Attributes:
@@ -69,7 +69,7 @@ class ConventionalPort:
 
 
 @dataclass
-class Piece:
+class AdapterPiece:
     """A piece of an adapter file.
 
     Attributes:
@@ -110,14 +110,14 @@ class Piece:
     timers: list[str] = field(default_factory=list)
     vectors: list[str] = field(default_factory=list)
     mcus: list[str] = field(default_factory=list)
-    pins: list[PinParameter] = field(default_factory=list)
+    pins: list[AdapterPin] = field(default_factory=list)
     ports: list[ConventionalPort] = field(default_factory=list)
     fidelity: str = ""
     limits: list[str] = field(default_factory=list)
     target_name: str = ""
 
 
-def read_adapter_file(path: Path) -> list[Piece]:
+def read_adapter_file(path: Path) -> list[AdapterPiece]:
     """The pieces of an adapter file, in their order.
 
     Raises:
@@ -151,7 +151,7 @@ def _wrong(location: Location, message: str, fix: str) -> PlatformDataError:
     return PlatformDataError(message, location=location, fix=fix)
 
 
-def _pieces(path: Path, lines: list[str]) -> Iterator[Piece]:
+def _pieces(path: Path, lines: list[str]) -> Iterator[AdapterPiece]:
     header, piece, marking = "", None, False
     text: list[str] = []
     for number, line in enumerate(lines, 1):
@@ -184,13 +184,13 @@ def _pieces(path: Path, lines: list[str]) -> Iterator[Piece]:
             )  # fmt: skip
         if not header:
             raise _wrong(place, "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
-        piece, text, marking = Piece(words[0], words[1], header, place), [], True
+        piece, text, marking = AdapterPiece(words[0], words[1], header, place), [], True
     if piece is not None:
         piece.text = "\n".join(text).strip("\n")
         yield piece
 
 
-def _take(piece: Piece, said: str, place: Location) -> None:
+def _take(piece: AdapterPiece, said: str, place: Location) -> None:
     """Take one line of a piece's head."""
     key, colon, value = said.partition(":")
     value = value.strip()
@@ -220,7 +220,7 @@ def _take(piece: Piece, said: str, place: Location) -> None:
         if found is None:
             raise _wrong(place, f"'{value}' is no pin", "write: pin: PARAMETER CAPABILITY DIRECTION [signed] [ROLE]")
         piece.pins.append(
-            PinParameter(
+            AdapterPin(
                 found[1],
                 _one_of(found[2], CAPABILITIES, place),
                 _one_of(found[3], DIRECTIONS, place),

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, Protocol
 HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
 
 
-class Entry(NamedTuple):
+class ApiEntry(NamedTuple):
     """One declaration of a name in one header.
 
     Attributes:
@@ -86,7 +86,7 @@ class ApiFacts(Protocol):
     origin: str
     settings: Mapping[str, Any]
     headers: Mapping[str, Mapping[str, Any]]
-    entries: Mapping[str, Sequence[Entry]]
+    entries: Mapping[str, Sequence[ApiEntry]]
     registers: frozenset[str]
 
     @property

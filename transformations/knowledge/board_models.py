@@ -19,7 +19,7 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
-from robosmi.verify.tables import Table
+from robosmi.verify.tables import DataTable
 
 KIND = "platform_repo"
 _HAS_PINS = re.compile(r"^pins\b", re.MULTILINE)
@@ -68,7 +68,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     )
 
 
-def _pin(entry: Table) -> platform.Pin:
+def _pin(entry: DataTable) -> platform.Pin:
     return platform.Pin(
         label=entry.text("label"),
         port=entry.text("port", ""),
@@ -80,7 +80,7 @@ def _pin(entry: Table) -> platform.Pin:
     )
 
 
-def load_microcontroller(name: str, project: Path | None = None, named_in: Table | None = None) -> platform.Microcontroller:
+def load_microcontroller(name: str, project: Path | None = None, named_in: DataTable | None = None) -> platform.Microcontroller:
     """A new model of a microcontroller.
 
     Args:
@@ -97,7 +97,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: Table
         problem = f"is '{name}', a microcontroller of which nothing is known{did_you_mean(name, known)}"
         raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
     table = table_of(path)
-    buses = table.table("buses") if "buses" in table.values else Table(path, {})
+    buses = table.table("buses") if "buses" in table.values else DataTable(path, {})
     uses = []
     for entry in table.tables("takes", needed=False):
         for kind, key in ((platform.UserKind.function, "functions"), (platform.UserKind.library, "libraries")):
@@ -178,14 +178,14 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
     )
 
 
-def _literal_rules(platform_name: str, project: Path | None) -> list[Table]:
+def _literal_rules(platform_name: str, project: Path | None) -> list[DataTable]:
     for folder in folders(KIND, project):
         if (path := folder / platform_name / "platform.toml").is_file():
             return table_of(path).tables("pin_literals", needed=False)
     return []
 
 
-def _literal(pin: platform.Pin, rules: list[Table]) -> str:
+def _literal(pin: platform.Pin, rules: list[DataTable]) -> str:
     """How a program writes a pin: by the first rule whose pattern fits its label or its port, else by its label."""
     for rule in rules:
         key = "port" if "port" in rule.values else "label"
@@ -249,7 +249,7 @@ def _text(path: str, changed: int) -> str:
         raise PlatformDataError(f"cannot be read: {error}", location=Location(path), fix="mend or remove the file") from error
 
 
-def table_of(path: Path) -> Table:
+def table_of(path: Path) -> DataTable:
     """The table of a file of the repository, read once as long as it does not change.
 
     Raises:
@@ -259,5 +259,5 @@ def table_of(path: Path) -> Table:
 
 
 @cache
-def _table(path: str, changed: int) -> Table:
-    return Table(Path(path), read_data(Path(path)))
+def _table(path: str, changed: int) -> DataTable:
+    return DataTable(Path(path), read_data(Path(path)))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from robosmi.errors import did_you_mean
 from robosmi.transformations.knowledge.board_models import hardware_files, table_of, text_of
-from robosmi.verify.tables import Table
+from robosmi.verify.tables import DataTable
 
 PIN_TABLE = "pin table"
 """The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
@@ -55,7 +55,7 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
     return None
 
 
-def _connectors(drawn: Table, board: Table) -> dict[str, str]:
+def _connectors(drawn: DataTable, board: DataTable) -> dict[str, str]:
     """Connector -> label of its pin."""
     labels = [pin.text("label") for pin in board.tables("pins")]
     table = drawn.table("connectors")

@@ -62,7 +62,7 @@ def _runs(text: str) -> Iterator[str]:
 
 
 @dataclass(frozen=True, slots=True)
-class Names:
+class PartNames:
     """The content of `names.toml`: sets of connector names in lower case, phrases for families, shapes of made-up ids."""
 
     names: Mapping[str, frozenset[str]]
@@ -76,7 +76,7 @@ class Names:
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
 
-def names(project: Path | None = None) -> Names:
+def names(project: Path | None = None) -> PartNames:
     """The lists for names; the first file in search order counts as a whole.
 
     Args:
@@ -92,7 +92,7 @@ def names(project: Path | None = None) -> Names:
     raise PlatformDataError("there is no parts/names.toml in the platform repository", fix="install robosmi again")
 
 
-def connector_kind(name: str, known: Names) -> str:
+def connector_kind(name: str, known: PartNames) -> str:
     """What a connector carries by its name: supply, ground, unknown for a name that says nothing, else signal."""
     word = name.strip().lower()
     for kind in ("supply", "ground"):
@@ -101,7 +101,7 @@ def connector_kind(name: str, known: Names) -> str:
     return "unknown" if word in known.names["idle"] or _NUMBERED.fullmatch(word) else "signal"
 
 
-def name_direction(name: str, known: Names, chip: bool = False) -> str | None:
+def name_direction(name: str, known: PartNames, chip: bool = False) -> str | None:
     """The direction that a connector's name tells (bus, write, read), or None.
 
     Args:
@@ -118,7 +118,7 @@ def name_direction(name: str, known: Names, chip: bool = False) -> str | None:
     return None
 
 
-def conducts_by_bus_only(family: str, known: Names) -> bool:
+def conducts_by_bus_only(family: str, known: PartNames) -> bool:
     """Whether parts of the family join connectors only where a bus says so (breadboards, headers, terminals)."""
     return any(f"{family}{end}" in known.bus_only for end in ("", "s")) or _singular(family) in known.bus_only
 
@@ -159,11 +159,11 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Any]:
 
 
 @cache
-def _names(path: str, changed: int) -> Names:  # `changed` keys the cache
+def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
     table = read_toml(path)
     lists = {key: frozenset(table.get("names", {}).get(key, ())) for key in _LISTS}
     either, boards = table.get("either", {}), table.get("boards", {})
-    return Names(
+    return PartNames(
         lists,
         bus_only=_phrases(table.get("walk", {}).get("bus_only", ())),
         either=_phrases(either.get("words", ())),

@@ -18,7 +18,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.part import ROLES, Part
-from robosmi.transformations.knowledge.part_names import Names, Phrases, names, read_toml
+from robosmi.transformations.knowledge.part_names import PartNames, Phrases, names, read_toml
 
 _REMARK = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 _SYMBOL_CONNECTORS = 2  # of a symbol of a supply; a part with more is one that has a supply
@@ -93,7 +93,7 @@ def _with(part: Part, rule: Mapping[str, Any], clue: str) -> Part:
     return replace(part, role=rule["role"], driver=bool(rule.get("driver", False)), evidence=f"{clue}: {rule['why']}")
 
 
-def _clues(part: Part, known: RoleRules, lists: Names) -> Iterator[tuple[int, str]]:
+def _clues(part: Part, known: RoleRules, lists: PartNames) -> Iterator[tuple[int, str]]:
     """What speaks for a rule, by its number, the strongest first (see the head of `roles.toml`)."""
     part_id, family = part.id[:400].lower(), part.family[:200].strip().lower()
     for number, rule in enumerate(known.rules):

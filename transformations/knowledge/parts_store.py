@@ -17,7 +17,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.sqlite_files import writing
 from robosmi.transformations.knowledge.part import Part, PartConnector
-from robosmi.transformations.knowledge.part_names import Names, connector_kind
+from robosmi.transformations.knowledge.part_names import PartNames, connector_kind
 
 FORMAT = 1
 """Number of the format: `PRAGMA user_version` of the file."""
@@ -55,7 +55,7 @@ class PartsFile:
         import sqlite3  # 5 ms, wanted only when there is such a file
 
         self.path = path
-        self._parts: dict[str, tuple[Names, Part | None]] = {}
+        self._parts: dict[str, tuple[PartNames, Part | None]] = {}
         try:  # immutable: no locks, no look for a journal
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
         except sqlite3.Error as error:
@@ -70,7 +70,7 @@ class PartsFile:
         """Close the file."""
         self._db.close()
 
-    def part(self, part_id: str, known: Names) -> Part | None:
+    def part(self, part_id: str, known: PartNames) -> Part | None:
         """The part of that identity, or None.
 
         Args:
@@ -95,7 +95,7 @@ class PartsFile:
         """The identities of all parts, sorted."""
         return [row[0] for row in self._all("SELECT id FROM part ORDER BY id")]
 
-    def _part(self, row: tuple[Any, ...], known: Names) -> Part:
+    def _part(self, row: tuple[Any, ...], known: PartNames) -> Part:
         part_id, title, family, tags, role, driver, evidence, source, facts = row
         try:
             names, buses, properties = self._unpacked(facts)

@@ -12,7 +12,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi import resources
-from robosmi.transformations.knowledge.api_facts import HEADER_KINDS, ApiFacts, Entry, PinFacts
+from robosmi.transformations.knowledge.api_facts import HEADER_KINDS, ApiEntry, ApiFacts, PinFacts
 from robosmi.transformations.knowledge.platform_folder import facts_of, forget_folders
 
 if TYPE_CHECKING:
@@ -94,11 +94,11 @@ class ApiIndex:
             known = self._closures[key] = tuple(order)
         return known
 
-    def entries(self, name: str) -> Sequence[Entry]:
+    def entries(self, name: str) -> Sequence[ApiEntry]:
         """All declarations of a name, in the order of their headers' names; empty for an unknown name."""
         return self._entries.get(name, ())
 
-    def resolve(self, name: str, includes: Iterable[str]) -> Entry | None:
+    def resolve(self, name: str, includes: Iterable[str]) -> ApiEntry | None:
         """The one declaration that a program with these includes means.
 
         Headers that the includes bring in come first, those included earlier before later ones; then, for a program that forgot
@@ -111,11 +111,11 @@ class ApiIndex:
         outside = len(order)
         return min(found, key=lambda e: (order.get(e.header, outside), self.kind_of(e) != "platform", e.header))
 
-    def kind_of(self, entry: Entry) -> str:
+    def kind_of(self, entry: ApiEntry) -> str:
         """platform, standard or posix, as the entry's header is; builtins of the compiler are the platform's."""
         return self.header_kind(entry.header) or "platform" if entry.header else "platform"
 
-    def signature(self, name: str, entry: Entry) -> str:
+    def signature(self, name: str, entry: ApiEntry) -> str:
         """Return type, name and parameters of a function; `name(...)` for a function-like macro; type and name of others."""
         if entry.kind == "function":
             return f"{entry.detail}{'' if entry.detail.endswith('*') else ' '}{name}{entry.parameters}"
@@ -135,7 +135,7 @@ class ApiIndex:
         """What is known of another name: kind, type, meaning."""
         return self._facts.symbols.get(symbol, {})
 
-    def symbol_kind(self, name: str, entry: Entry) -> str:
+    def symbol_kind(self, name: str, entry: ApiEntry) -> str:
         """macro, constant, register or variable (contract: `platform_symbols[].kind`)."""
         if self.is_register(name):
             return "register"

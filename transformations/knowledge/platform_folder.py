@@ -14,7 +14,7 @@ from typing import Any
 from robosmi import inputs, resources
 from robosmi.data_text import json_of, toml_of
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.api_facts import Convention, Entry, PinFacts, PinParameter
+from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
 
 
 class FolderFacts:
@@ -36,14 +36,14 @@ class FolderFacts:
         own: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
         inherited = self._standard.headers if self._standard is not None else {}
         self.headers: dict[str, dict[str, Any]] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
-        self.entries: dict[str, list[Entry]] = {}
+        self.entries: dict[str, list[ApiEntry]] = {}
         registers: set[str] = set(self.settings.get("registers", {}).get("names", ()))
         for header, content in self.headers.items():
             registers.update(content.get("registers", ()))
             for name, entry in _entries(header, content):
                 self.entries.setdefault(name, []).append(entry)
         for name, result in self.settings["parser"].get("builtins", {}).items():
-            self.entries[name] = [Entry("", "function", result, "()")]
+            self.entries[name] = [ApiEntry("", "function", result, "()")]
         self.registers = frozenset(registers)
 
     @cached_property
@@ -152,17 +152,17 @@ def _toml(path: Path) -> dict[str, Any]:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
 
 
-def _entries(header: str, content: dict[str, Any]) -> Iterable[tuple[str, Entry]]:
+def _entries(header: str, content: dict[str, Any]) -> Iterable[tuple[str, ApiEntry]]:
     for name, (result, parameters) in content.get("functions", {}).items():
-        yield name, Entry(header, "function", result, parameters)
+        yield name, ApiEntry(header, "function", result, parameters)
     for name, function_like in content.get("macros", {}).items():
-        yield name, Entry(header, "function_macro" if function_like else "macro")
+        yield name, ApiEntry(header, "function_macro" if function_like else "macro")
     for name, of_type in content.get("vars", {}).items():
-        yield name, Entry(header, "variable", of_type)
+        yield name, ApiEntry(header, "variable", of_type)
     for name in content.get("consts", ()):
-        yield name, Entry(header, "constant")
+        yield name, ApiEntry(header, "constant")
     for name, form in content.get("types", {}).items():
-        yield name, Entry(header, "type", form)
+        yield name, ApiEntry(header, "type", form)
 
 
 def _pin_facts(fact: dict[str, Any]) -> PinFacts:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from robosmi.metamodels import platform as pf
 
 if TYPE_CHECKING:
-    from robosmi.transformations.knowledge.api_facts import Entry, PinParameter
+    from robosmi.transformations.knowledge.api_facts import ApiEntry, PinParameter
     from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 DIRECTIONS = {"in": "input", "out": "output", "both": "both", "unknown": "unknown"}
@@ -37,7 +37,7 @@ def build(
         words: further names, there in each header that the program brings in and where they resolve in a unit.
         units: the includes of each unit.
     """
-    by_header: dict[str, dict[str, Entry]] = {}
+    by_header: dict[str, dict[str, ApiEntry]] = {}
     brought = api.closure(includes) if units else ()
     for header in brought:
         by_header[header] = {}
@@ -65,7 +65,7 @@ def build(
     )
 
 
-def _header(api: ApiIndex, header: str, entries: dict[str, Entry]) -> pf.Header:
+def _header(api: ApiIndex, header: str, entries: dict[str, ApiEntry]) -> pf.Header:
     kind = api.header_kind(header) or "platform"
     others = [(name, entry) for name, entry in entries.items() if not entry.callable]
     return pf.Header(
@@ -78,7 +78,7 @@ def _header(api: ApiIndex, header: str, entries: dict[str, Entry]) -> pf.Header:
     )
 
 
-def _function(api: ApiIndex, name: str, entry: Entry) -> pf.ApiFunction:
+def _function(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiFunction:
     meaning = api.meaning(name)
     pins = api.pins(name, entry.header)
     meanings = list(meaning.get("parameters", ()))
@@ -140,7 +140,7 @@ def _condition(when: Mapping[str, int]) -> pf.ArgumentCondition:
     return pf.ArgumentCondition(position=when["index"], relation=getattr(pf.Relation, RELATIONS[relation]), value=when[relation])
 
 
-def _symbol(api: ApiIndex, name: str, entry: Entry) -> pf.ApiSymbol:
+def _symbol(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiSymbol:
     known = api.symbol_meaning(name)
     return pf.ApiSymbol(
         name=name,

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import platform as pf
-from robosmi.transformations.knowledge.api_facts import Convention, Entry, PinFacts, PinParameter
+from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
 from robosmi.transformations.knowledge.platform_model import COMPILER, DIRECTIONS, RELATIONS
 
 _IN_DATA = {literal: word for word, literal in DIRECTIONS.items()}
@@ -34,7 +34,7 @@ class StoredFacts:
             "parser": {"attribute_macros": list(model.attributeMacros)},
         }
         self.headers: dict[str, dict[str, Any]] = {}
-        self.entries: dict[str, list[Entry]] = {}
+        self.entries: dict[str, list[ApiEntry]] = {}
         self.pins: dict[tuple[str, str], PinFacts] = {}
         self.functions: dict[str, dict[str, Any]] = {}
         self.symbols: dict[str, dict[str, str]] = {}
@@ -49,22 +49,22 @@ class StoredFacts:
             for function in header.functions:
                 self._add_function(name, function)
             for symbol in header.symbols:
-                self._add(str(symbol.name), Entry(name, str(symbol.form), str(symbol.typeName)))
+                self._add(str(symbol.name), ApiEntry(name, str(symbol.form), str(symbol.typeName)))
                 if symbol.symbolKind is pf.SymbolKind.register:
                     registers.add(str(symbol.name))
                 if symbol.meaning:
                     self.symbols[str(symbol.name)] = {"meaning": str(symbol.meaning), "kind": symbol.symbolKind.name}
             for declared in header.types:
-                self._add(str(declared.name), Entry(name, "type", str(declared.form)))
+                self._add(str(declared.name), ApiEntry(name, "type", str(declared.form)))
         self.registers = frozenset(registers)
 
-    def _add(self, name: str, entry: Entry) -> None:
+    def _add(self, name: str, entry: ApiEntry) -> None:
         self.entries.setdefault(name, []).append(entry)
 
     def _add_function(self, header: str, function: pf.ApiFunction) -> None:
         name = str(function.name)
         kind = "function_macro" if function.functionLikeMacro else "function"
-        self._add(name, Entry(header, kind, str(function.returnType), str(function.parameterList)))
+        self._add(name, ApiEntry(header, kind, str(function.returnType), str(function.parameterList)))
         self.functions[name] = {"blocking": bool(function.blocking)}
         if function.codeArgument >= 0:
             self.code_arguments[name] = int(function.codeArgument)

@@ -19,7 +19,7 @@ from robosmi.metamodels import platform
 from robosmi.plugins import registry
 from robosmi.project import defaults, defaults_place, read_data
 from robosmi.transformations.knowledge.board_models import KIND, load_board, load_mapping, mapped_boards, mapping_file, table_of
-from robosmi.verify.tables import Table
+from robosmi.verify.tables import DataTable
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
 """How data calls the places where programs begin."""
@@ -177,20 +177,20 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     return TargetFacts(model, bool(table.values.get("any_board", False)))
 
 
-def _known(table: Table, key: str, known: Collection[str]) -> str:
+def _known(table: DataTable, key: str, known: Collection[str]) -> str:
     value = table.text(key)
     if value not in known:
         raise table.error(key, f"is '{value}', which is none of: {', '.join(sorted(known))}{did_you_mean(value, known)}")
     return value
 
 
-def _entry(target: str, project: Path | None) -> tuple[Table, str]:
+def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
     """What is said of a target, and its name: its own table over the platform's."""
     listed = defaults(project).get("targets", {})
     if target in listed:
         place = defaults_place("targets", target, project)
         if not isinstance(listed[target], dict):
-            raise Table(place, listed, "targets.").error(target, "must be a table")
+            raise DataTable(place, listed, "targets.").error(target, "must be a table")
         return _whole(listed[target], place, f"targets.{target}.", project), target
     for name, path in _platforms_by_board(project):
         for board in mapped_boards(name, project):
@@ -203,16 +203,16 @@ def _entry(target: str, project: Path | None) -> tuple[Table, str]:
     raise UsageError(f"no target is called '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
 
 
-def _whole(own: dict[str, Any], place: Path, prefix: str, project: Path | None) -> Table:
-    table = Table(place, own, prefix)
+def _whole(own: dict[str, Any], place: Path, prefix: str, project: Path | None) -> DataTable:
+    table = DataTable(place, own, prefix)
     for key in own:
         if key not in _KEYS:
             raise table.error(key, f"is no key of a target{did_you_mean(key, _KEYS)}")
     base = platform_table(table.text("platform"), table, project).values.get("target", {})
-    return Table(place, {**base, **own}, prefix)
+    return DataTable(place, {**base, **own}, prefix)
 
 
-def platform_table(name: str, named_in: Table, project: Path | None) -> Table:
+def platform_table(name: str, named_in: DataTable, project: Path | None) -> DataTable:
     """The settings of a platform that a target names.
 
     Raises:
@@ -235,7 +235,7 @@ def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:
                     yield path.parent.name, path
 
 
-def _platform(table: Table, folder: str, project: Path | None) -> platform.Platform:
+def _platform(table: DataTable, folder: str, project: Path | None) -> platform.Platform:
     try:
         data = table.values
         return platform.Platform(
@@ -267,14 +267,14 @@ def _names(folder: str, project: Path | None) -> platform.ReservedNames:
         ) from error
 
 
-def _toolchain(name: str, named_in: Table, project: Path | None) -> platform.Toolchain:
+def _toolchain(name: str, named_in: DataTable, project: Path | None) -> platform.Toolchain:
     known: list[str] = []
     for folder in resources.folders(KIND, project):
         for path in sorted(folder.glob("*/toolchain.toml")):
             data = read_data(path)
             known.append(str(data.get("name", "")))
             if known[-1] == name:
-                table = Table(path, data)
+                table = DataTable(path, data)
                 tools = table.table("tools")
                 return platform.Toolchain(
                     name=name,

@@ -15,7 +15,7 @@ from robosmi import quoting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
-from robosmi.transformations.knowledge.part_names import Names, name_direction, names
+from robosmi.transformations.knowledge.part_names import PartNames, name_direction, names
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
 
 Role = hardware.Role
@@ -44,7 +44,7 @@ class _Mapped:
 
 @dataclass(slots=True)
 class _State:
-    known: Names
+    known: PartNames
     path: str
     findings: list[Finding] = field(default_factory=list)
 
@@ -53,7 +53,7 @@ class _State:
 
 
 def map_connectors(
-    circuit: hardware.Circuit, boards: Mapping[str, platform.Board] | None = None, known: Names | None = None
+    circuit: hardware.Circuit, boards: Mapping[str, platform.Board] | None = None, known: PartNames | None = None
 ) -> tuple[list[migration.Connection], list[Finding]]:
     """The connections of every board of a circuit: one for each pin and component that it reaches, in the order of pins.
 
@@ -205,7 +205,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             )
 
 
-def _signal(reached: ReachedComponent, label: str, pin: platform.Pin | None, known: Names) -> str:
+def _signal(reached: ReachedComponent, label: str, pin: platform.Pin | None, known: PartNames) -> str:
     """The direction on a pin: what the connector's name tells, else what the role and the place of the part tell."""
     component = reached.component
     ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
@@ -222,7 +222,7 @@ def _signal(reached: ReachedComponent, label: str, pin: platform.Pin | None, kno
     return told if told is not None and default != "write" else default
 
 
-def _driver_signal(component: hardware.Component, default: str, known: Names) -> str:
+def _driver_signal(component: hardware.Component, default: str, known: PartNames) -> str:
     """For a chip that may be on either side of the board: read where it only senses, written where it only drives."""
     drives, senses = either_side(component, known)
     if bool(drives) != bool(senses):

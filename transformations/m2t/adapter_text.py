@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from robosmi.transformations.knowledge.adapter_files import Piece
+from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
-def adapter_text(pieces: Iterable[Piece], pins: Mapping[str, str], unbound: str) -> str:
+def adapter_text(pieces: Iterable[AdapterPiece], pins: Mapping[str, str], unbound: str) -> str:
     """The pieces as text, in their order: includes, the pins that they use by convention, and each with what is known of it.
 
     Args:

@@ -21,7 +21,7 @@ class Place:
 
 
 @dataclass(slots=True)
-class Row:
+class PartRow:
     """A connector in a box: its name, and the tag of the supply that it is on. Places are filled by `placed`."""
 
     number: int
@@ -44,7 +44,7 @@ class Box:
     subtitle: str
     fill: str
     column: int
-    rows: list[Row] = field(default_factory=list)
+    rows: list[PartRow] = field(default_factory=list)
     x: float = 0
     y: float = 0
     width: float = 0
@@ -52,7 +52,7 @@ class Box:
 
 
 @dataclass(slots=True)
-class Link:
+class DrawnLink:
     """A line between two rows. Its path is filled by `placed`."""
 
     one: Place
@@ -62,7 +62,7 @@ class Link:
     path: str = ""
 
 
-def placed(boxes: Sequence[Box], links: Sequence[Link], footer: bool) -> tuple[int, int]:
+def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], footer: bool) -> tuple[int, int]:
     """Give all boxes, rows and links their places.
 
     Args:
@@ -113,7 +113,7 @@ def _width(box: Box) -> float:
     return max(rows, len(box.title) * 8 + 16, len(box.subtitle) * 6 + 16, 90)
 
 
-def _path(boxes: Sequence[Box], link: Link) -> str:
+def _path(boxes: Sequence[Box], link: DrawnLink) -> str:
     one, other = (boxes[place.box] for place in (link.one, link.other))
     start, end = one.rows[link.one.row], other.rows[link.other.row]
     if one.column == other.column:  # out and back on the same side

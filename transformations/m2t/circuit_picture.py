@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from robosmi.generate import Gen
 from robosmi.metamodels import hardware
-from robosmi.transformations.m2t.circuit_layout import Box, Link, Place, Row, placed
+from robosmi.transformations.m2t.circuit_layout import Box, DrawnLink, PartRow, Place, placed
 from robosmi.transformations.queries.circuit_walk import natural_key, pins_of
 
 _FILLS = {
@@ -33,7 +33,7 @@ class Picture:
 
     title: str
     boxes: list[Box] = field(default_factory=list)
-    links: list[Link] = field(default_factory=list)
+    links: list[DrawnLink] = field(default_factory=list)
     loose: list[str] = field(default_factory=list)
 
 
@@ -57,7 +57,7 @@ def circuit_picture(circuit: hardware.Circuit) -> Picture:
         colour = _LINES[number % len(_LINES)]
         for other in ends[1:]:
             names = " - ".join(f"{picture.boxes[e.box].title} {picture.boxes[e.box].rows[e.row].text}" for e in (ends[0], other))
-            picture.links.append(Link(ends[0], other, colour, names))
+            picture.links.append(DrawnLink(ends[0], other, colour, names))
     return picture
 
 
@@ -137,7 +137,7 @@ def _box(component: hardware.Component, number: int, column: int, rows: dict[har
         for connector in connectors:
             rows[connector] = Place(number, len(box.rows))
         tag = (net.voltage or "supply") if net is not None and net.rail else ""
-        box.rows.append(Row(len(box.rows), _short(text, 24), _short(tag, 10), _tag_colour(tag)))
+        box.rows.append(PartRow(len(box.rows), _short(text, 24), _short(tag, 10), _tag_colour(tag)))
     return box
 
 

@@ -19,7 +19,7 @@ from robosmi.transformations.queries.text_changes import decision_of
 
 
 @dataclass(frozen=True)
-class Part:
+class MainPart:
     """A piece of carried-over text and what it comes from.
 
     Attributes:
@@ -35,15 +35,15 @@ class Part:
     elements: Sequence[Any]
 
 
-def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
+def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[MainPart]:
     """The locals that move out of main, at file scope."""
     hoisted = _hoists(plan, main)
     for disposition in hoisted:
         assert disposition.hoisted is not None
         text = source.copied(disposition.hoisted, disposition)
-        yield Part(text + "\n", "code", "hoisted local", [disposition.element, disposition])
+        yield MainPart(text + "\n", "code", "hoisted local", [disposition.element, disposition])
     if hoisted:
-        yield Part("\n", "generation", "blank", [main])
+        yield MainPart("\n", "generation", "blank", [main])
 
 
 def _inside(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
@@ -66,7 +66,7 @@ def heading(source: SourceText, main: ccode.Function) -> int:
     return position
 
 
-def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[Part]:
+def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[MainPart]:
     """The parts that take main's place: `setup`, `loop`."""
     assert main.body is not None
     hoisted = _hoists(plan, main)
@@ -79,14 +79,14 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     yield from _comments(source, main.startOffset, body.startOffset, main)
     if not isinstance(loop, ccode.Loop):
         yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, _parameters(main))
-        yield Part("\n", "generation", "blank", [main])
-        yield Part("void loop() {\n}\n", "generation", "loop", [main])
+        yield MainPart("\n", "generation", "blank", [main])
+        yield MainPart("void loop() {\n}\n", "generation", "loop", [main])
         return
     place = statements.index(loop)
     border = source.line_start(loop.startOffset)
     border = border if source.blank(border, loop.startOffset) else loop.startOffset
     yield from _function("setup", source, start, border, statements[:place], main, cuts)
-    yield Part("\n", "generation", "blank", [main])
+    yield MainPart("\n", "generation", "blank", [main])
     inner = loop.body
     if isinstance(inner, ccode.Block):
         yield from _comments(source, loop.startOffset, inner.startOffset, loop)
@@ -104,11 +104,11 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     yield from _comments(source, last, body.endOffset, main)
 
 
-def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[Part]:
+def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[MainPart]:
     """The comments of a range that is not carried over otherwise, each on a line of its own."""
     for comment in source.comments_in(start, end):
         text = source.slice(comment.startOffset, comment.endOffset)[0].strip()
-        yield Part(text + "\n", "code", "retained comment", [comment, owner])
+        yield MainPart(text + "\n", "code", "retained comment", [comment, owner])
 
 
 def _parameters(main: ccode.Function) -> list[str]:
@@ -133,7 +133,7 @@ def _function(
     owner: ccode.Located,
     cuts: Sequence[tuple[int, int]] = (),
     first: Sequence[str] = (),
-) -> Iterator[Part]:
+) -> Iterator[MainPart]:
     """`void name() { ... }` around copied text, one part for each run of lines.
 
     Args:
@@ -145,9 +145,9 @@ def _function(
         cuts: ranges that are left out.
         first: lines that come first.
     """
-    yield Part(f"void {name}() {{\n", "generation", name, [owner])
+    yield MainPart(f"void {name}() {{\n", "generation", name, [owner])
     for line in first:
-        yield Part(line, "generation", "parameter of main", [owner])
+        yield MainPart(line, "generation", "parameter of main", [owner])
     pieces: list[Piece] = []
     position = start
     for cut_start, cut_end in [*sorted(c for c in cuts if start <= c[0] < end), (end, end)]:
@@ -158,10 +158,10 @@ def _function(
         texts[0], texts[-1] = texts[0].lstrip("\n"), texts[-1].rstrip("\n") + "\n"
     for piece, text in zip(pieces, texts, strict=True):
         if text.strip():
-            yield Part(text if text.endswith("\n") else text + "\n", "code", "retained statement", _elements(piece))
+            yield MainPart(text if text.endswith("\n") else text + "\n", "code", "retained statement", _elements(piece))
         elif text:
-            yield Part("\n", "code", "blank", [owner])
-    yield Part("}\n", "generation", name, [owner])
+            yield MainPart("\n", "code", "blank", [owner])
+    yield MainPart("}\n", "generation", name, [owner])
 
 
 def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:

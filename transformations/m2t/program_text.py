@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters
-from robosmi.transformations.m2t.main_text import Part, heading, hoisted_parts, main_parts
+from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.plan import keeps_main, target_of
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
@@ -35,7 +35,7 @@ def own_header(source: SourceText) -> dict[str, Any]:
     """What the file of a header of the program's own shows: its text."""
     unit = source.unit
     pieces = source.pieces(0, len(source.data), _elements(unit))
-    return {"code": [Part(_lines(p.text), "code", "retained header", p.elements or [unit]) for p in pieces if p.text]}
+    return {"code": [MainPart(_lines(p.text), "code", "retained header", p.elements or [unit]) for p in pieces if p.text]}
 
 
 def program_text(
@@ -99,10 +99,10 @@ def _libraries(plan: migration.MigrationPlan) -> list[tuple[str, list[migration.
     return list(found.items())
 
 
-def _code(plan: migration.MigrationPlan, source: SourceText, start: int, main: ccode.Function | None) -> list[Part]:
+def _code(plan: migration.MigrationPlan, source: SourceText, start: int, main: ccode.Function | None) -> list[MainPart]:
     """The code from an offset on, with main as setup and loop and what moves out of it above."""
     unit, elements = source.unit, _elements(source.unit)
-    parts: list[Part] = []
+    parts: list[MainPart] = []
     if main is None:
         return _retained(parts, unit, source.pieces(start, len(source.data), elements))
     hoisted = list(hoisted_parts(plan, source, main))
@@ -117,7 +117,7 @@ def _code(plan: migration.MigrationPlan, source: SourceText, start: int, main: c
     return _retained(parts, unit, _stripped(source.pieces(behind, len(source.data), elements)))
 
 
-def _retained(parts: list[Part], unit: ccode.SourceUnit, pieces: Iterator[Piece]) -> list[Part]:
+def _retained(parts: list[MainPart], unit: ccode.SourceUnit, pieces: Iterator[Piece]) -> list[MainPart]:
     """The parts and pieces behind them, without blank lines that a removed include leaves; what comes before ends in one."""
     for piece in pieces:
         before = parts[-1].text if parts else "\n\n"
@@ -127,7 +127,7 @@ def _retained(parts: list[Part], unit: ccode.SourceUnit, pieces: Iterator[Piece]
         bindings = [b for b in map(decision_of, piece.changes) if isinstance(b, migration.PortBinding)]
         connections = [b.connection for b in bindings if b.connection is not None]
         elements = [*(piece.elements or [unit]), *bindings, *connections]
-        parts.append(Part(_lines(text), "hardware" if bindings else "code", "retained code", elements))
+        parts.append(MainPart(_lines(text), "hardware" if bindings else "code", "retained code", elements))
     return parts
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import Piece
+from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
 @dataclass
@@ -22,7 +22,7 @@ class Needed:
         unserved: (header, name) of what was asked for and cannot be served on this microcontroller -> why not.
     """
 
-    pieces: list[Piece] = field(default_factory=list)
+    pieces: list[AdapterPiece] = field(default_factory=list)
     unserved: dict[tuple[str, str], str] = field(default_factory=dict)
 
 
@@ -33,8 +33,8 @@ class AdapterPieces:
         pieces: of all adapter files, those that count first in front.
     """
 
-    def __init__(self, pieces: Iterable[Piece]) -> None:
-        self._variants: dict[tuple[str, str], list[Piece]] = {}
+    def __init__(self, pieces: Iterable[AdapterPiece]) -> None:
+        self._variants: dict[tuple[str, str], list[AdapterPiece]] = {}
         self._headers: dict[str, list[str]] = {}
         for piece in pieces:
             key = piece.header, piece.name
@@ -42,7 +42,7 @@ class AdapterPieces:
             if piece.header not in self._headers.setdefault(piece.name, []):
                 self._headers[piece.name].append(piece.header)
 
-    def __iter__(self) -> Iterator[Piece]:
+    def __iter__(self) -> Iterator[AdapterPiece]:
         return (piece for variants in self._variants.values() for piece in variants)
 
     def key(self, name: str, header: str = "") -> tuple[str, str] | None:
@@ -55,7 +55,7 @@ class AdapterPieces:
             return header, name
         return (headers[0], name) if headers else None
 
-    def variant(self, key: tuple[str, str], mcu: str) -> Piece | None:
+    def variant(self, key: tuple[str, str], mcu: str) -> AdapterPiece | None:
         """The variant of a piece for a microcontroller."""
         variants = self._variants.get(key, [])
         own = (piece for piece in variants if mcu in piece.mcus)
@@ -74,7 +74,7 @@ class AdapterPieces:
             if key is None:
                 found.unserved[header, name] = "there is no adapter for it"
                 continue
-            chain: dict[tuple[str, str], Piece] = {}
+            chain: dict[tuple[str, str], AdapterPiece] = {}
             why = self._unserved(key, mcu, chain, [])
             if why:
                 found.unserved[header, name] = why
@@ -85,7 +85,9 @@ class AdapterPieces:
                     found.pieces.append(piece)
         return found
 
-    def _unserved(self, key: tuple[str, str], mcu: str, chain: dict[tuple[str, str], Piece], above: list[tuple[str, str]]) -> str:
+    def _unserved(
+        self, key: tuple[str, str], mcu: str, chain: dict[tuple[str, str], AdapterPiece], above: list[tuple[str, str]]
+    ) -> str:
         """Put a piece, behind what it needs, into the chain; what is not there for the microcontroller, else an empty text."""
         if key in chain:
             return ""

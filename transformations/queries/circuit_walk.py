@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from robosmi.metamodels import hardware
-from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, names
+from robosmi.transformations.knowledge.part_names import PartNames, conducts_by_bus_only, names
 
 Role = hardware.Role
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
@@ -35,7 +35,7 @@ def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
 
 
 def walk(
-    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: Names
+    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: PartNames
 ) -> list[ReachedComponent]:
     """What is reached from some nets, nearest first: across two-terminal passive parts, never into a rail or a blocked net.
 
@@ -64,7 +64,9 @@ def walk(
     return list(found.values())
 
 
-def behind(driver: hardware.Component, known: Names | None = None) -> tuple[list[hardware.Component], list[hardware.Component]]:
+def behind(
+    driver: hardware.Component, known: PartNames | None = None
+) -> tuple[list[hardware.Component], list[hardware.Component]]:
     """What a driver drives and what it senses: outputs and inputs beyond its connectors that lead to no board.
 
     They are told for the whole device, not channel by channel, and have no mapping of their own.
@@ -78,7 +80,7 @@ def behind(driver: hardware.Component, known: Names | None = None) -> tuple[list
 
 
 def either_side(
-    component: hardware.Component, known: Names | None = None
+    component: hardware.Component, known: PartNames | None = None
 ) -> tuple[list[hardware.Component], list[hardware.Component]]:
     """`behind` for a chip that may be on either side of the board (names.toml), nothing for any other component."""
     known = known or names()
@@ -98,7 +100,7 @@ def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hard
     return list(groups.items())
 
 
-def _other_side(component: hardware.Component, net: hardware.Net, known: Names) -> hardware.Net | None:
+def _other_side(component: hardware.Component, net: hardware.Net, known: PartNames) -> hardware.Net | None:
     """The net at the other terminal of a two-terminal passive part, None for any other part."""
     if conducts_by_bus_only(component.family, known):
         return None

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from robosmi.metamodels import ccode
 from robosmi.query import Q, all_contents
-from robosmi.transformations.knowledge.api_facts import Entry
+from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 T = TypeVar("T")
@@ -40,7 +40,7 @@ class CalledFunction:
 
     name: str
     calls: list[ccode.Call] = field(default_factory=list)
-    entry: Entry | None = None
+    entry: ApiEntry | None = None
     header: str = ""
     signature: str = ""
     signature_source: str = "inferred"
@@ -108,7 +108,7 @@ class CodeView:
             found = self._kinds[kind] = [x for x in self.elements if x.__class__ in wanted]
         return found
 
-    def resolve(self, name: str) -> Entry | None:
+    def resolve(self, name: str) -> ApiEntry | None:
         """The declaration that a name means in this unit, None where the repository does not know it."""
         return self.api.resolve(name, self.includes)
 
@@ -160,7 +160,7 @@ class CodeView:
             if known:
                 entry = known[0]
             elif (kind := self.api.header_kind(header)) is not None:
-                entry = Entry(header, "function", "", "") if kind else None
+                entry = ApiEntry(header, "function", "", "") if kind else None
             else:
                 entry = None  # a header of the user's own declares it
         function.entry = entry

@@ -16,7 +16,7 @@ from robosmi.query.run import ext
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts, Electrical, electrical
-from robosmi.transformations.knowledge.part_names import Names, conducts_by_bus_only, names
+from robosmi.transformations.knowledge.part_names import PartNames, conducts_by_bus_only, names
 
 T = TypeVar("T")
 Role = hardware.Role
@@ -42,7 +42,7 @@ class Wiring:
 
     def __init__(self, circuit: hardware.Circuit) -> None:
         self.circuit = circuit
-        self.known: Names = names()
+        self.known: PartNames = names()
         self.data: Electrical = electrical()
         self.titles = Counter(c.title or c.partTitle for c in circuit.components)
         self.boards: list[hardware.Component] = []

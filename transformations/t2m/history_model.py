@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import migration
-from robosmi.recommend.history import Entry
+from robosmi.recommend.history import HistoryEntry
 from robosmi.recommend.history_exchange import entry_of
 
 _FEATURES = {
@@ -20,7 +20,7 @@ _FEATURES = {
 }  # fmt: skip
 
 
-def history_to_model(entries: Iterable[Entry]) -> migration.EarlierChoices:
+def history_to_model(entries: Iterable[HistoryEntry]) -> migration.EarlierChoices:
     """The model of some entries, in their order."""
     choices = []
     for entry in entries:
@@ -31,7 +31,7 @@ def history_to_model(entries: Iterable[Entry]) -> migration.EarlierChoices:
     return migration.EarlierChoices(choices=choices)
 
 
-def model_to_history(root: object, location: Location | None = None) -> list[Entry]:
+def model_to_history(root: object, location: Location | None = None) -> list[HistoryEntry]:
     """The entries of a model.
 
     Raises:

@@ -26,7 +26,7 @@ from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
 from robosmi.transformations.knowledge.part import ROLES, Part
-from robosmi.transformations.knowledge.part_names import Names, connector_kind, names
+from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
@@ -95,7 +95,7 @@ def read_circuit(
 class _Table:
     """Rows as they come; the model at the end."""
 
-    def __init__(self, path: str, board: platform.Board, known: Names, project: Path | None) -> None:
+    def __init__(self, path: str, board: platform.Board, known: PartNames, project: Path | None) -> None:
         self.path = path
         self.board = board
         self.names = known

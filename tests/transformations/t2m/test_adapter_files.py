@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import ConventionalPort, PinParameter, read_adapter_file
+from robosmi.transformations.knowledge.adapter_files import AdapterPin, ConventionalPort, read_adapter_file
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 
 WHOLE = """//# header drive.h
@@ -56,7 +56,7 @@ def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None
     assert wheel.text == "static Servo wheel;"
     assert drive.signatures == ["void drive(int left, int pin)"]
     assert (drive.relation, drive.needs, drive.setup) == ("semantic", ["wheel", "tools.h/low"], ["wheel.attach(9);"])
-    assert drive.pins == [PinParameter("pin", "pwm", "out", True, "servo")]
+    assert drive.pins == [AdapterPin("pin", "pwm", "out", True, "servo")]
     assert drive.ports == [ConventionalPort("drive_left", "drive.left", 12, "digital", "out", "servo")]
     assert (drive.libraries, drive.mcus) == (["Adafruit NeoPixel"], ["atmega328p"])
     assert (drive.fidelity, drive.limits) == ("one frame late", ["no ramp", "no encoder"])

@@ -27,7 +27,7 @@ from robosmi.transformations.t2m.c_source.invocation import (
 from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
-from robosmi.transformations.t2m.c_source.source import SourceText
+from robosmi.transformations.t2m.c_source.source import ReadSource
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
@@ -48,7 +48,7 @@ class Call:
         names: all names in the headers that the text reaches; None where it reaches others than our own.
     """
 
-    def __init__(self, source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> None:
+    def __init__(self, source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> None:
         self.path = os.path.abspath(source.path)
         self._source, self._api = source, api
         self._given = arguments(api, source.language, include_dirs, defines)

@@ -129,7 +129,7 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
 }  # fmt: skip
 
 
-class Library:
+class ClangLibrary:
     """libclang's functions without the prefix `clang_`, typed for ctypes."""
 
     def __init__(self, path: str) -> None:
@@ -153,7 +153,7 @@ class Library:
 
 
 @cache
-def library() -> Library:
+def library() -> ClangLibrary:
     """The library of this process, loaded at the first call, with its indexes.
 
     Raises:
@@ -164,7 +164,7 @@ def library() -> Library:
         for name in ("libclang.so", "libclang.dylib", "libclang.dll"):
             path = Path(root) / "native" / name
             if path.is_file():
-                return Library(str(path))
+                return ClangLibrary(str(path))
     raise MissingToolError("the C parser libclang is not installed", fix="run: pip install libclang==18.1.1")
 
 

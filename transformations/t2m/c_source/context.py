@@ -1,6 +1,6 @@
 """What the builders share while one unit is built: text, tokens, the parser's tree, declarations seen, findings.
 
-No element is made here. `Context` answers questions about places (which token stands before, is this from a macro and from
+No element is made here. `UnitContext` answers questions about places (which token stands before, is this from a macro and from
 which) and about names (what does this cursor refer to). One context serves one unit.
 """
 
@@ -18,13 +18,13 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL
 from robosmi.transformations.t2m.c_source.parsing import Parsed
-from robosmi.transformations.t2m.c_source.source import SourceText
+from robosmi.transformations.t2m.c_source.source import ReadSource
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 
 MAX_DEPTH = 150
 
 
-class Context:
+class UnitContext:
     """State of building one unit.
 
     Attributes:
@@ -43,7 +43,7 @@ class Context:
         self.api = api
         self.include_dirs = sorted((os.path.abspath(d) for d in include_dirs), key=len, reverse=True)
         self.lib = clang.library()
-        self.source: SourceText = parsed.source
+        self.source: ReadSource = parsed.source
         self.tokens: list[Token] = [t for t in self.source.tokens if t[0] != "comment" and t[0] != "directive"]
         self._comments: list[Token] = [t for t in self.source.tokens if t[0] == "comment"]
         self._comment_starts = [t[1] for t in self._comments]

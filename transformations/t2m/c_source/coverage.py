@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import KEYWORDS
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 
 _NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
 _NO_CALL |= {"_Generic", "_Alignas", "_Atomic", "__typeof", "__real__", "__imag__", "__real", "__imag"}
@@ -29,7 +29,7 @@ class Coverage:
     unresolved: list[ccode.UnresolvedCall]
 
 
-def calls(context: Context) -> Coverage:
+def calls(context: UnitContext) -> Coverage:
     """Compare the tokens with the model; a lost call is a finding RS102."""
     tokens = context.tokens
     in_text = in_model = 0
@@ -56,7 +56,7 @@ def calls(context: Context) -> Coverage:
     return Coverage(in_text, in_model, lost)
 
 
-def problems(context: Context) -> list[ccode.SyntaxProblem]:
+def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
     """The parser's complaints that are not about missing declarations; those about the form of the text are findings RS101."""
     found: list[ccode.SyntaxProblem] = []
     said: set[tuple[int, str]] = set()  # the same of two braces that are missing at the end
@@ -75,13 +75,13 @@ def problems(context: Context) -> list[ccode.SyntaxProblem]:
     return found
 
 
-def _is_error_directive(context: Context, offset: int) -> bool:
+def _is_error_directive(context: UnitContext, offset: int) -> bool:
     data = context.source.parsed
     start = data.rfind(b"\n", 0, offset) + 1
     return re.match(rb"\s*(?:#|%:)\s*error\b", data[start : offset + 40]) is not None
 
 
-def notes(context: Context, includes: list[ccode.Include], conditionals: list[ccode.PreprocessorConditional]) -> None:
+def notes(context: UnitContext, includes: list[ccode.Include], conditionals: list[ccode.PreprocessorConditional]) -> None:
     """Findings about the unit as a whole: headers nobody knows, text that was not compiled, depth, encoding."""
     for include in includes:
         known = include.resolvedPath or context.api.header_kind(str(include.header))

@@ -12,7 +12,7 @@ import re
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import declarations, expressions, statements, types
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression, operands
 from robosmi.transformations.t2m.c_source.statements import statement
 from robosmi.transformations.t2m.c_source.tree import Node
@@ -22,7 +22,7 @@ FUNCTION_TEMPLATE, CLASS_TEMPLATE, PARTIAL_TEMPLATE, LINKAGE = 30, 31, 32, 23
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*)")
 
 
-def _named_cast(context: Context, node: Node) -> ccode.Expression | None:
+def _named_cast(context: UnitContext, node: Node) -> ccode.Expression | None:
     """`static_cast<T>(x)` and the like, and `T(x)`."""
     children = operands(node)
     if not children:
@@ -33,7 +33,7 @@ def _named_cast(context: Context, node: Node) -> ccode.Expression | None:
 def _word(operator: str) -> expressions.Builder:
     """A builder for an operator that is a word before its operand."""
 
-    def build(context: Context, node: Node) -> ccode.Expression | None:
+    def build(context: UnitContext, node: Node) -> ccode.Expression | None:
         children = [c for c in operands(node) if c.end > c.start]
         if not children:
             return None
@@ -46,7 +46,7 @@ def _word(operator: str) -> expressions.Builder:
     return build
 
 
-def overloaded(context: Context, node: Node) -> ccode.Expression | None:
+def overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
     """The operation that a call of an overloaded operator is in the text; None for any other call."""
     match = _OPERATOR.match(context.spelling(node.cursor))
     if match is None or context.text(node).startswith("operator"):
@@ -65,7 +65,7 @@ def overloaded(context: Context, node: Node) -> ccode.Expression | None:
     return kind(operator=operator, left=built[0], right=built[1], **place)
 
 
-def _try(context: Context, node: Node) -> ccode.Statement:
+def _try(context: UnitContext, node: Node) -> ccode.Statement:
     context.find("RS107", Severity.warning, "exceptions are read as plain blocks", node.start, node.end, "read it by hand")
     parts: list[ccode.Statement] = []
     for child in node.children:
@@ -74,7 +74,7 @@ def _try(context: Context, node: Node) -> ccode.Statement:
     return ccode.Block(statements=parts, **context.source.place(node.start, node.end))
 
 
-def _for_range(context: Context, node: Node) -> ccode.Statement:
+def _for_range(context: UnitContext, node: Node) -> ccode.Statement:
     body = node.children[-1] if node.children else None
     variables = [c for c in node.children if c.kind == 9 and c.end > c.start]
     over = [c for c in node.children[:-1] if 100 <= c.kind < 200 and c.end > c.start]

@@ -12,14 +12,14 @@ from dataclasses import replace
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import types
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
 PARAMETER, COMPOUND, FIELD, LITERAL, TYPE_REF = 10, 202, 6, 7, 43
 
 
-def group(context: Context, nodes: Sequence[Node], start: int | None = None) -> list[ccode.Declaration]:
+def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None) -> list[ccode.Declaration]:
     """The declarations for sibling cursors, in text order.
 
     Args:
@@ -50,7 +50,7 @@ def _without_linkage(nodes: Sequence[Node]) -> Iterator[Node]:
             yield node
 
 
-def _only_named(context: Context, node: Node) -> bool:
+def _only_named(context: UnitContext, node: Node) -> bool:
     """Whether a record or enumeration is first named in another declaration, as in `struct unknown x;`."""
     if node.kind in (31, 32) or context.lib.isCursorDefinition(node.cursor):
         return False
@@ -58,7 +58,7 @@ def _only_named(context: Context, node: Node) -> bool:
     return not (i < len(context.tokens) and context.tokens[i][3] == ";")
 
 
-def _function(context: Context, node: Node) -> ccode.Declaration:
+def _function(context: UnitContext, node: Node) -> ccode.Declaration:
     from robosmi.transformations.t2m.c_source.statements import block
 
     at = context.name_offset(node.cursor)
@@ -104,7 +104,7 @@ def _function(context: Context, node: Node) -> ccode.Declaration:
     return element
 
 
-def _parameter(context: Context, node: Node) -> ccode.Parameter:
+def _parameter(context: UnitContext, node: Node) -> ccode.Parameter:
     at = context.name_offset(node.cursor)
     name = context.spelling(node.cursor)
     stop = at if at >= 0 and name else node.end
@@ -118,7 +118,7 @@ def _parameter(context: Context, node: Node) -> ccode.Parameter:
     return element
 
 
-def _variable(context: Context, node: Node, start: int | None = None) -> ccode.Declaration:
+def _variable(context: UnitContext, node: Node, start: int | None = None) -> ccode.Declaration:
     at = context.name_offset(node.cursor)
     stop = at if at >= 0 else node.end
     spec = types.specifiers(context, node.start if start is None else start, stop)
@@ -149,7 +149,7 @@ def _variable(context: Context, node: Node, start: int | None = None) -> ccode.D
     return element
 
 
-def _lost_initializer(context: Context, equals: int) -> tuple[int, int]:
+def _lost_initializer(context: UnitContext, equals: int) -> tuple[int, int]:
     """The range of an initial value that the parser lost."""
     i = equals + 1
     start = end = context.tokens[equals][2]
@@ -161,7 +161,7 @@ def _lost_initializer(context: Context, equals: int) -> tuple[int, int]:
     return start, end
 
 
-def _typedef(context: Context, node: Node) -> ccode.Declaration:
+def _typedef(context: UnitContext, node: Node) -> ccode.Declaration:
     at = context.name_offset(node.cursor)
     stop = at if at >= 0 else node.end
     spec = types.specifiers(context, node.start, stop)
@@ -173,7 +173,7 @@ def _typedef(context: Context, node: Node) -> ccode.Declaration:
     return element
 
 
-def _record(context: Context, node: Node) -> ccode.Declaration:
+def _record(context: UnitContext, node: Node) -> ccode.Declaration:
     fields = [_field(context, c) for c in node.children if c.kind == FIELD]
     methods = [
         m for c in node.children if c.kind in (21, 24, 25, 26, 30) and isinstance(m := _function(context, c), ccode.Function)
@@ -193,7 +193,7 @@ def _record(context: Context, node: Node) -> ccode.Declaration:
     return element
 
 
-def _tag(context: Context, node: Node) -> str | None:
+def _tag(context: UnitContext, node: Node) -> str | None:
     i = _keyword(context, node) + 1
     if i < len(context.tokens) and context.tokens[i - 1][3] == "enum" and context.tokens[i][3] in ("class", "struct"):
         i += 1
@@ -202,7 +202,7 @@ def _tag(context: Context, node: Node) -> str | None:
     return context.tokens[i][3] if i < len(context.tokens) and context.tokens[i][0] == "name" and not node.from_macro else None
 
 
-def _keyword(context: Context, node: Node) -> int:
+def _keyword(context: UnitContext, node: Node) -> int:
     """The number of the token `struct`, `class`, `union` or `enum`, behind a template's parameters."""
     i = context.token_at(node.start)
     if i < len(context.tokens) and context.tokens[i][3] == "template":
@@ -217,7 +217,7 @@ def _keyword(context: Context, node: Node) -> int:
     return min(i, len(context.tokens) - 1)
 
 
-def _field(context: Context, node: Node) -> ccode.Field:
+def _field(context: UnitContext, node: Node) -> ccode.Field:
     at = context.name_offset(node.cursor)
     stop = at if at >= 0 else node.end
     spec = types.specifiers(context, node.start, stop)
@@ -233,7 +233,7 @@ def _field(context: Context, node: Node) -> ccode.Field:
     return element
 
 
-def _enumeration(context: Context, node: Node) -> ccode.Declaration:
+def _enumeration(context: UnitContext, node: Node) -> ccode.Declaration:
     literals = []
     for child in node.children:
         if child.kind == LITERAL:
@@ -248,7 +248,7 @@ def _enumeration(context: Context, node: Node) -> ccode.Declaration:
     return element
 
 
-def _namespace(context: Context, node: Node) -> ccode.Declaration:
+def _namespace(context: UnitContext, node: Node) -> ccode.Declaration:
     return ccode.Namespace(
         name=context.spelling(node.cursor),
         declarations=group(context, node.children),
@@ -256,7 +256,7 @@ def _namespace(context: Context, node: Node) -> ccode.Declaration:
     )
 
 
-BUILDERS: dict[int, Callable[[Context, Node], ccode.Declaration]] = {
+BUILDERS: dict[int, Callable[[UnitContext, Node], ccode.Declaration]] = {
     2: _record,
     3: _record,
     4: _record,

@@ -12,7 +12,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import literals, macros, types
-from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, Context
+from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
 UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = (
@@ -37,10 +37,10 @@ BINARY_OPERATORS = (
 )  # fmt: skip
 
 
-Builder = Callable[["Context", "Node"], "ccode.Expression | None"]
+Builder = Callable[["UnitContext", "Node"], "ccode.Expression | None"]
 
 
-def expression(context: Context, node: Node) -> ccode.Expression:
+def expression(context: UnitContext, node: Node) -> ccode.Expression:
     """The element for an expression's cursor."""
     if (waiting := context.later(ccode.UnknownExpression, expression, node)) is not None:
         return waiting  # type: ignore[no-any-return]
@@ -60,13 +60,13 @@ def expression(context: Context, node: Node) -> ccode.Expression:
         context.depth -= 1
 
 
-def too_deep(context: Context, node: Node) -> ccode.Expression:
+def too_deep(context: UnitContext, node: Node) -> ccode.Expression:
     """What stands below the deepest level that is taken apart, as text."""
     context.parsed.cut.append((node.start, node.end))
     return unknown(context, node)
 
 
-def unknown(context: Context, node: Node) -> ccode.Expression:
+def unknown(context: UnitContext, node: Node) -> ccode.Expression:
     """An expression of another form, as text."""
     return ccode.UnknownExpression(text=context.text(node), **context.source.place(node.start, node.end))
 
@@ -76,7 +76,7 @@ def operands(node: Node) -> list[Node]:
     return [c for c in node.children if 100 <= c.kind < 200]
 
 
-def _name(context: Context, node: Node) -> ccode.Expression:
+def _name(context: UnitContext, node: Node) -> ccode.Expression:
     referenced = context.lib.getCursorReferenced(node.cursor)
     name = context.spelling(node.cursor) if node.from_macro else context.text(node)
     element = ccode.NameReference(name=name, **context.source.place(node.start, node.end))
@@ -84,7 +84,7 @@ def _name(context: Context, node: Node) -> ccode.Expression:
     return element
 
 
-def _call(context: Context, node: Node) -> ccode.Expression:
+def _call(context: UnitContext, node: Node) -> ccode.Expression:
     children = operands(node)
     if context.source.language == "C++":
         from robosmi.transformations.t2m.c_source.cplusplus import overloaded
@@ -119,7 +119,7 @@ def _call(context: Context, node: Node) -> ccode.Expression:
     return element
 
 
-def _called(context: Context, callee: Node) -> Any:
+def _called(context: UnitContext, callee: Node) -> Any:
     """The declaration that a call means, of a template the template."""
     referenced = context.lib.getCursorReferenced(callee.cursor)
     if context.source.language == "C++":
@@ -129,7 +129,7 @@ def _called(context: Context, callee: Node) -> Any:
     return referenced
 
 
-def _is_function(context: Context, callee: Node) -> bool:
+def _is_function(context: UnitContext, callee: Node) -> bool:
     referenced = context.lib.getCursorReferenced(callee.cursor)
     if referenced.kind in FUNCTION_KINDS or (70 <= referenced.kind < 100 and context.source.language == "C++"):
         return True  # in a template a name may have no declaration yet
@@ -138,7 +138,7 @@ def _is_function(context: Context, callee: Node) -> bool:
     )
 
 
-def _unary(context: Context, node: Node) -> ccode.Expression | None:
+def _unary(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 1:
         return None
@@ -154,7 +154,7 @@ def _unary(context: Context, node: Node) -> ccode.Expression | None:
     )
 
 
-def _binary(context: Context, node: Node) -> ccode.Expression | None:
+def _binary(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 2:
         return None
@@ -164,7 +164,7 @@ def _binary(context: Context, node: Node) -> ccode.Expression | None:
     return kind(operator=operator, left=left, right=right, **context.source.place(node.start, node.end))
 
 
-def _conditional(context: Context, node: Node) -> ccode.Expression | None:
+def _conditional(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 3:
         return None
@@ -174,7 +174,7 @@ def _conditional(context: Context, node: Node) -> ccode.Expression | None:
     )
 
 
-def _index(context: Context, node: Node) -> ccode.Expression | None:
+def _index(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 2:
         return None
@@ -182,7 +182,7 @@ def _index(context: Context, node: Node) -> ccode.Expression | None:
     return ccode.Index(array=array, index=index, **context.source.place(node.start, node.end))
 
 
-def _member(context: Context, node: Node) -> ccode.Expression:
+def _member(context: UnitContext, node: Node) -> ccode.Expression:
     children = operands(node)
     arrow = False
     element = None
@@ -193,7 +193,7 @@ def _member(context: Context, node: Node) -> ccode.Expression:
     return ccode.Member(name=name, arrow=arrow or None, object=element, **context.source.place(node.start, node.end))
 
 
-def _cast(context: Context, node: Node) -> ccode.Expression | None:
+def _cast(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if not children:
         return None
@@ -201,7 +201,7 @@ def _cast(context: Context, node: Node) -> ccode.Expression | None:
     return ccode.Cast(target=_parenthesised_type(context, node), operand=operand, **context.source.place(node.start, node.end))
 
 
-def _parenthesised_type(context: Context, node: Node) -> ccode.TypeUse | None:
+def _parenthesised_type(context: UnitContext, node: Node) -> ccode.TypeUse | None:
     i = context.token_at(node.start)
     if i < len(context.tokens) and context.tokens[i][3] != "(":
         i += 1  # sizeof
@@ -211,7 +211,7 @@ def _parenthesised_type(context: Context, node: Node) -> ccode.TypeUse | None:
     return types.written_type(context, context.tokens[i][2], context.tokens[close][1], context.lib.getCursorType(node.cursor))
 
 
-def _size_of(context: Context, node: Node) -> ccode.Expression:
+def _size_of(context: UnitContext, node: Node) -> ccode.Expression:
     children = operands(node)
     place = context.source.place(node.start, node.end)
     if children:
@@ -227,12 +227,12 @@ def _size_of(context: Context, node: Node) -> ccode.Expression:
     return ccode.SizeOf(measured=measured, **place)
 
 
-def _initializer_list(context: Context, node: Node) -> ccode.Expression:
+def _initializer_list(context: UnitContext, node: Node) -> ccode.Expression:
     elements = [_element(context, c) for c in operands(node) if c.end > c.start]
     return ccode.InitializerList(elements=elements, **context.source.place(node.start, node.end))
 
 
-def _element(context: Context, node: Node) -> ccode.Expression:
+def _element(context: UnitContext, node: Node) -> ccode.Expression:
     """An element of a list; `.name = value` and `[index] = value` are assignments whose object is the list."""
     if node.kind != UNEXPOSED or len(node.children) < 2:
         return expression(context, node)

@@ -59,7 +59,7 @@ class Folders:
             yield os.path.join(folder, name)
 
 
-class Header(NamedTuple):
+class HeaderText(NamedTuple):
     """A header that a text reaches: its path, its size in bytes, and its text where the parser must be given another."""
 
     path: str
@@ -70,7 +70,7 @@ class Header(NamedTuple):
 class Reached(NamedTuple):
     """What a text includes, directly or not: the headers, and whether it comes to include itself without end."""
 
-    headers: list[Header]
+    headers: list[HeaderText]
     itself: bool = False
 
 
@@ -114,7 +114,7 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
                 break
     itself = _bound(files, root)
     del files[root]
-    return Reached([Header(file.path, file.size, file.text) for file in files.values()], itself)
+    return Reached([HeaderText(file.path, file.size, file.text) for file in files.values()], itself)
 
 
 class _Content(NamedTuple):

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
 _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = 101, 105, (21, 22, 23), (112, 114, 115), (110, 111)
@@ -22,7 +22,7 @@ _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = 101, 105, (21, 22, 23), (112
 class CallSite:
     """A call with what the parser knows of it."""
 
-    context: Context
+    context: UnitContext
     call: ccode.Call
     node: Node | None
 
@@ -71,7 +71,7 @@ def _argument_types(site: CallSite) -> list[str]:
     return [_type_name(site.context, c) for c in children[1:]]
 
 
-def _type_name(context: Context, node: Node) -> str:
+def _type_name(context: UnitContext, node: Node) -> str:
     while node.kind in (100, 111) and len(node.children) == 1:
         node = node.children[0]
     if node.kind == 109:

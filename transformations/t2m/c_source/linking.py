@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.macros import header_of
 
@@ -29,7 +29,7 @@ class Linker:
         declarations: of each unit at file scope.
     """
 
-    def __init__(self, contexts: list[Context], declarations: list[list[ccode.Declaration]]) -> None:
+    def __init__(self, contexts: list[UnitContext], declarations: list[list[ccode.Declaration]]) -> None:
         self.contexts = contexts
         self.externals: dict[tuple[str, str], ccode.Declaration] = {}
         self.own_functions: list[dict[str, ccode.Function]] = [_functions(d) for d in declarations]
@@ -53,7 +53,7 @@ class Linker:
         symbols = [self.externals[key] for key in sorted(self.externals)]
         return functions + symbols
 
-    def _link_calls(self, number: int, context: Context) -> None:
+    def _link_calls(self, number: int, context: UnitContext) -> None:
         nodes = {id(call): node for call, node, _ in context.call_nodes}
         for call, cursor in context.calls:
             element = context.declared.get(context.pointer(cursor)) if cursor is not None else None
@@ -83,7 +83,7 @@ class Linker:
         return own
 
     @staticmethod
-    def _declared_signature(context: Context, cursor: Any, name: str) -> str:
+    def _declared_signature(context: UnitContext, cursor: Any, name: str) -> str:
         if cursor.kind not in FUNCTION_KINDS:
             return f"{name}(...)"
         text: str = context.lib.text(context.lib.getCursorPrettyPrinted(cursor, None))
@@ -93,7 +93,7 @@ class Linker:
         return text
 
     @staticmethod
-    def _builtin_signature(context: Context, cursor: Any, name: str) -> str:
+    def _builtin_signature(context: UnitContext, cursor: Any, name: str) -> str:
         """The signature that the parser itself knows of a library function, empty for a function that it knows nothing of."""
         if cursor.kind not in FUNCTION_KINDS:
             return ""
@@ -123,7 +123,7 @@ class Linker:
             parameters=inferred.parameters(),
         )
 
-    def _link_names(self, number: int, context: Context) -> None:
+    def _link_names(self, number: int, context: UnitContext) -> None:
         for reference, cursor in context.references:
             element = context.declared.get(context.pointer(cursor))
             name = str(reference.name)
@@ -136,7 +136,7 @@ class Linker:
             if element is not None:
                 connect(reference, "target", element)
 
-    def _external_symbol(self, context: Context, reference: ccode.NameReference, cursor: Any) -> ccode.Declaration | None:
+    def _external_symbol(self, context: UnitContext, reference: ccode.NameReference, cursor: Any) -> ccode.Declaration | None:
         name = str(reference.name)
         header = header_of(context, cursor)
         if header is None and not context.parsed.prelude.declares(name):
@@ -155,7 +155,7 @@ class Linker:
             known.use = getattr(ccode.SymbolUse, use)
         return known
 
-    def _link_types(self, number: int, context: Context) -> None:
+    def _link_types(self, number: int, context: UnitContext) -> None:
         headers: dict[str, str] | None = None
         for use, name in context.type_uses:
             own = self.own_types[number].get(name)
@@ -175,12 +175,12 @@ def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Fun
     return found
 
 
-def _types(context: Context) -> dict[str, ccode.Declaration]:
+def _types(context: UnitContext) -> dict[str, ccode.Declaration]:
     kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
     return {str(d.name): d for d in context.declared.values() if isinstance(d, kinds) and d.name}
 
 
-def _type_headers(context: Context) -> dict[str, str]:
+def _type_headers(context: UnitContext) -> dict[str, str]:
     """Name -> header of the types that the file takes from headers that were found."""
     found: dict[str, str] = {}
     pending = list(context.parsed.nodes)

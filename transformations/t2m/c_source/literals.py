@@ -8,14 +8,14 @@ from __future__ import annotations
 import re
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
 _ESCAPES = {"n": 10, "t": 9, "r": 13, "a": 7, "b": 8, "f": 12, "v": 11, "e": 27, "\\": 92, "'": 39, '"': 34, "?": 63, "0": 0}
 _LONG = 1 << 63
 
 
-def integer(context: Context, node: Node) -> ccode.Expression:
+def integer(context: UnitContext, node: Node) -> ccode.Expression:
     """An integer constant: decimal, octal, hexadecimal, or binary (GNU)."""
     text = context.text(node)
     value = integer_value(text)
@@ -53,7 +53,7 @@ def integer_value(text: str) -> int | None:
         return None
 
 
-def floating(context: Context, node: Node) -> ccode.Expression:
+def floating(context: UnitContext, node: Node) -> ccode.Expression:
     """A real constant."""
     text = context.text(node)
     lower = text.lower().rstrip("fl")
@@ -66,12 +66,12 @@ def floating(context: Context, node: Node) -> ccode.Expression:
     return ccode.FloatingLiteral(text=text, value=value, **context.source.place(node.start, node.end))
 
 
-def string(context: Context, node: Node) -> ccode.Expression:
+def string(context: UnitContext, node: Node) -> ccode.Expression:
     """A string, with all its parts where it is written in several."""
     return ccode.StringLiteral(text=context.text(node), **context.source.place(node.start, node.end))
 
 
-def character(context: Context, node: Node) -> ccode.Expression:
+def character(context: UnitContext, node: Node) -> ccode.Expression:
     """A character constant."""
     text = context.text(node)
     return ccode.CharacterLiteral(text=text, value=character_value(text), **context.source.place(node.start, node.end))
@@ -89,7 +89,7 @@ def character_value(text: str) -> int:
     return _ESCAPES.get(inner[1], 0) if len(inner) == 2 and inner[0] == "\\" else 0
 
 
-def evaluated(context: Context, node: Node) -> int | None:
+def evaluated(context: UnitContext, node: Node) -> int | None:
     """The parser's value of a constant expression."""
     result = context.lib.Cursor_Evaluate(node.cursor)
     if not result:

@@ -12,14 +12,14 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import clang
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 
-Build = Callable[[Context, Node], ccode.Expression]
+Build = Callable[[UnitContext, Node], ccode.Expression]
 CALL = 103
 
 
-def expansion_of(context: Context, node: Node) -> Expansion | None:
+def expansion_of(context: UnitContext, node: Node) -> Expansion | None:
     """The macro use that the whole node comes out of; None when it is (part of) an argument or more than the use."""
     for expansion in context.expansions_at(node.start):
         if node.end <= expansion.end:
@@ -27,7 +27,7 @@ def expansion_of(context: Context, node: Node) -> Expansion | None:
     return None
 
 
-def from_macro(context: Context, node: Node, build: Build) -> ccode.Expression | None:
+def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expression | None:
     """The element for a node that comes out of a macro, or None when it is to be built like any other."""
     expansion = expansion_of(context, node)
     if expansion is None:
@@ -43,7 +43,7 @@ def from_macro(context: Context, node: Node, build: Build) -> ccode.Expression |
     return element
 
 
-def macro_call(context: Context, node: Node, expansion: Expansion, build: Build) -> ccode.Expression:
+def macro_call(context: UnitContext, node: Node, expansion: Expansion, build: Build) -> ccode.Expression:
     """The use of a header's function-like macro as a call, its arguments taken from where the expansion has them."""
     arguments: list[ccode.Expression] = []
     for start, end in context.arguments(expansion):
@@ -58,7 +58,7 @@ def macro_call(context: Context, node: Node, expansion: Expansion, build: Build)
     return element
 
 
-def call_place(context: Context, node: Node) -> tuple[dict[str, Any], str, bool]:
+def call_place(context: UnitContext, node: Node) -> tuple[dict[str, Any], str, bool]:
     """Place of a call, the callee's name where a header's alias hides it, and whether it stands in the body of an own macro."""
     if not node.from_macro:
         return context.source.place(node.start, node.end), "", False
@@ -96,7 +96,7 @@ def _within(node: Node, start: int, end: int) -> Node | None:
     return inside
 
 
-def uses(context: Context) -> list[ccode.MacroUse]:
+def uses(context: UnitContext) -> list[ccode.MacroUse]:
     """The uses of macros in the file, in text order; names that only our prelude defines are left out."""
     found: list[ccode.MacroUse] = []
     seen: set[tuple[int, int]] = set()
@@ -124,7 +124,7 @@ def uses(context: Context) -> list[ccode.MacroUse]:
     return sorted(found, key=lambda use: int(use.startOffset))
 
 
-def header_of(context: Context, cursor: Any) -> str | None:
+def header_of(context: UnitContext, cursor: Any) -> str | None:
     """The header that a declaration stands in, as it is included; empty for our prelude, None for the file itself."""
     if cursor is None:
         return None

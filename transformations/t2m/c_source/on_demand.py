@@ -42,7 +42,7 @@ IN_EXTERNALS = (ccode.Function, ccode.ExternalSymbol, ccode.Parameter, ccode.Typ
 """What `Program.externals` and all below it is made of: functions from outside have no bodies."""
 
 
-class ProgramModel(TypedModel):
+class OnDemandProgram(TypedModel):
     """The source files of one program, read on demand.
 
     Args:
@@ -305,8 +305,8 @@ def open_program(
     platform: str | None = None,
     include_dirs: Sequence[str | Path] = (),
     defines: Sequence[str] = (),
-) -> ProgramModel:
-    """Open a program's source file, or all that are compiled together; see `ProgramModel`."""
+) -> OnDemandProgram:
+    """Open a program's source file, or all that are compiled together; see `OnDemandProgram`."""
     paths = [path] if isinstance(path, (str, Path)) else list(path)
     source_platform = platform or defaults()["migrate"]["source_platform"]
-    return ProgramModel(paths, source_platform, include_dirs, defines, name or Path(paths[0]).stem)
+    return OnDemandProgram(paths, source_platform, include_dirs, defines, name or Path(paths[0]).stem)

@@ -28,7 +28,7 @@ from robosmi.transformations.t2m.c_source.mending import (
     opening,
 )
 from robosmi.transformations.t2m.c_source.prelude import Prelude
-from robosmi.transformations.t2m.c_source.source import SourceText
+from robosmi.transformations.t2m.c_source.source import ReadSource
 
 MAX_PARSES = 3
 _MISSING_DECLARATIONS = (
@@ -73,7 +73,7 @@ class Diagnostic:
 class Parsed:
     """A text with its tree. Give it back with `close`."""
 
-    source: SourceText
+    source: ReadSource
     unit: int
     nodes: list[tree.Node]
     expansions: list[tree.Expansion]
@@ -93,12 +93,12 @@ class Parsed:
             self.unit = 0
 
 
-def parse(source: SourceText, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> Parsed | None:
+def parse(source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> Parsed | None:
     """Parse a text, again with declarations for what it does not declare; None when the parser gave up."""
     return _parse(source, api, defines, Call(source, api, include_dirs, defines))
 
 
-def _parse(source: SourceText, api: ApiIndex, defines: Sequence[str], call: Call) -> Parsed | None:
+def _parse(source: ReadSource, api: ApiIndex, defines: Sequence[str], call: Call) -> Parsed | None:
     first: list[Diagnostic] = []
     taken_out = [*cuts(source.path, source.parsed, source.tokens), *call.own_includes()]
     attempt = _Attempt(source, taken_out)
@@ -165,7 +165,7 @@ def _doubtful(diagnostic: Diagnostic) -> bool:
     return diagnostic.offset < 0 or not diagnostic.about_missing or diagnostic.message.startswith("redefinition of")
 
 
-def _prelude(source: SourceText, api: ApiIndex) -> Prelude:
+def _prelude(source: ReadSource, api: ApiIndex) -> Prelude:
     """The prelude before anything is known of a text."""
     prelude = Prelude(api, source.language == "C++")
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
@@ -173,7 +173,7 @@ def _prelude(source: SourceText, api: ApiIndex) -> Prelude:
     return prelude
 
 
-def _foresee(prelude: Prelude, source: SourceText, names: frozenset[str], defines: Sequence[str]) -> bool:
+def _foresee(prelude: Prelude, source: ReadSource, names: frozenset[str], defines: Sequence[str]) -> bool:
     """Put into a prelude what the text will surely be found not to declare; whether there is any."""
     if prelude.cxx:
         return False
@@ -203,7 +203,7 @@ def _as_foreseen(diagnostics: list[Diagnostic], prelude: Prelude) -> bool:
 class _Attempt:
     """The mending of one text: the copy that is parsed next, and what was mended so far."""
 
-    def __init__(self, source: SourceText, taken_out: list[Edit]) -> None:
+    def __init__(self, source: ReadSource, taken_out: list[Edit]) -> None:
         self.source = source
         self.scratch = Scratch(source.parsed, taken_out)
         self.mended: list[Diagnostic] = []

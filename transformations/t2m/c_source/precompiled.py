@@ -28,7 +28,7 @@ from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import Folders, State, reached, state_of
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL, standard_headers, unsaved
 from robosmi.transformations.t2m.c_source.prelude import Prelude
-from robosmi.transformations.t2m.c_source.source import SourceText
+from robosmi.transformations.t2m.c_source.source import ReadSource
 
 if TYPE_CHECKING:
     import tempfile
@@ -80,7 +80,7 @@ class Beginning:
         return all(state == state_of(state[0]) for state in self.states)
 
 
-def beginning(source: SourceText, api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
+def beginning(source: ReadSource, api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
     """The precompiled header for what a text begins with; None where there is none, or it would not pay.
 
     There is none for C++: the list of a file's own declarations has instances of templates there, and leaves out others.
@@ -108,7 +108,7 @@ class _Include(NamedTuple):
     end: int
 
 
-def _leading(source: SourceText, api: ApiIndex, folders: Folders) -> list[_Include]:
+def _leading(source: ReadSource, api: ApiIndex, folders: Folders) -> list[_Include]:
     """The includes before anything else whose headers are there."""
     own = os.path.dirname(os.path.abspath(source.path))
     run: list[_Include] = []

@@ -11,7 +11,7 @@ import re
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import definition_parts, directive_comments, directive_parts
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.invocation import HEADERS
 
 _INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
@@ -19,7 +19,7 @@ CONDITIONALS = frozenset({"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef"
 
 
 def read(
-    context: Context,
+    context: UnitContext,
 ) -> tuple[list[ccode.Include], list[ccode.Macro], list[ccode.PreprocessorConditional], list[ccode.Comment]]:
     """Includes, macros, conditionals and comments in text order; directives in text that was not compiled are left out."""
     includes: list[ccode.Include] = []
@@ -68,7 +68,7 @@ def read(
 class _Headers:
     """Which file an include means; our own standard headers have no path."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: UnitContext) -> None:
         own = os.path.dirname(os.path.abspath(context.source.path))
         self._folders = (own, *context.include_dirs)
         self._read = {os.path.abspath(p): p for p in context.parsed.inclusions[1:] if not p.startswith(HEADERS)}

@@ -18,7 +18,7 @@ from robosmi.model.lean import collector_at_rest
 from robosmi.project import defaults
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import parse
 from robosmi.transformations.t2m.c_source.source import read_source
@@ -58,7 +58,7 @@ def read_program(
         raise UsageError("no source file is given", fix="name at least one C file")
     api = ApiIndex.load(platform or str(defaults()["migrate"]["source_platform"]))
     folders = [os.fspath(d) for d in include_dirs]
-    contexts: list[Context] = []
+    contexts: list[UnitContext] = []
     files = source_files(given, folders, defines)
     with collector_at_rest():
         try:
@@ -79,7 +79,7 @@ def read_program(
     return program, findings
 
 
-def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[Context]) -> tuple[list[ccode.SourceUnit], list[Finding]]:
+def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]) -> tuple[list[ccode.SourceUnit], list[Finding]]:
     """The units, and a finding for each file of a folder that is no source text.
 
     Raises:
@@ -100,7 +100,7 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[Context]) ->
     return units, left_out
 
 
-def _close(contexts: Iterable[Context]) -> None:
+def _close(contexts: Iterable[UnitContext]) -> None:
     """Free the parser's memory."""
     for context in contexts:
         context.parsed.close()
@@ -115,7 +115,7 @@ def read_unit(
         SourceError: the file cannot be read or is no C.
         MissingToolError: libclang is not installed.
     """
-    contexts: list[Context] = []
+    contexts: list[UnitContext] = []
     try:
         unit = _unit(path, api, [os.fspath(d) for d in include_dirs], defines, contexts)
     finally:
@@ -124,7 +124,7 @@ def read_unit(
 
 
 def _unit(
-    path: PathLike, api: ApiIndex, folders: Sequence[str], defines: Sequence[str], contexts: list[Context]
+    path: PathLike, api: ApiIndex, folders: Sequence[str], defines: Sequence[str], contexts: list[UnitContext]
 ) -> ccode.SourceUnit:
     source = read_source(path)
     parsed = parse(source, api, folders, defines)
@@ -132,7 +132,7 @@ def _unit(
         raise SourceError(
             "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"
         )
-    context = Context(parsed, api, folders)
+    context = UnitContext(parsed, api, folders)
     contexts.append(context)
     checks.refuse_other_languages(parsed)
     includes, own_macros, conditionals, comments = preprocessor.read(context)

@@ -28,7 +28,7 @@ _SPLIT = "give the program's own source files; leave generated data out"
 
 
 @dataclass(slots=True)
-class SourceText:
+class ReadSource:
     """The text of one file.
 
     Attributes:
@@ -86,7 +86,7 @@ class SourceText:
         return Location(self.path, place["line"], place["column"], place["endLine"], place["endColumn"])
 
 
-def read_source(path: str | os.PathLike[str]) -> SourceText:
+def read_source(path: str | os.PathLike[str]) -> ReadSource:
     """Read and tokenise a file.
 
     Raises:
@@ -96,7 +96,7 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
     raw = _bytes(name)
     place = Location(name)
     data, encoding, codec = _decode(raw)
-    source = SourceText(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
+    source = ReadSource(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
     if codec != "utf-8":
         source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
     if b"\0" in data:
@@ -115,7 +115,7 @@ def read_source(path: str | os.PathLike[str]) -> SourceText:
     return source
 
 
-def _spelt(token: Token, source: SourceText) -> Token:
+def _spelt(token: Token, source: ReadSource) -> Token:
     """A name as it is written, not with a character for each byte."""
     kind, start, end, text = token
     return token if kind != "name" or text.isascii() else (kind, start, end, source.text(start, end))

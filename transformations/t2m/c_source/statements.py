@@ -12,7 +12,7 @@ from typing import Any
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import declarations, macros
-from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, Context
+from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
@@ -20,7 +20,7 @@ COMPOUND, FOR = 202, 209
 _CONSTANT_KINDS = frozenset({100, 106, 110, 111, 112, 114, 117, 130})
 
 
-def statement(context: Context, node: Node) -> ccode.Statement:
+def statement(context: UnitContext, node: Node) -> ccode.Statement:
     """The element for a statement's cursor."""
     if (waiting := context.later(ccode.UnknownStatement, statement, node)) is not None:
         return waiting  # type: ignore[no-any-return]
@@ -43,14 +43,14 @@ def statement(context: Context, node: Node) -> ccode.Statement:
         context.depth -= 1
 
 
-def block(context: Context, node: Node) -> ccode.Block:
+def block(context: UnitContext, node: Node) -> ccode.Block:
     """A compound statement."""
     if (waiting := context.later(ccode.Block, block, node)) is not None:
         return waiting  # type: ignore[no-any-return]
     return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
 
 
-def _place(context: Context, node: Node) -> dict[str, Any]:
+def _place(context: UnitContext, node: Node) -> dict[str, Any]:
     """The place of a statement with its semicolon."""
     end = node.end
     i = context.token_at(end)
@@ -59,11 +59,11 @@ def _place(context: Context, node: Node) -> dict[str, Any]:
     return context.source.place(node.start, end)
 
 
-def _expression_statement(context: Context, node: Node) -> ccode.Statement:
+def _expression_statement(context: UnitContext, node: Node) -> ccode.Statement:
     return ccode.ExpressionStatement(expression=expression(context, node), **_place(context, node))
 
 
-def _from_header_macro(context: Context, node: Node) -> ccode.Statement | None:
+def _from_header_macro(context: UnitContext, node: Node) -> ccode.Statement | None:
     expansion = macros.expansion_of(context, node)
     if expansion is None or expansion.name in context.user_macros or not context.function_like(expansion):
         return None
@@ -71,7 +71,7 @@ def _from_header_macro(context: Context, node: Node) -> ccode.Statement | None:
     return ccode.ExpressionStatement(expression=macros.macro_call(context, node, expansion, expression), **place)
 
 
-def _unknown(context: Context, node: Node) -> ccode.Statement:
+def _unknown(context: UnitContext, node: Node) -> ccode.Statement:
     place = _place(context, node)
     text = context.source.text(place["startOffset"], place["endOffset"])
     what = "assembler" if node.kind in (215, 216) else "a statement of an unusual form"
@@ -79,7 +79,7 @@ def _unknown(context: Context, node: Node) -> ccode.Statement:
     return ccode.UnknownStatement(text=text, **place)
 
 
-def _if(context: Context, node: Node) -> ccode.Statement:
+def _if(context: UnitContext, node: Node) -> ccode.Statement:
     children = node.children
     condition = expression(context, children[0]) if children else None
     then = statement(context, children[1]) if len(children) > 1 else None
@@ -87,7 +87,7 @@ def _if(context: Context, node: Node) -> ccode.Statement:
     return ccode.If(condition=condition, thenBranch=then, elseBranch=other, **context.source.place(node.start, node.end))
 
 
-def _while(context: Context, node: Node) -> ccode.Statement:
+def _while(context: UnitContext, node: Node) -> ccode.Statement:
     condition, body = (
         (node.children[0], node.children[-1]) if len(node.children) > 1 else (None, node.children[0] if node.children else None)
     )
@@ -100,7 +100,7 @@ def _while(context: Context, node: Node) -> ccode.Statement:
     )
 
 
-def _do(context: Context, node: Node) -> ccode.Statement:
+def _do(context: UnitContext, node: Node) -> ccode.Statement:
     body, condition = (
         (node.children[0], node.children[-1]) if len(node.children) > 1 else (node.children[0] if node.children else None, None)
     )
@@ -113,7 +113,7 @@ def _do(context: Context, node: Node) -> ccode.Statement:
     )
 
 
-def _for(context: Context, node: Node) -> ccode.Statement:
+def _for(context: UnitContext, node: Node) -> ccode.Statement:
     initial, condition, step, body = for_parts(context, node)
     return ccode.For(
         form=ccode.LoopForm.forLoop,
@@ -126,7 +126,7 @@ def _for(context: Context, node: Node) -> ccode.Statement:
     )
 
 
-def for_parts(context: Context, node: Node) -> tuple[Node | None, Node | None, Node | None, Node | None]:
+def for_parts(context: UnitContext, node: Node) -> tuple[Node | None, Node | None, Node | None, Node | None]:
     """The clauses and the body of a for loop; the parser gives those that are written without saying which they are."""
     children = node.children
     if len(children) == 4:
@@ -149,7 +149,7 @@ def for_parts(context: Context, node: Node) -> tuple[Node | None, Node | None, N
     return parts[0], parts[1], parts[2], parts[3]
 
 
-def constant_true(context: Context, node: Node) -> bool:
+def constant_true(context: UnitContext, node: Node) -> bool:
     """Whether a condition is made of constants alone and is not zero."""
     from robosmi.transformations.t2m.c_source.literals import evaluated
 
@@ -162,47 +162,47 @@ def constant_true(context: Context, node: Node) -> bool:
     return bool(evaluated(context, node))
 
 
-def _switch(context: Context, node: Node) -> ccode.Statement:
+def _switch(context: UnitContext, node: Node) -> ccode.Statement:
     selector = expression(context, node.children[0]) if node.children else None
     body = statement(context, node.children[-1]) if len(node.children) > 1 else None
     return ccode.Switch(selector=selector, body=body, **context.source.place(node.start, node.end))
 
 
-def _case(context: Context, node: Node) -> ccode.Statement:
+def _case(context: UnitContext, node: Node) -> ccode.Statement:
     constant = expression(context, node.children[0]) if node.children else None
     inner = statement(context, node.children[-1]) if len(node.children) > 1 else None
     return ccode.Case(constant=constant, statement=inner, **_place(context, node))
 
 
-def _default(context: Context, node: Node) -> ccode.Statement:
+def _default(context: UnitContext, node: Node) -> ccode.Statement:
     return ccode.Default(statement=statement(context, node.children[-1]) if node.children else None, **_place(context, node))
 
 
-def _label(context: Context, node: Node) -> ccode.Statement:
+def _label(context: UnitContext, node: Node) -> ccode.Statement:
     inner = statement(context, node.children[-1]) if node.children else None
     return ccode.Label(name=context.spelling(node.cursor), statement=inner, **_place(context, node))
 
 
-def _goto(context: Context, node: Node) -> ccode.Statement:
+def _goto(context: UnitContext, node: Node) -> ccode.Statement:
     name = context.spelling(node.children[0].cursor) if node.children else ""
     return ccode.Goto(labelName=name, **_place(context, node))
 
 
-def _return(context: Context, node: Node) -> ccode.Statement:
+def _return(context: UnitContext, node: Node) -> ccode.Statement:
     return ccode.Return(value=expression(context, node.children[0]) if node.children else None, **_place(context, node))
 
 
-def _declaration(context: Context, node: Node) -> ccode.Statement:
+def _declaration(context: UnitContext, node: Node) -> ccode.Statement:
     return ccode.DeclarationStatement(
         declarations=declarations.group(context, node.children, node.start), **_place(context, node)
     )
 
 
-def _plain(kind: type[ccode.Statement]) -> Callable[[Context, Node], ccode.Statement]:
+def _plain(kind: type[ccode.Statement]) -> Callable[[UnitContext, Node], ccode.Statement]:
     return lambda context, node: kind(**_place(context, node))
 
 
-BUILDERS: dict[int, Callable[[Context, Node], ccode.Statement]] = {
+BUILDERS: dict[int, Callable[[UnitContext, Node], ccode.Statement]] = {
     201: _label,
     COMPOUND: block,
     203: _case,

@@ -11,7 +11,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
-from robosmi.transformations.t2m.c_source.context import Context
+from robosmi.transformations.t2m.c_source.context import UnitContext
 
 _SIGNED = frozenset({13, 14, 16, 17, 18, 19, 20, 21, 22, 23})  # CXTypeKind: Char_S to LongDouble
 _ARITHMETIC = frozenset(range(3, 24))
@@ -38,13 +38,13 @@ class Specifiers:
     constant: bool
 
 
-def storage(context: Context, cursor: Any) -> ccode.Storage:
+def storage(context: UnitContext, cursor: Any) -> ccode.Storage:
     """Storage class of a declaration."""
     literal: ccode.Storage = getattr(ccode.Storage, _STORAGES.get(context.lib.Cursor_getStorageClass(cursor), "unspecified"))
     return literal
 
 
-def specifiers(context: Context, offset: int, stop: int) -> Specifiers:
+def specifiers(context: UnitContext, offset: int, stop: int) -> Specifiers:
     """The specifiers that start at an offset; never reads beyond the offset `stop` (the declared name)."""
     tokens = context.tokens
     i = context.token_at(offset)
@@ -95,7 +95,7 @@ def specifiers(context: Context, offset: int, stop: int) -> Specifiers:
     return Specifiers(" ".join(words) or "int", i, start if start >= 0 else offset, base, constant)
 
 
-def _qualified(context: Context, number: int, stop: int) -> tuple[str, int]:
+def _qualified(context: UnitContext, number: int, stop: int) -> tuple[str, int]:
     """A name of C++ with what is joined to it (`std::vector<int>`), and the number of its last token."""
     tokens, last = context.tokens, number
     while last + 1 < len(tokens) and tokens[last + 1][1] < stop:
@@ -112,7 +112,7 @@ def _qualified(context: Context, number: int, stop: int) -> tuple[str, int]:
     return " ".join(context.source.text(tokens[number][1], tokens[last][2]).split()), last
 
 
-def last_of_name(context: Context, start: int, end: int) -> int:
+def last_of_name(context: UnitContext, start: int, end: int) -> int:
     """Where the last part of the name at an offset begins: that of `abort` in `std::abort()`; the offset itself in C."""
     if context.source.language != "C++":
         return start
@@ -125,7 +125,7 @@ def last_of_name(context: Context, start: int, end: int) -> int:
     return context.tokens[last][1] if last < len(context.tokens) else start
 
 
-def _behind_template(context: Context, number: int) -> int:
+def _behind_template(context: UnitContext, number: int) -> int:
     """The number of the token behind `template <...>`."""
     depth, i = 0, number + 1
     while i < len(context.tokens):
@@ -137,7 +137,7 @@ def _behind_template(context: Context, number: int) -> int:
     return i
 
 
-def _attribute(context: Context, number: int, stop: int) -> bool:
+def _attribute(context: UnitContext, number: int, stop: int) -> bool:
     """Whether a token is a macro before the type, as in `INLINE count_t f(void)`."""
     _, begin, _, _ = context.tokens[number]
     if not context.expansions_at(begin) or number + 1 >= len(context.tokens):
@@ -146,7 +146,7 @@ def _attribute(context: Context, number: int, stop: int) -> bool:
     return kind == "name" and following < stop and text not in QUALIFIERS and not context.expansions_at(following)
 
 
-def declarator(context: Context, spec: Specifiers, name_offset: int) -> tuple[str, str, int, int]:
+def declarator(context: UnitContext, spec: Specifiers, name_offset: int) -> tuple[str, str, int, int]:
     """The declarator around a name.
 
     Returns:
@@ -182,7 +182,7 @@ def declarator(context: Context, spec: Specifiers, name_offset: int) -> tuple[st
 
 
 def type_use(
-    context: Context, cursor: Any, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None
+    context: UnitContext, cursor: Any, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None
 ) -> ccode.TypeUse:
     """The type of a declaration.
 
@@ -200,7 +200,7 @@ def type_use(
     return _type_use(context, of or context.lib.getCursorType(cursor), spelling, spec.base, dims, depth, spec.constant)
 
 
-def written_type(context: Context, start: int, end: int, kind: Any) -> ccode.TypeUse:
+def written_type(context: UnitContext, start: int, end: int, kind: Any) -> ccode.TypeUse:
     """A type in parentheses (a cast, sizeof), given by the range inside them and the parser's type."""
     text = " ".join(context.source.text(start, end).split())
     spec = specifiers(context, start, end)
@@ -208,7 +208,7 @@ def written_type(context: Context, start: int, end: int, kind: Any) -> ccode.Typ
     return _type_use(context, kind, text, spec.base, dims, text.count("*"), spec.constant)
 
 
-def _type_use(context: Context, kind: Any, spelling: str, base: str, dims: str, depth: int, constant: bool) -> ccode.TypeUse:
+def _type_use(context: UnitContext, kind: Any, spelling: str, base: str, dims: str, depth: int, constant: bool) -> ccode.TypeUse:
     canonical, bits, signed, pointer = resolve(context, kind)
     if base in context.parsed.prelude.types:
         canonical = spelling + dims
@@ -229,7 +229,7 @@ def _type_use(context: Context, kind: Any, spelling: str, base: str, dims: str, 
     return use
 
 
-def resolve(context: Context, kind: Any) -> tuple[str, int, bool, bool]:
+def resolve(context: UnitContext, kind: Any) -> tuple[str, int, bool, bool]:
     """Canonical spelling, width in bits (of an array's element), signedness, and whether it is a pointer."""
     key = (kind.data[0] or 0) ^ (kind.kind << 56)
     known = context.canonical.get(key)

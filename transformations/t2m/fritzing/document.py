@@ -69,7 +69,7 @@ class Instance:
 
 
 @dataclass(slots=True)
-class Sketch:
+class FritzingSketch:
     """A sketch: version of Fritzing as written, live instances in the file's order, and how many had no view."""
 
     version: str
@@ -120,7 +120,7 @@ def parse_xml(data: bytes, path: str, what: str) -> etree._Element:
     return root
 
 
-def parse_sketch(data: bytes, path: str, name: str) -> Sketch:
+def parse_sketch(data: bytes, path: str, name: str) -> FritzingSketch:
     """The records of a sketch.
 
     Args:
@@ -151,7 +151,7 @@ def parse_sketch(data: bytes, path: str, name: str) -> Sketch:
             empty += 1
         else:
             live.append(_instance(element, views))
-    return Sketch(root.get("fritzingVersion", ""), live, empty)
+    return FritzingSketch(root.get("fritzingVersion", ""), live, empty)
 
 
 def _no_sketch(root: etree._Element, name: str) -> str:

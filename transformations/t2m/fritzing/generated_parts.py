@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from robosmi.transformations.knowledge.part import Part, PartConnector
-from robosmi.transformations.knowledge.part_names import Names, names
+from robosmi.transformations.knowledge.part_names import PartNames, names
 
 TOOL = "fritzing"
 """The drawing tool as boards, the catalogue and rules name it."""
 
 
-def generated_part(part_id: str, known: Names | None = None) -> Part | None:
+def generated_part(part_id: str, known: PartNames | None = None) -> Part | None:
     """The part that a generated id stands for (pin headers, generic ICs, stripboards), or None.
 
     The number of connectors is the first whole number between underscores (Fritzing's `TextUtils::getPinsAndSpacing`);

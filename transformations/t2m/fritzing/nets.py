@@ -18,7 +18,7 @@ DERIVED = 8 | 16
 
 
 @dataclass(slots=True)
-class Wiring:
+class ViewWiring:
     """The connections of one view.
 
     Attributes:
@@ -42,7 +42,7 @@ class Wiring:
     too_big: list[Instance] = field(default_factory=list)
 
 
-def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> Wiring:
+def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> ViewWiring:
     """What is joined in a view.
 
     Args:
@@ -50,7 +50,7 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> Wi
         instances: the live instances by identity, which is their model index.
         leaders: what parts join inside (`bus_leaders`), by module id.
     """
-    result = Wiring(view)
+    result = ViewWiring(view)
     joined, used = result.joined, result.used
     silent: set[str] = set()
     for identity, instance in instances.items():
@@ -85,7 +85,7 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> Wi
     return result
 
 
-def links_parts(found: Wiring, instances: Mapping[str, Instance]) -> bool:
+def links_parts(found: ViewWiring, instances: Mapping[str, Instance]) -> bool:
     """Whether the view connects at least two different components."""
     owner: dict[Node, str] = {}
     for identity, leader in list(found.joined.parent):
@@ -94,7 +94,7 @@ def links_parts(found: Wiring, instances: Mapping[str, Instance]) -> bool:
     return False
 
 
-def partition(found: Wiring, instances: Mapping[str, Instance], ignore: Iterable[str] = ()) -> set[frozenset[Node]]:
+def partition(found: ViewWiring, instances: Mapping[str, Instance], ignore: Iterable[str] = ()) -> set[frozenset[Node]]:
     """The nets as sets of nodes of components, without those of fewer than two nodes, and without instances to ignore."""
     skip = set(ignore)
     sets: dict[Node, set[Node]] = {}
@@ -127,7 +127,7 @@ def symbol_net(instance: Instance) -> dict[str, str]:
     return {}
 
 
-def _join_symbols(result: Wiring, instances: Mapping[str, Instance]) -> None:
+def _join_symbols(result: ViewWiring, instances: Mapping[str, Instance]) -> None:
     first: dict[str, Node] = {}
     for identity, instance in instances.items():
         for connector, net in symbol_net(instance).items():
@@ -143,7 +143,7 @@ MAX_HOLES = 100_000
 _ROW = 1000  # connector id = connector + (row * 1000 + column), src/items/perfboard.cpp
 
 
-def _join_strips(result: Wiring, instances: Mapping[str, Instance]) -> None:
+def _join_strips(result: ViewWiring, instances: Mapping[str, Instance]) -> None:
     room = MAX_HOLES
     for identity, instance in instances.items():
         size = _STRIPBOARD.fullmatch(instance.module_id)

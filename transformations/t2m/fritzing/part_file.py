@@ -8,12 +8,12 @@ from __future__ import annotations
 from lxml import etree
 
 from robosmi.transformations.knowledge.part import Part, PartConnector
-from robosmi.transformations.knowledge.part_names import Names, connector_kind
+from robosmi.transformations.knowledge.part_names import PartNames, connector_kind
 from robosmi.transformations.t2m.fritzing.document import parse_xml
 from robosmi.transformations.t2m.fritzing.generated_parts import TOOL
 
 
-def parse_part(data: bytes, path: str, name: str, known: Names) -> Part | None:
+def parse_part(data: bytes, path: str, name: str, known: PartNames) -> Part | None:
     """The part that a definition describes, or None if it is no part definition.
 
     Args:
@@ -28,7 +28,7 @@ def parse_part(data: bytes, path: str, name: str, known: Names) -> Part | None:
     return part_of(parse_xml(data, path, name), f"the definition '{name}' in the drawing", known)
 
 
-def part_of(root: etree._Element, source: str, known: Names) -> Part | None:
+def part_of(root: etree._Element, source: str, known: PartNames) -> Part | None:
     """The part that a parsed definition describes, or None if it is no part definition.
 
     Args:

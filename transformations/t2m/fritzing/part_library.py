@@ -32,7 +32,7 @@ _WORD = re.compile(r"[^\W_]{2,30}")
 
 
 @dataclass(slots=True)
-class Library:
+class PartLibrary:
     """What was read: each part with the word counts of its description, and what was left out."""
 
     parts: list[tuple[Part, Counter[str]]] = field(default_factory=list)
@@ -40,7 +40,7 @@ class Library:
     repeated: int = 0
 
 
-def read_library(folders: Sequence[Path], project: Path | None = None) -> Library:
+def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLibrary:
     """All part definitions below some folders, with roles.
 
     Args:
@@ -52,7 +52,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> Librar
         PlatformDataError: the rules for roles are damaged.
     """
     known = names(project)
-    library = Library()
+    library = PartLibrary()
     seen: set[str] = set()
     for path, shown in _files(folders):
         try:

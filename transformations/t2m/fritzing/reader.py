@@ -20,7 +20,7 @@ from robosmi.transformations.t2m.connectivity import Node, natural
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
 from robosmi.transformations.t2m.fritzing import nets
 from robosmi.transformations.t2m.fritzing.container import Container, read_container
-from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance, Sketch, parse_sketch
+from robosmi.transformations.t2m.fritzing.document import VIEWS, FritzingSketch, Instance, parse_sketch
 from robosmi.transformations.t2m.fritzing.generated_parts import TOOL, generated_part
 from robosmi.transformations.t2m.fritzing.part_file import parse_part
 from robosmi.transformations.t2m.fritzing.views import believed
@@ -56,7 +56,7 @@ def read_circuit(
 class _Reading:
     """The reading of one file."""
 
-    def __init__(self, container: Container, sketch: Sketch, builder: CircuitBuilder) -> None:
+    def __init__(self, container: Container, sketch: FritzingSketch, builder: CircuitBuilder) -> None:
         self.container = container
         self.sketch = sketch
         self.builder = builder
@@ -127,7 +127,7 @@ class _Reading:
         self._report_rest(wired)
         return self.builder.circuit(name, self.container.digest, "Fritzing", self.sketch.version, wired.view)
 
-    def _place(self, identity: str, instance: Instance, wired: nets.Wiring, groups: dict[Node, list[End]]) -> None:
+    def _place(self, identity: str, instance: Instance, wired: nets.ViewWiring, groups: dict[Node, list[End]]) -> None:
         known = self.known[instance.module_id]
         placed = Placed(
             identity=identity,
@@ -146,7 +146,7 @@ class _Reading:
             if node in wired.joined:
                 groups.setdefault(wired.joined.find(node), []).append(End(identity, connector.connectorId))
 
-    def _report_rest(self, wired: nets.Wiring) -> None:
+    def _report_rest(self, wired: nets.ViewWiring) -> None:
         if self.sketch.without_views or wired.ignored_wires:
             self.report(
                 "RS205",

@@ -12,12 +12,12 @@ from collections.abc import Collection, Mapping
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.transformations.t2m.connectivity import Leaders
 from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance
-from robosmi.transformations.t2m.fritzing.nets import Wiring, links_parts, partition, wiring
+from robosmi.transformations.t2m.fritzing.nets import ViewWiring, links_parts, partition, wiring
 
 
 def believed(
     instances: Mapping[str, Instance], leaders: Leaders, by_bus: Collection[str], path: str
-) -> tuple[Wiring, list[Finding]]:
+) -> tuple[ViewWiring, list[Finding]]:
     """The wiring of the view that is believed, and what speaks against it.
 
     Args:
@@ -44,7 +44,7 @@ def believed(
 
 
 def _differences(
-    chosen: Wiring, other: Wiring, instances: Mapping[str, Instance], by_bus: Collection[str], path: str
+    chosen: ViewWiring, other: ViewWiring, instances: Mapping[str, Instance], by_bus: Collection[str], path: str
 ) -> list[Finding]:
     if not links_parts(other, instances):
         return []

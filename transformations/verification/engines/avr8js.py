@@ -17,7 +17,7 @@ from robosmi import inputs, resources
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
 from robosmi.verify.bench import Bench
-from robosmi.verify.simulation import ConsoleByte, Job, Trace
+from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
 PACKAGES = "ROBOSMI_NPM"
 """Environment variable: the folder in which `npm install avr8js` was run."""
@@ -62,7 +62,7 @@ class Avr8js:
         """Whether it knows the microcontroller."""
         return mcu == "atmega328p"
 
-    def run(self, job: Job) -> Trace:
+    def run(self, job: Job) -> PinTrace:
         """Run a program, with node as a child of this process."""
         if advice := self.missing():
             raise MissingToolError("avr8js is not installed", fix=advice)
@@ -112,7 +112,7 @@ class _Run(Bench):
 
     # ---- the run
 
-    def run(self) -> Trace:
+    def run(self) -> PinTrace:
         """Run until the horizon."""
         job = self._job
         try:

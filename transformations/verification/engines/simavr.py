@@ -17,7 +17,7 @@ from typing import Any
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
 from robosmi.verify.bench import Bench
-from robosmi.verify.simulation import ConsoleByte, Job, Trace
+from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
 _SERVED = ("atmega328p", "atmega168", "atmega2560", "atmega32u4")
 _STATES = {5: "done", 6: "done", 7: "crashed"}
@@ -109,7 +109,7 @@ class Simavr:
         """Whether it knows the microcontroller."""
         return mcu in _SERVED
 
-    def run(self, job: Job) -> Trace:
+    def run(self, job: Job) -> PinTrace:
         """Run a program in this process."""
         library = _library()
         if library is None:
@@ -312,7 +312,7 @@ class _Run(Bench):
 
     # ---- the run
 
-    def run(self) -> Trace:
+    def run(self) -> PinTrace:
         """Run until the horizon."""
         self.connect(self._job.devices)
         end = round(self._job.horizon_us * self._job.clock_hz / 1e6)

@@ -20,7 +20,7 @@ from robosmi.model.xmi_writer import to_xmi
 from robosmi.query import ModelView
 from robosmi.transformations.queries import code
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.c_source.on_demand import ProgramModel, open_program
+from robosmi.transformations.t2m.c_source.on_demand import OnDemandProgram, open_program
 
 ROOT = Path(__file__).resolve().parents[4]
 PROGRAMS = [
@@ -40,7 +40,7 @@ def grown(before: Counter[str]) -> set[str]:
     return {name for name, number in built().items() if number > before[name]}
 
 
-def looked_at(model: ProgramModel) -> ccode.Program:
+def looked_at(model: OnDemandProgram) -> ccode.Program:
     """The program, after every feature of every element was read."""
     for element in list(model.all_contents()):
         for name in feature_names(element.eClass):
@@ -192,7 +192,7 @@ def test_the_queries_of_the_application_run_on_it() -> None:
     assert ours == ["clamp"]
 
 
-def refusals(model: ProgramModel) -> list[Any]:
+def refusals(model: OnDemandProgram) -> list[Any]:
     """Everything that would change the model."""
     call, function = model.Call.all[0], model.Function.all[0]
     return [
