@@ -1,0 +1,423 @@
+//# header abdrive.h
+// The drive of the ActivityBot: two continuous servos with encoders of 64 ticks a turn. Read from Simple-Libraries 1cc167c10,
+// Learn/Simple Libraries/Robotics/ActivityBot/libabdrive (abdrive.c and .h, speed.c, goto.c, ramp.c, getticks.c, gotoMode.c,
+// gotoStatus.c, setAcceleration.c, setMaxSpeed.c, setRampStep.c, servoPins.c).
+// The library's cog works in frames of 20 ms. So does the job below: a ramp of 12 ticks/s each frame, the wheel with the smaller change
+// scaled, five frames of rest whenever a wheel comes to a stand, and no pulses at a stand.
+
+//# constant FOR_SPEED
+//#   fidelity: exact
+#define FOR_SPEED 0
+
+//# constant FOR_GOTO
+//#   fidelity: exact
+#define FOR_GOTO 1
+
+//# constant SIDE_LEFT
+//#   fidelity: exact
+#define SIDE_LEFT 0
+
+//# constant SIDE_RIGHT
+//#   fidelity: exact
+#define SIDE_RIGHT 1
+
+//# constant SIDE_BOTH
+//#   fidelity: exact
+#define SIDE_BOTH 2
+
+//# constant OFF
+//#   fidelity: exact
+#define OFF 0
+
+//# constant ON
+//#   fidelity: exact
+#define ON 1
+
+//# helper drive_top
+//#   fidelity: ticks/s, of drive_speed
+static int16_t drive_top = 128;
+
+//# helper drive_step
+//#   fidelity: ticks/s each frame, of drive_speed
+static int16_t drive_step = 12;
+
+//# helper drive_goto_step
+//#   fidelity: ticks/s each frame, of drive_goto
+static int16_t drive_goto_step = 4;
+
+//# helper drive_pulse
+//#   fidelity: open loop: 128 ticks/s are taken as 200 us beyond neutral. Real servos reach their speed earlier: measure a table, and
+//#   fidelity: put it here
+inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
+  return (int16_t)((int32_t)speed * 25 / 16);
+}
+
+//# helper wheels
+struct Wheel {
+  volatile int32_t speed256;      // ticks/s, in 1/256
+  volatile int16_t target;        // ticks/s
+  int32_t step256;                // each frame
+  volatile uint8_t rest;          // frames left at a stand
+  volatile uint8_t going;         // drive_goto: 0 there, 1 on the way, 2 coming to a stand, 3 the last ticks at 4 ticks/s
+  int16_t top;                    // drive_goto: ticks/s
+  volatile int32_t goal, ticks;   // encoder ticks
+  volatile int32_t way50;         // ticks as calculated from the speed, in 1/50
+  volatile int8_t sense;          // sign of the last motion
+  uint8_t level;                  // encoder: bit 0 the level counted last, bit 1 the level seen last
+  uint8_t pin, encoder;
+  int32_t whole(const volatile int32_t &value) const {  // not torn by an interrupt
+    uint8_t old = SREG;
+    cli();
+    int32_t now = value;
+    SREG = old;
+    return now;
+  }
+  int16_t speed() const { return (int16_t)(whole(speed256) / 256); }
+};
+static Wheel wheels[2];
+
+//# helper drive_pins
+//#   port: left_servo = abdrive.left_servo 12 digital out servo
+//#   port: right_servo = abdrive.right_servo 13 digital out servo
+static uint8_t drive_pins[2] = {left_servo, right_servo};
+
+//# helper drive_frame
+//#   needs: wheels drive_top drive_pulse servo.h/ServoSlot
+static void (*drive_goto_frame)(Wheel &wheel);
+static volatile uint8_t drive_frames;
+
+inline void drive_frame() {
+  for (uint8_t side = 0; side < 2; side++) {
+    Wheel &wheel = wheels[side];
+    int16_t before = wheel.speed();
+    if (wheel.going && drive_goto_frame) drive_goto_frame(wheel);
+    wheel.target = constrain(wheel.target, -drive_top, drive_top);
+    if (!wheel.rest && wheel.going != 3) {
+      int32_t missing = wheel.target * 256L - wheel.speed256;
+      wheel.speed256 += constrain(missing, -wheel.step256, wheel.step256);
+    }
+    int16_t speed = wheel.speed();
+    if (!speed && before) wheel.rest = 5;
+    if (speed) wheel.sense = speed > 0 ? 1 : -1;
+    wheel.way50 += speed;
+    ServoSlot *slot = servo_slot(wheel.pin, false);
+    if (slot && speed) {
+      int16_t beyond = drive_pulse(speed), us = side ? 1500 - beyond : 1500 + beyond;
+      if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
+      else slot->start(us);
+    } else if (slot && drive_frames > 0) {
+      if (slot->servo->attached()) slot->rest();
+    }
+    if (!speed && wheel.rest) wheel.rest--;
+  }
+  drive_frames = drive_frames == 255 ? 128 : drive_frames + 1;
+}
+
+inline void drive_wait_frames(uint8_t count) {
+  for (uint8_t last = drive_frames; count; yield()) {
+    if (drive_frames == last) continue;
+    last = drive_frames;
+    count--;
+  }
+}
+
+inline void drive_wait_rest() {
+  while (wheels[0].rest || wheels[1].rest) yield();
+}
+
+//# helper drive_start
+//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/background simpletools.h/Io
+static bool drive_on;
+
+inline void drive_start() {  // as long as the library takes for the start of its cog
+  if (drive_on) return;
+  drive_on = true;
+  for (uint8_t side = 0; side < 2; side++) {
+    wheels[side].pin = drive_pins[side];
+    ServoSlot *slot = Io(drive_pins[side]).wired() ? servo_slot(drive_pins[side], true) : 0;
+    if (!slot) continue;
+    slot->own = true;
+    slot->start(1500);
+  }
+  run_in_background(frame_jobs, drive_frame);
+  drive_wait_frames(7);
+}
+
+//# helper drive_encoders
+//#   needs: wheels servo.h/background simpletools.h/Io
+//#   port: left_encoder = abdrive.left_encoder 14 digital in encoder
+//#   port: right_encoder = abdrive.right_encoder 15 digital in encoder
+//#   fidelity: a change of level is a tick when it is seen twice, as there; levels are read 976 times a second, there 800 times
+static uint8_t drive_encoder_pins[2] = {left_encoder, right_encoder};
+static bool drive_encoders_on;
+
+inline void drive_sample() {
+  for (auto &wheel : wheels) {
+    Io io(wheel.encoder);
+    if (!io.wired()) continue;
+    uint8_t now = io.high(), seen = wheel.level >> 1;
+    if (now == seen && now != (wheel.level & 1)) {
+      wheel.ticks += wheel.sense;
+      wheel.level ^= 1;
+    }
+    wheel.level = (wheel.level & 1) | now << 1;
+  }
+}
+
+inline void drive_watch_encoders() {
+  if (drive_encoders_on) return;
+  drive_encoders_on = true;
+  for (uint8_t side = 0; side < 2; side++) {
+    Wheel &wheel = wheels[side];
+    wheel.encoder = drive_encoder_pins[side];
+    Io io(wheel.encoder);
+    if (io.wired()) io.drive(false);
+    wheel.level = io.high() * 3;
+    wheel.sense = wheel.sense ? wheel.sense : 1;
+  }
+  run_in_background(sample_jobs, drive_sample);
+}
+
+//# adapter drive_speed
+//#   for: void drive_speed(int left, int right)
+//#   kind: semantic
+//#   needs: drive_step wheels drive_frame drive_start
+//#   role: servo
+//#   timer: Timer1
+//#   fidelity: acts on a change only, and returns after 6 frames (100 to 120 ms), later when a wheel rests, while the ramp goes on; the
+//#   fidelity: first call starts the drive, which takes 140 ms
+//#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_pulse)
+inline void drive_head_for(int16_t left, int16_t right) {
+  int16_t to[2] = {left, right};
+  uint8_t old = SREG;
+  cli();
+  int32_t change[2], most = 1;
+  for (uint8_t side = 0; side < 2; side++) {
+    change[side] = abs(to[side] * 256L - wheels[side].speed256);
+    if (change[side] > most) most = change[side];
+  }
+  for (uint8_t side = 0; side < 2; side++) {
+    Wheel &wheel = wheels[side];
+    wheel.going = 0;
+    wheel.target = to[side];
+    wheel.step256 = change[side] == most ? drive_step * 256L : (int32_t)((float)drive_step * 256 * change[side] / most);
+  }
+  SREG = old;
+  drive_wait_rest();
+  drive_wait_frames(6);
+  drive_wait_rest();
+}
+
+inline void drive_speed(int32_t left, int32_t right) {
+  static int16_t last[2];
+  drive_start();
+  if (left != last[0] || right != last[1]) drive_head_for(left, right);
+  for (uint8_t side = 0; side < 2; side++) last[side] = wheels[side].target;
+}
+
+//# adapter drive_rampStep
+//#   for: void drive_rampStep(int left, int right)
+//#   kind: oneToOne
+//#   needs: drive_speed
+//#   role: servo
+//#   fidelity: the same as drive_speed, as there since version 2
+inline void drive_rampStep(int32_t left, int32_t right) {
+  drive_speed(left, right);
+}
+
+//# adapter drive_ramp
+//#   for: void drive_ramp(int left, int right)
+//#   kind: oneToMany
+//#   needs: drive_speed wheels
+//#   role: servo
+//#   fidelity: returns when one of the wheels is within 4 ticks/s, as there
+//#   limit: two speeds beyond the limit of drive_setMaxSpeed are never reached: it returns at the limit, where the library waits for ever
+inline bool drive_is_near(uint8_t side, int32_t asked) {
+  return wheels[side].speed() > asked - 4 && wheels[side].speed() < asked + 4;
+}
+
+inline bool drive_is_ramping() {
+  return wheels[0].speed() != wheels[0].target || wheels[1].speed() != wheels[1].target;
+}
+
+inline void drive_ramp(int32_t left, int32_t right) {
+  drive_speed(left, right);
+  while (!drive_is_near(0, left) && !drive_is_near(1, right) && drive_is_ramping()) delay(20);
+}
+
+//# adapter drive_getTicks
+//#   for: void drive_getTicks(int *left, int *right)
+//#   kind: semantic
+//#   needs: drive_encoders wheels
+//#   role: encoder
+//#   fidelity: ticks since the start, counted up or down by the sense in which the wheel was driven last, as there
+template <class Int> inline void drive_getTicks(Int *left, Int *right) {
+  drive_watch_encoders();
+  uint8_t old = SREG;
+  cli();
+  *left = wheels[0].ticks;
+  *right = wheels[1].ticks;
+  SREG = old;
+}
+
+//# adapter drive_getTicksCalc
+//#   for: void drive_getTicksCalc(int *left, int *right)
+//#   kind: semantic
+//#   needs: wheels
+//#   fidelity: ticks as the speeds make them
+//#   limit: encoders do not hold them within the error limit
+template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
+  uint8_t old = SREG;
+  cli();
+  *left = wheels[0].way50 / 50;
+  *right = wheels[1].way50 / 50;
+  SREG = old;
+}
+
+//# helper drive_going
+//#   needs: wheels
+//#   fidelity: a wheel accelerates, keeps its top speed until the rest of the way is what it needs to stop, stops, and makes the ticks still
+//#   fidelity: missing at 4 ticks/s
+static volatile uint16_t drive_still;  // frames since the last tick
+static bool drive_goto_waits = true;
+
+inline void drive_go_on(Wheel &wheel) {
+  static int32_t last;
+  int32_t now = wheel.whole(wheels[0].ticks) + wheel.whole(wheels[1].ticks);
+  if (now != last) drive_still = 0;
+  else if (drive_still < 65535) drive_still++;
+  last = now;
+  int32_t left = wheel.goal - wheel.whole(wheel.ticks), speed = wheel.speed();
+  if (drive_still > 1000) {  // twice a frame at most: ten seconds without a tick
+    wheel.going = 0;
+    wheel.target = wheel.speed256 = 0;
+  } else if (wheel.going == 1) {
+    int32_t guard = wheel.step256 ? speed * speed * 256 / (100 * wheel.step256) : 0;
+    if (abs(left) > guard) {
+      wheel.target = left > 0 ? wheel.top : -wheel.top;
+    } else {
+      wheel.target = 0;
+      wheel.going = 2;
+    }
+  } else if (!wheel.rest && (wheel.going == 3 || !speed)) {
+    wheel.going = left ? 3 : 0;
+    wheel.speed256 = left > 0 ? 4 * 256L : left < 0 ? -4 * 256L : 0;
+  }
+}
+
+inline bool drive_on_the_way() {
+  return wheels[0].going || wheels[1].going || wheels[0].rest || wheels[1].rest;
+}
+
+//# adapter drive_goto
+//#   for: void drive_goto(int distLeft, int distRight)
+//#   kind: semantic
+//#   needs: drive_goto_step wheels drive_frame drive_start drive_encoders drive_speed drive_going
+//#   role: encoder
+//#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
+//#   limit: gives up ten seconds after the last tick, where the library waits for ever
+inline void drive_goto(int32_t distLeft, int32_t distRight) {
+  int32_t way[2] = {distLeft, distRight}, most = max(abs(distLeft), abs(distRight));
+  drive_start();
+  drive_watch_encoders();
+  drive_speed(0, 0);
+  uint8_t old = SREG;
+  cli();
+  drive_still = 0;
+  drive_goto_frame = drive_go_on;
+  for (uint8_t side = 0; side < 2; side++) {
+    Wheel &wheel = wheels[side];
+    bool close = abs(wheel.goal - wheel.ticks) < 6;  // what was missed is made up for
+    wheel.goal = (close ? wheel.goal : wheel.ticks) + way[side];
+    wheel.top = most ? 64L * abs(way[side]) / most : 0;
+    wheel.step256 = most ? drive_goto_step * 256L * abs(way[side]) / most : 0;
+    wheel.going = 1;
+  }
+  SREG = old;
+  if (!drive_goto_waits) return;
+  while (drive_on_the_way()) yield();
+  delay(40);
+  while (drive_on_the_way()) yield();
+}
+
+//# adapter drive_gotoMode
+//#   for: void drive_gotoMode(int mode)
+//#   kind: oneToOne
+//#   needs: drive_going
+//#   fidelity: 1, drive_goto waits; 0, it returns at once
+inline void drive_gotoMode(int32_t mode) {
+  drive_goto_waits = mode == 1;
+}
+
+//# adapter drive_gotoStatus
+//#   for: int drive_gotoStatus(int side)
+//#   kind: oneToOne
+//#   needs: wheels SIDE_LEFT SIDE_RIGHT
+//#   fidelity: 0 there, 1 on the way, 2 coming to a stand, 3 making up for missing ticks; the sum of both for SIDE_BOTH
+inline int32_t drive_gotoStatus(int32_t side) {
+  return (side == SIDE_RIGHT ? 0 : wheels[0].going) + (side == SIDE_LEFT ? 0 : wheels[1].going);
+}
+
+//# adapter drive_setMaxSpeed
+//#   for: void drive_setMaxSpeed(int speed)
+//#   kind: oneToOne
+//#   needs: drive_top
+//#   fidelity: exact
+inline void drive_setMaxSpeed(int32_t speed) {
+  drive_top = speed;
+}
+
+//# adapter drive_setMaxVelocity
+//#   for: void drive_setMaxVelocity(int forGotoOrSpeed, int ticksPerSec)
+//#   kind: oneToOne
+//#   needs: FOR_SPEED FOR_GOTO drive_top
+//#   fidelity: FOR_GOTO too sets the limit of drive_speed, as there
+inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
+  if (forGotoOrSpeed == FOR_SPEED || forGotoOrSpeed == FOR_GOTO) drive_top = ticksPerSec;
+}
+
+//# adapter drive_setRampStep
+//#   for: void drive_setRampStep(int stepsize)
+//#   kind: oneToOne
+//#   needs: drive_step
+//#   fidelity: exact
+inline void drive_setRampStep(int32_t stepsize) {
+  drive_step = stepsize;
+}
+
+//# adapter drive_setAcceleration
+//#   for: void drive_setAcceleration(int forGotoOrSpeed, int ticksPerSecSq)
+//#   kind: oneToOne
+//#   needs: FOR_SPEED FOR_GOTO drive_step drive_goto_step
+//#   fidelity: FOR_SPEED sets that of drive_goto too, as there
+inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq) {
+  int16_t step = abs(ticksPerSecSq) / 50;
+  if (forGotoOrSpeed == FOR_SPEED) drive_step = step;
+  if (forGotoOrSpeed == FOR_SPEED || forGotoOrSpeed == FOR_GOTO) drive_goto_step = step;
+}
+
+//# adapter drive_servoPins
+//#   for: void drive_servoPins(int servoPinLeft, int servoPinRight)
+//#   kind: semantic
+//#   needs: drive_pins
+//#   pin: servoPinLeft digital out servo
+//#   pin: servoPinRight digital out servo
+//#   fidelity: for the first start of the drive after the call
+//#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
+inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
+  drive_pins[0] = servoPinLeft;
+  drive_pins[1] = servoPinRight;
+}
+
+//# adapter drive_encoderPins
+//#   for: void drive_encoderPins(int encPinLeft, int encPinRight)
+//#   kind: semantic
+//#   needs: drive_encoders
+//#   pin: encPinLeft digital in encoder
+//#   pin: encPinRight digital in encoder
+//#   fidelity: for the first use of the encoders after the call
+//#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
+inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
+  drive_encoder_pins[0] = encPinLeft;
+  drive_encoder_pins[1] = encPinRight;
+}

@@ -1,0 +1,205 @@
+//# header servo.h
+// Servos with pulses in the background. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Motor/libservo (servo.h, servo.c).
+// The library's cog makes a pulse for each of 14 servos every 20 ms; here Servo.h does, with its timer. What else a cog did every frame
+// is a job of Timer0's compare interrupt, which lets other interrupts in, so that pulses keep their width.
+
+//# helper background
+//#   vector: TIMER0_COMPA_vect
+//#   fidelity: sample jobs every 1,024 us with interrupts off, frame jobs every 20 ms on average with interrupts on
+static void (*sample_jobs[2])();
+static void (*frame_jobs[3])();
+
+ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {  // every 1,024 us
+  static uint16_t waited = 0;
+  static volatile bool busy = false;
+  cli();
+  for (auto job : sample_jobs)
+    if (job) job();
+  sei();
+  waited += 1024;
+  if (waited < 20000 || busy) return;
+  waited -= 20000;
+  busy = true;
+  for (auto job : frame_jobs)
+    if (job) job();
+  busy = false;
+}
+
+template <uint8_t places> inline void run_in_background(void (*(&jobs)[places])(), void (*job)()) {
+  uint8_t old = SREG;
+  cli();
+  for (auto &place : jobs) {
+    if (place == job) break;
+    if (place) continue;
+    place = job;
+    break;
+  }
+  TIMSK0 |= _BV(OCIE0A);
+  SREG = old;
+}
+
+//# helper ServoSlot
+//#   needs: simpletools.h/Io
+//#   include: <Servo.h>
+//#   library: Servo
+//#   timer: Timer1
+//#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
+const uint8_t servo_places = MAX_SERVOS < 14 ? MAX_SERVOS : 14;
+
+struct ServoSlot {
+  Servo *servo;                // made once: each one counts as a channel of Servo.h from then on
+  uint8_t pin;
+  bool used, own;              // own: of a drive, which servo_stop and the like leave alone
+  int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
+
+  void start(int16_t us) {
+    uint8_t old = SREG;
+    cli();
+    servo->attach(pin, 40, 2900);
+    servo->writeMicroseconds(us);
+    SREG = old;
+  }
+  void rest() {  // no more pulses; one under way is ended first
+    Io io(pin);
+    while (servo->attached()) {
+      uint8_t old = SREG;
+      cli();
+      if (!(*io.out & io.mask)) servo->detach();
+      SREG = old;
+    }
+  }
+  void release() {
+    if (servo->attached()) rest();
+    Io(pin).drive(false);
+  }
+};
+static ServoSlot servo_slots[servo_places];
+
+inline ServoSlot *servo_slot(int32_t pin, bool make) {
+  ServoSlot *free = 0;
+  for (auto &slot : servo_slots) {
+    if (slot.used && slot.pin == pin) return &slot;
+    if (!slot.used && !free) free = &slot;
+  }
+  if (!make || !free) return 0;
+  if (!free->servo) free->servo = new Servo;
+  free->pin = pin;
+  free->own = false;
+  free->step = 2000;
+  free->used = true;
+  return free;
+}
+
+//# adapter servo_set
+//#   for: int servo_set(int pin, int time)
+//#   kind: oneToMany
+//#   needs: ServoSlot simpletools.h/Io
+//#   pin: pin digital out servo
+//#   fidelity: widths within 1 us; returns the pin at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
+//#   limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
+//#   limit: widths from 40 to 2,900 us
+inline int32_t servo_set(int32_t pin, int32_t time) {
+  if (!Io(pin).wired()) return 0;
+  ServoSlot *slot = servo_slot(pin, false);
+  int32_t known = slot ? 1 : pin;
+  if (!time) {
+    if (slot) {
+      slot->release();
+      slot->used = false;
+    }
+    return known;
+  }
+  if (!slot) {
+    slot = servo_slot(pin, true);
+    if (!slot) return -3;
+    slot->sent = time;
+  }
+  uint8_t old = SREG;
+  cli();
+  slot->asked = time;
+  SREG = old;
+  for (auto &each : servo_slots)  // those that servo_stop has ended go on, as they do when the library's cog starts again
+    if (each.used && !each.own && !each.servo->attached()) each.start(each.sent);
+  if (slot->step >= 2000) slot->servo->writeMicroseconds(slot->sent = time);
+  return known;
+}
+
+//# adapter servo_angle
+//#   for: int servo_angle(int pin, int degreeTenths)
+//#   kind: oneToOne
+//#   needs: servo_set
+//#   pin: pin digital out servo
+//#   fidelity: 500 us and one more for each tenth of a degree, as there
+inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
+  return servo_set(pin, degreeTenths + 500);
+}
+
+//# adapter servo_speed
+//#   for: int servo_speed(int pin, int speed)
+//#   kind: oneToOne
+//#   needs: servo_set
+//#   pin: pin digital out servo
+//#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
+inline int32_t servo_speed(int32_t pin, int32_t speed) {
+  return servo_set(pin, speed + 1500);
+}
+
+//# adapter servo_get
+//#   for: int servo_get(int pin)
+//#   kind: oneToOne
+//#   needs: ServoSlot
+//#   pin: pin digital out servo
+//#   fidelity: the width last sent in microseconds, on the way of a ramp too; -4 for a pin without a servo
+inline int32_t servo_get(int32_t pin) {
+  ServoSlot *slot = servo_slot(pin, false);
+  if (!slot) return -4;
+  uint8_t old = SREG;
+  cli();
+  int16_t sent = slot->sent;
+  SREG = old;
+  return sent;
+}
+
+//# adapter servo_setramp
+//#   for: int servo_setramp(int pin, int stepSize)
+//#   kind: semantic
+//#   needs: ServoSlot background
+//#   pin: pin digital out servo
+//#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
+inline void servo_ramps() {
+  for (auto &slot : servo_slots) {
+    if (!slot.used || slot.own || !slot.servo->attached()) continue;
+    int16_t difference = slot.asked - slot.sent;
+    if (!difference) continue;
+    slot.sent += constrain(difference, -slot.step, slot.step);
+    slot.servo->writeMicroseconds(slot.sent);
+  }
+}
+
+inline int32_t servo_setramp(int32_t pin, int32_t stepSize) {
+  ServoSlot *slot = servo_slot(pin, false);
+  if (!slot) return -4;
+  slot->step = stepSize;
+  run_in_background(frame_jobs, servo_ramps);
+  return pin;
+}
+
+//# adapter servo_disable
+//#   for: int servo_disable(int pin)
+//#   kind: oneToOne
+//#   needs: servo_set
+//#   pin: pin digital out servo
+//#   fidelity: as there: the pin becomes an input; a pulse under way is ended first, for which it waits up to 3 ms
+inline int32_t servo_disable(int32_t pin) {
+  return servo_set(pin, 0);
+}
+
+//# adapter servo_stop
+//#   for: void servo_stop(void)
+//#   kind: oneToMany
+//#   needs: ServoSlot
+//#   fidelity: all pulses end and the pins become inputs; they go on with the next call of servo_set and its like, as there
+inline void servo_stop() {
+  for (auto &slot : servo_slots)
+    if (slot.used && !slot.own) slot.release();
+}

@@ -1,0 +1,101 @@
+"""abdrive.h: two wheels with encoders. Semantics of the library's sources (libabdrive, Simple-Libraries 1cc167c10)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import Uno, proves
+
+PORTS = {"abdrive.left_servo": "5", "abdrive.right_servo": "6", "abdrive.left_encoder": "A0", "abdrive.right_encoder": "A1"}
+WHEELS = [
+    DeviceUse("wheel", {"servo": "D5", "encoder": "A0"}, {}),
+    DeviceUse("wheel", {"servo": "D6", "encoder": "A1"}, {"ticks_per_s_per_us": -0.64}),
+]
+SAY = "void say(int32_t number) { Serial.print(number); Serial.print(' '); }"
+
+
+def d(*names: str) -> list[str]:
+    """These functions of abdrive.h."""
+    return [f"abdrive.h/drive_{name}" for name in names]
+
+
+@proves(*d("speed", "rampStep", "ramp", "setMaxSpeed", "setRampStep", "servoPins"))
+def drives_change_their_speed_in_frames_of_20_ms_and_calls_take_as_long_as_there(uno: Uno) -> None:
+    program = f"""{SAY}
+template <class Call> void time(Call call) {{ uint32_t begun = millis(); call(); say(millis() - begun); }}
+void setup() {{ Serial.begin(115200); drive_servoPins(9, 10);
+  time([]() {{ drive_speed(0, 0); }}); delay(50);
+  time([]() {{ drive_speed(128, 64); }}); delay(160);
+  time([]() {{ drive_speed(128, 64); }});
+  time([]() {{ drive_rampStep(48, 48); }}); delay(100);
+  time([]() {{ drive_speed(0, 0); }}); delay(60);
+  drive_setMaxSpeed(100); drive_setRampStep(4);
+  time([]() {{ drive_ramp(-200, 40); }});
+  time([]() {{ drive_ramp(-200, 0); }}); drive_speed(-90, 90); }}
+void loop() {{}}
+"""
+    used = d("speed", "rampStep", "ramp", "setMaxSpeed", "setRampStep", "servoPins")
+    trace = replace(uno, ports=PORTS).run(program, used, 3200)
+    began, change, same, slower, stop, ramp, over = map(int, trace.text.split())
+    assert 120 <= began <= 160
+    assert 100 <= change <= 121
+    assert same == 0
+    assert 99 <= slower <= 121
+    assert 139 <= stop <= 161
+    assert ramp == pytest.approx(
+        46 * 20, abs=45
+    )  # the right wheel makes 0.8 of its 40 each frame while the left one makes 4 of its 200
+    assert over < 700
+    left, right = trace.pulses("D9"), trace.pulses("D10")
+    assert trace.pulses("D5") == []
+    assert [round(width) for _, width in left[:2]] == pytest.approx([1500, 1500], abs=2)
+    first = next(number for number, (_, width) in enumerate(left) if width > 1510)
+    assert first <= 3
+    ramped = [width for _, width in left[first:] if width > 1510]
+    assert ramped[:4] == pytest.approx([1518, 1537, 1556, 1575], abs=20)
+    assert max(ramped) == pytest.approx(1700, abs=2)
+    assert min(width for at, width in right if at < left[first][0] + 300_000) == pytest.approx(1400, abs=2)
+    quiet = max(late[0] - early[0] for early, late in pairwise(left))
+    assert quiet > 100_000  # no pulses at a stand
+    assert min(width for _, width in left) == pytest.approx(1500 - 156, abs=3)
+    assert right[-1][1] == pytest.approx(1500 - 141, abs=20)
+
+
+@proves(*d("goto", "getTicks", "gotoMode", "gotoStatus", "encoderPins"))
+def drives_go_so_many_ticks_and_count_them(uno: Uno) -> None:
+    program = f"""{SAY}
+void ticks() {{ int left, right; drive_getTicks(&left, &right); say(left); say(right); }}
+void setup() {{ Serial.begin(115200); drive_encoderPins(A0, A1);
+  drive_goto(64, 32); ticks(); drive_goto(-16, 16); ticks(); drive_goto(1, 0); ticks();
+  drive_gotoMode(0); drive_goto(0, 40); say(drive_gotoStatus(0)); say(drive_gotoStatus(1) > 0);
+  delay(500); say(drive_gotoStatus(2)); delay(3000); say(drive_gotoStatus(2)); ticks(); }}
+void loop() {{}}
+"""
+    used = d("goto", "getTicks", "gotoMode", "gotoStatus", "encoderPins")
+    ports = {**PORTS, "abdrive.left_encoder": "255", "abdrive.right_encoder": "255"}
+    trace = replace(uno, ports=ports).run(program, used, 12_000, WHEELS)
+    told = [int(each) for each in trace.text.split()]
+    assert told[:6] == pytest.approx([64, 32, 48, 48, 49, 48], abs=1)
+    assert told[7:10] == [1, 1, 0]
+    assert told[10:] == pytest.approx([49, 88], abs=1)
+
+
+@proves(*d("setAcceleration", "setMaxVelocity", "getTicksCalc"))
+def drives_accelerate_as_they_are_told(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); drive_setAcceleration(FOR_SPEED, 200); drive_setMaxVelocity(FOR_GOTO, 50);
+  drive_speed(100, -100); delay(1000); int32_t left, right; drive_getTicksCalc(&left, &right); say(left); say(right); }}
+void loop() {{}}
+"""
+    used = [*d("setAcceleration", "setMaxVelocity", "getTicksCalc", "speed"), "abdrive.h/FOR_SPEED", "abdrive.h/FOR_GOTO"]
+    trace = replace(uno, ports=PORTS).run(program, used, 1400)
+    left, right = map(int, trace.text.split())
+    assert left == pytest.approx(50 * 1.11 - 50 * 50 / 400, abs=3)
+    assert right == -left
+    widths = [width for _, width in trace.pulses("D5") if width > 1501]
+    assert widths[:3] == pytest.approx([1506, 1512, 1518], abs=8)
+    assert widths[-1] == pytest.approx(1578, abs=2)

@@ -1,0 +1,48 @@
+"""servo.h: pulses in the background. Semantics of the library's source (libservo, Simple-Libraries 1cc167c10)."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from tests.adapters.bench import Uno, proves
+
+ALL = [f"servo.h/servo_{name}" for name in ("angle", "speed", "set", "get", "setramp", "disable", "stop")]
+
+
+@proves(*ALL)
+def servos_get_their_widths_every_20_ms_until_they_are_disabled(uno: Uno) -> None:
+    program = """
+void say(int32_t number) { Serial.print(number); Serial.print(' '); }
+void setup() { Serial.begin(115200);
+  say(servo_get(5)); say(servo_setramp(5, 9)); say(servo_angle(5, 0)); say(servo_speed(6, -200)); delay(100);
+  say(servo_angle(5, 1800)); say(servo_get(5)); delay(100);
+  say(servo_setramp(5, 100)); say(servo_angle(5, 900)); delay(110); say(servo_get(5)); delay(110);
+  say(servo_set(7, 1234)); say(servo_disable(5)); say(servo_get(5)); delay(100);
+  servo_stop(); delay(100); say(servo_speed(7, 20)); say(servo_set(255, 1500)); }
+void loop() {}
+"""
+    trace = uno.run(program, ALL, 740)
+    assert trace.text.split()[:8] == ["-4", "-4", "5", "6", "1", "2300", "5", "1"]
+    ramped, *rest = map(int, trace.text.split()[8:])
+    assert ramped in (1700, 1800, 1900)  # after 110 ms at 100 us every 20 ms
+    assert rest == [7, 1, -4, 1, 0]
+    widths = {pin: trace.pulses(f"D{pin}") for pin in (5, 6, 7)}
+
+    def seen(pin: int, begin: float, end: float) -> list[float]:
+        return [width for at, width in widths[pin] if begin * 1000 <= at < end * 1000]
+
+    assert seen(5, 0, 95) == pytest.approx([500] * len(seen(5, 0, 95)), abs=2)
+    assert seen(6, 0, 500) == pytest.approx([1300] * len(seen(6, 0, 500)), abs=2)
+    assert 23 <= len(seen(6, 0, 500)) <= 26
+    assert seen(5, 130, 195)[-1] == pytest.approx(2300, abs=2)
+    steps = [early - late for early, late in pairwise(seen(5, 200, 400))]
+    assert max(steps) <= 202  # the jitter of a frame may put two steps between two pulses
+    assert seen(5, 395, 415)[-1] == pytest.approx(1400, abs=2)
+    assert seen(5, 425, 740) == []
+    assert trace.levels("D5")[-1][1] == "z"
+    assert seen(7, 425, 515)[-1] == pytest.approx(1234, abs=2)
+    assert [seen(pin, 525, 615) for pin in (6, 7)] == [[], []]
+    assert seen(6, 625, 740)[-1] == pytest.approx(1300, abs=2)
+    assert seen(7, 625, 740)[-1] == pytest.approx(1520, abs=2)
