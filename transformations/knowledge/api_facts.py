@@ -73,21 +73,27 @@ class PinFacts(NamedTuple):
 
 
 class ApiFacts(Protocol):
-    """The facts about one platform's API.
+    """The facts about one platform's API."""
 
-    Attributes:
-        origin: where they come from; two platforms have two origins.
-        settings: `name`, widths of types, and in the table `parser` how programs are parsed.
-        headers: name -> `kind` and `includes`.
-        entries: name -> its declarations, in the order of their headers' names.
-        registers: names that are registers.
-    """
+    @property
+    def origin(self) -> str:
+        """Where the facts come from; two platforms have two origins."""
 
-    origin: str
-    settings: Mapping[str, Any]
-    headers: Mapping[str, Mapping[str, Any]]
-    entries: Mapping[str, Sequence[ApiEntry]]
-    registers: frozenset[str]
+    @property
+    def settings(self) -> Mapping[str, Any]:
+        """`name`, widths of types, and in the table `parser` how programs are parsed."""
+
+    @property
+    def headers(self) -> Mapping[str, Mapping[str, Any]]:
+        """Name -> `kind` and `includes`."""
+
+    @property
+    def entries(self) -> Mapping[str, Sequence[ApiEntry]]:
+        """Name -> its declarations, in the order of their headers' names."""
+
+    @property
+    def registers(self) -> frozenset[str]:
+        """Names that are registers."""
 
     @property
     def pins(self) -> Mapping[tuple[str, str], PinFacts]:

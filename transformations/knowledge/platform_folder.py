@@ -59,12 +59,14 @@ class FolderFacts:
     @property
     def functions(self) -> Mapping[str, Mapping[str, Any]]:
         """Function -> what it means: `parameters`, `blocking`, `startsCog`."""
-        return self._meanings.get("functions", {})
+        found: Mapping[str, Mapping[str, Any]] = self._meanings.get("functions", {})
+        return found
 
     @property
     def symbols(self) -> Mapping[str, Mapping[str, str]]:
         """Another name -> `kind`, `type`, `meaning`."""
-        return self._meanings.get("symbols", {})
+        found: Mapping[str, Mapping[str, str]] = self._meanings.get("symbols", {})
+        return found
 
     @cached_property
     def library_cores(self) -> Mapping[str, Sequence[str]]:
@@ -75,7 +77,8 @@ class FolderFacts:
     @property
     def code_arguments(self) -> Mapping[str, int]:
         """Function -> which argument is the code that it starts on another core."""
-        return self.settings.get("cogs", {})
+        found: Mapping[str, int] = self.settings.get("cogs", {})
+        return found
 
     @property
     def virtual_headers(self) -> Mapping[str, bytes]:

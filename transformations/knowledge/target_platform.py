@@ -18,7 +18,15 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.plugins import registry
 from robosmi.project import defaults, defaults_place, read_data
-from robosmi.transformations.knowledge.board_models import KIND, load_board, load_mapping, mapped_boards, mapping_file, table_of
+from robosmi.transformations.knowledge.board_models import (
+    KIND,
+    load_board,
+    load_mapping,
+    mapped_boards,
+    mapping_file,
+    table_of,
+    text_of,
+)
 from robosmi.verify.tables import DataTable
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
@@ -31,6 +39,9 @@ _KEYS = (
     "platform", "board", "generator", "toolchain", "structure", "language", "suffix", "module_suffix", "project_file",
     "libraries", "any_board", "by_board",
 )  # fmt: skip
+
+
+_Board = platform.Board  # the class below has a property of the module's name
 
 
 class TargetNames:
@@ -75,7 +86,7 @@ class TargetFacts:
         return str(self._platform.name)
 
     @property
-    def board_model(self) -> platform.Board:
+    def board_model(self) -> _Board:
         """The board.
 
         Raises:
@@ -193,14 +204,21 @@ def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
             raise DataTable(place, listed, "targets.").error(target, "must be a table")
         return _whole(listed[target], place, f"targets.{target}.", project), target
     for name, path in _platforms_by_board(project):
-        for board in mapped_boards(name, project):
-            file = mapping_file(name, board, project)
-            table = table_of(file) if file is not None else None
-            full = (table.text("fqbn", ""), *table.texts("fqbn_also", ())) if table is not None else ()
-            if target in (board, *full):
-                return _whole({"platform": name, "board": board}, path, "target.", project), board
+        boards = mapped_boards(name, project)
+        board = target if target in boards else next((b for b in boards if _is_called(target, name, b, project)), None)
+        if board is not None:
+            return _whole({"platform": name, "board": board}, path, "target.", project), board
     known = target_names(project)
     raise UsageError(f"no target is called '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
+
+
+def _is_called(full_name: str, platform_name: str, board: str, project: Path | None) -> bool:
+    """Whether a platform's tools know a board by that full name."""
+    file = mapping_file(platform_name, board, project)
+    if file is None or f'"{full_name}"' not in text_of(file):  # parsing is a hundred times as long
+        return False
+    table = table_of(file)
+    return full_name in (table.text("fqbn", ""), *table.texts("fqbn_also", ()))
 
 
 def _whole(own: dict[str, Any], place: Path, prefix: str, project: Path | None) -> DataTable:

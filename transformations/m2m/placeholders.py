@@ -160,10 +160,10 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     kind = for_target(Signature(name, base.strip()), target.widths).returns
     if not mutable:
         # Constants of unknown value must differ, or a switch over them would not compile; none is 0, for arrays have such sizes.
-        plain = kind.removeprefix("const ")
-        if target.language == PLAIN_C and set(plain.split()) <= ARITHMETIC and not {"float", "double"} & set(plain.split()):
+        bare = kind.removeprefix("const ")
+        if target.language == PLAIN_C and set(bare.split()) <= ARITHMETIC - {"float", "double"}:
             return f"enum {{ {name} = {number} }};"  # a constant of C is no constant expression
-        return f"const {plain} {name} = {number};"
+        return f"const {bare} {name} = {number};"
     storage = "__attribute__((weak)) " if several else "static "  # weak: the one variable of all files
     kind = kind.removeprefix("const ") if "*" not in kind else kind
     if indexed or bracket:

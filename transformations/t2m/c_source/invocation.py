@@ -53,7 +53,7 @@ def standard_headers(api: ApiIndex, text: bytes | None) -> dict[str, bytes]:
     """
     headers = api.virtual_headers()
     if text is None:
-        return headers
+        return dict(headers)
     reached: set[str] = set()
     pending = [*included(text), "stdarg.h"]
     while pending:
