@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from robosmi.cli.common import add_source_options, write_model
+from robosmi.cli.progress import progress
 from robosmi.plugins import content
 from robosmi.project import defaults, project_of
 from robosmi.report import Report
@@ -22,9 +23,14 @@ def run(arguments: argparse.Namespace) -> Report:
     report = Report("analyse")
     project = project_of(arguments.files[0])
     platform = arguments.source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
-    done = content("chain", "analyse")(
-        arguments.files, source_platform=platform, include_dirs=arguments.include_dirs, defines=arguments.defines
-    )
+    with progress() as told:
+        done = content("chain", "analyse")(
+            arguments.files,
+            source_platform=platform,
+            include_dirs=arguments.include_dirs,
+            defines=arguments.defines,
+            progress=told,
+        )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     if arguments.output:

@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 from robosmi.cli.common import write_model
+from robosmi.cli.progress import progress
 from robosmi.model.files import write_atomic
 from robosmi.plugins import content
 from robosmi.project import project_of
@@ -25,7 +26,8 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("hardware")
     project = project_of(arguments.sketch)
-    done = content("chain", "hardware")(arguments.sketch, roles=project.roles)
+    with progress() as told:
+        done = content("chain", "hardware")(arguments.sketch, roles=project.roles, progress=told)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     if arguments.output:

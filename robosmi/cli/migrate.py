@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 from robosmi.cli.asking import ask_libraries, may_ask
 from robosmi.cli.common import add_source_options, output_folder, pairs
+from robosmi.cli.progress import progress
 from robosmi.diagnostics import Finding
 from robosmi.plugins import content
 from robosmi.project import Accepted, project_of
@@ -63,13 +64,14 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("migrate")
     project = project_of(arguments.files[0])
-    done = content("chain", "migrate")(
-        arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
-        source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
-        libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
-        dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
-        ask=ask_libraries if may_ask(yes=arguments.yes, as_json=arguments.json) else None,
-    )  # fmt: skip
+    with progress() as told:
+        done = content("chain", "migrate")(
+            arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
+            source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
+            libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
+            dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
+            ask=ask_libraries if may_ask(yes=arguments.yes, as_json=arguments.json) else None, progress=told,
+        )  # fmt: skip
     return filled(report, done, project.severity, project.accept)
 
 

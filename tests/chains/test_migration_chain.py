@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import doctest
 import json
+import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -15,6 +18,8 @@ from robosmi.chain.steps import Step, StepResult
 from robosmi.metamodels import migration
 from robosmi.project import Project, defaults
 from robosmi.transformations.chains import migrate as chain_module
+from robosmi.transformations.chains.analyse import analyse
+from robosmi.transformations.chains.hardware import hardware, hardware_chain
 from robosmi.transformations.chains.migrate import migrate, migration_chain, plan_migration
 from robosmi.transformations.m2m.library_choice import LibraryModels
 
@@ -148,3 +153,35 @@ def test_a_step_can_be_another_persons() -> None:
     assert {c.choice for c in usual.libraryChoices} != {"none"}
     assert [d.action for d in plan.dispositions] == [d.action for d in usual.dispositions]
     assert [b.choice for b in plan.portBindings] == [b.choice for b in usual.portBindings]
+
+
+def test_the_examples_of_the_page_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = ROOT / "docs" / "how-to" / "change-a-step.md"
+    for name in ("line_follower.c", "line_following_robot.fzz"):
+        shutil.copy(FOLLOWER / name, tmp_path)
+    monkeypatch.chdir(tmp_path)
+    blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(compile(blocks[0], str(page), "exec"), names)
+    parser, runner = doctest.DocTestParser(), doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+    for number, block in enumerate(blocks[1:], 1):
+        case = parser.get_doctest(block, names, f"block {number}", str(page), 0)
+        said: list[str] = []
+        assert runner.run(case, out=said.append, clear_globs=False).failed == 0, "".join(said)
+        names = case.globs
+
+
+def _nothing() -> list[Any]:
+    return []
+
+
+def test_analyse_and_hardware_are_chains_too() -> None:
+    told = Told()
+    hardware(FOLLOWER / "line_following_robot.fzz", progress=told)
+    assert told.steps == ["read the drawing", "check the circuit", "put the result together"]
+    told.steps.clear()
+    analyse([FOLLOWER / "line_follower.c"], source_platform="propeller", progress=told)
+    assert told.steps == ["look up the source platform", "read the program", "analyse the program"]
+    unchecked = hardware_chain()
+    unchecked.replace("check the circuit", _nothing)
+    assert {f.rule for f in hardware(FOLLOWER / "line_following_robot.fzz", chain=unchecked).findings} == set()

@@ -7,9 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from robosmi.chain import Chain
+from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
+from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
-from robosmi.transformations.chains.reading import read_program
+from robosmi.transformations.chains.reading import check_source_platform, read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
 
@@ -43,8 +46,51 @@ class Analysis:
         return lines
 
 
+def analysis_chain() -> Chain:
+    """The steps from source files to the value `analysis`; each can be replaced by its name (`Chain.replace`)."""
+    chain = Chain(None, "analyse")
+    chain.given("paths", "source_platform", "include_dirs", "defines")
+    chain.call(source_api, makes="api", step="look up the source platform")
+    chain.call(read_program_and_findings, makes="read", step="read the program")
+    chain.call(analysed, makes="analysis", step="analyse the program")
+    return chain
+
+
+def source_api(source_platform: str) -> ApiIndex:
+    """What is known of the platform that the program was written for.
+
+    Raises:
+        UsageError: there is no such platform.
+    """
+    check_source_platform(source_platform)
+    return ApiIndex.load(source_platform)
+
+
+def read_program_and_findings(
+    paths: Sequence[Path], api: ApiIndex, include_dirs: Sequence[Path], defines: Sequence[str]
+) -> tuple[ccode.Program, list[Finding]]:
+    """The code model, and what its reader found.
+
+    Raises:
+        SourceError: a file cannot be read as a program.
+    """
+    return read_program(paths, api.name, include_dirs, defines)
+
+
+def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex) -> Analysis:
+    """What the program uses of its platform."""
+    program, findings = read
+    return Analysis(program, analysis(program, findings, api), findings)
+
+
 def analyse(
-    paths: Sequence[Path], *, source_platform: str, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()
+    paths: Sequence[Path],
+    *,
+    source_platform: str,
+    include_dirs: Sequence[Path] = (),
+    defines: Sequence[str] = (),
+    progress: Progress | None = None,
+    chain: Chain | None = None,
 ) -> Analysis:
     """Analyse the source files of one program.
 
@@ -53,10 +99,16 @@ def analyse(
         source_platform: name of the platform it was written for.
         include_dirs: folders with headers.
         defines: macros defined from outside.
+        progress: told of each step.
+        chain: steps of one's own, which make `analysis`; `analysis_chain()` if None.
 
     Raises:
         SourceError: a file cannot be read as a program.
-        PlatformDataError: there is no such platform.
+        UsageError: there is no such platform.
     """
-    program, findings = read_program(paths, source_platform, include_dirs, defines)
-    return Analysis(program, analysis(program, findings, ApiIndex.load(source_platform)), findings)
+    run = (chain or analysis_chain()).start(
+        progress=progress, paths=paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines
+    )
+    with read_once():
+        made: Analysis = run.value("analysis")
+    return made

@@ -7,10 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from robosmi.chain import Chain
+from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
+from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
-from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.chains.reading import Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, the_board
 
@@ -88,19 +91,55 @@ def _in_brackets(connectors: Sequence[Mapping[str, str]]) -> str:
     return f"({told})" if told else ""
 
 
-def hardware(path: Path, *, roles: Mapping[str, str] | None = None) -> HardwareAnalysis:
+def hardware_chain() -> Chain:
+    """The steps from a drawing to the value `analysis`; each can be replaced by its name (`Chain.replace`)."""
+    chain = Chain(None, "hardware")
+    chain.given("path", "roles")
+    chain.call(drawing, makes="drawing", step="read the drawing")
+    chain.call(faults, makes="faults", step="check the circuit")
+    chain.call(analysed, makes="analysis", step="put the result together")
+    return chain
+
+
+def drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
+    """The circuit with its connections.
+
+    Raises:
+        SourceError: the drawing cannot be read, or has no board.
+    """
+    made = read_drawing(path, roles)
+    if not boards(made.circuit):
+        the_board(made.circuit)  # says what is missing
+    return made
+
+
+def faults(drawing: Drawing) -> list[Finding]:
+    """What the electrical constraints find."""
+    return electrical_findings(drawing.circuit)
+
+
+def analysed(drawing: Drawing, faults: list[Finding]) -> HardwareAnalysis:
+    """Which board pin drives what, with all findings."""
+    result = hardware_report(drawing.circuit, drawing.connections)
+    findings = [*drawing.findings, *faults]
+    return HardwareAnalysis(drawing.circuit, drawing.connections, drawing.board_models, result, findings)
+
+
+def hardware(
+    path: Path, *, roles: Mapping[str, str] | None = None, progress: Progress | None = None, chain: Chain | None = None
+) -> HardwareAnalysis:
     """Analyse a drawing.
 
     Args:
         path: the drawing.
         roles: COMPONENT -> role, as the project file says.
+        progress: told of each step.
+        chain: steps of one's own, which make `analysis`; `hardware_chain()` if None.
 
     Raises:
         SourceError: it cannot be read, or has no board.
     """
-    drawing = read_drawing(path, roles or {})
-    if not boards(drawing.circuit):
-        the_board(drawing.circuit)  # says what is missing
-    result = hardware_report(drawing.circuit, drawing.connections)
-    findings = [*drawing.findings, *electrical_findings(drawing.circuit)]
-    return HardwareAnalysis(drawing.circuit, drawing.connections, drawing.board_models, result, findings)
+    run = (chain or hardware_chain()).start(progress=progress, path=path, roles=roles or {})
+    with read_once():
+        made: HardwareAnalysis = run.value("analysis")
+    return made

@@ -1,0 +1,69 @@
+"""Progress on the terminal: which step is being done, once a command takes longer than a moment. Never in a pipe."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from robosmi.chain.run import Progress
+from robosmi.chain.steps import Step, StepResult
+
+QUIET = 1.0
+"""Seconds in which nothing is said."""
+
+
+@contextmanager
+def progress() -> Iterator[Progress | None]:
+    """What a chain is told to report to, None where standard error is no terminal; the line is wiped at the end."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    shown = _Line()
+    timer = threading.Timer(QUIET, shown.begin)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield shown.told
+    finally:
+        timer.cancel()
+        shown.end()
+
+
+class _Line:
+    """The one line of a terminal that says what is being done."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.step = ""
+        self.written = ""
+        self.visible = False
+        self.over = False
+
+    def begin(self) -> None:
+        """The moment is over: show the step that is being done."""
+        with self.lock:
+            self.visible = not self.over
+            self.show()
+
+    def told(self, step: Step, result: StepResult | None) -> None:
+        """A step begins (without a result) or has ended."""
+        with self.lock:
+            self.step = step.name if result is None else ""
+            self.show()
+
+    def show(self) -> None:
+        """Write the step over what the line had."""
+        text = f"{self.step} ..." if self.step else ""
+        if self.visible and text != self.written:
+            sys.stderr.write(f"\r\x1b[K{text}")
+            sys.stderr.flush()
+            self.written = text
+
+    def end(self) -> None:
+        """Wipe the line."""
+        with self.lock:
+            self.step, self.over = "", True
+            self.show()
+            self.visible = False

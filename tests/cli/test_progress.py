@@ -1,0 +1,62 @@
+"""Progress on the terminal: silent at first and in a pipe, one line that is wiped, and nothing over a prompt."""
+
+from __future__ import annotations
+
+import io
+import sys
+import time
+
+import pytest
+
+from robosmi.chain import Chain
+from robosmi.cli import progress as module
+
+
+class Terminal(io.StringIO):
+    """A standard error that is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def slow(seconds: float) -> Chain:
+    """Two steps, the second of which takes that long."""
+    chain = Chain(None)
+    chain.call(lambda: 1, makes="one", step="first step")
+    chain.call(lambda one: time.sleep(seconds) or one, makes="two", step="second step")
+    return chain
+
+
+def test_in_a_pipe_nothing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", io.StringIO())
+    with module.progress() as told:
+        assert told is None
+
+
+def test_a_short_command_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    with module.progress() as told:
+        assert slow(0.0).start(progress=told).value("two") == 1
+    assert terminal.getvalue() == ""
+
+
+def test_a_long_one_shows_its_step_and_wipes_the_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    monkeypatch.setattr(module, "QUIET", 0.02)
+    with module.progress() as told:
+        slow(0.3).start(progress=told).value("two")
+        shown = terminal.getvalue()
+        time.sleep(0.05)  # a person is asked something: nothing is written over it
+        assert terminal.getvalue() == shown
+    assert shown == "\r\x1b[Ksecond step ...\r\x1b[K"
+    assert terminal.getvalue() == shown
+
+
+def test_an_error_leaves_no_line_behind(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    monkeypatch.setattr(module, "QUIET", 0.02)
+    chain = Chain(None)
+    chain.call(lambda: time.sleep(0.3) or 1 / 0, makes="one", step="divide")
+    with pytest.raises(ZeroDivisionError), module.progress() as told:
+        chain.start(progress=told).value("one")
+    assert terminal.getvalue() == "\r\x1b[Kdivide ...\r\x1b[K"
