@@ -56,7 +56,9 @@ def read_current(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
 
 def _current(roots: dict[Path, Any], steps: dict[str, Any]) -> tuple[dict[Path, Any], list[Any]]:
     """The roots in their current versions, and those that were replaced. Each namespace is migrated once."""
-    current, replaced, seen = dict(roots), [], set[str]()
+    current = dict(roots)
+    replaced: list[Any] = []
+    seen: set[str] = set()
     while pending := {file: uri for file, root in current.items() if (uri := _namespace(root)) in steps and uri not in seen}:
         step = steps[next(iter(pending.values()))]
         older = {file: current[file] for file, uri in pending.items() if steps[uri] is step}

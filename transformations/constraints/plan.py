@@ -126,13 +126,12 @@ def ChangesDoNotCross(p: migration.MigrationPlan) -> Any:
     """Each change of text replaces bytes of its unit, and crosses no other; one that a person added has an effect."""
     wrong: list[str] = []
     widest: migration.TextChange | None = None
-    order = sorted((c for c in all_changes(p) if c.unit is not None), key=lambda c: (c.unit.path, c.startOffset, -c.endOffset))
-    for change in order:
-        assert change.unit is not None
-        start, end, path = change.startOffset, change.endOffset, change.unit.path
-        if not 0 <= start <= end <= change.unit.size:
-            wrong.append(f"a change of {path} replaces bytes {start} to {end} of {change.unit.size}")
-        elif widest is None or widest.unit is not change.unit or widest.endOffset <= start:
+    placed = [(c.unit, c) for c in all_changes(p) if c.unit is not None]
+    for unit, change in sorted(placed, key=lambda pair: (pair[0].path, pair[1].startOffset, -pair[1].endOffset)):
+        start, end, path = change.startOffset, change.endOffset, unit.path
+        if not 0 <= start <= end <= unit.size:
+            wrong.append(f"a change of {path} replaces bytes {start} to {end} of {unit.size}")
+        elif widest is None or widest.unit is not unit or widest.endOffset <= start:
             widest = change if start < end else widest
         elif widest.startOffset < end and (widest.endOffset < end or decision_of(change) is None):
             wrong.append(f"two changes of {path} overlap: bytes {widest.startOffset} to {widest.endOffset} and {start} to {end}")
