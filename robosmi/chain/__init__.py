@@ -7,9 +7,25 @@ docs/reference/chains.md has the format.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from robosmi.chain.chain import Chain
-from robosmi.chain.reading import read_chain
 from robosmi.chain.run import ChainResult, ChainRun
 from robosmi.chain.steps import Step, StepResult
 
 __all__ = ["Chain", "ChainResult", "ChainRun", "Step", "StepResult", "read_chain"]
+
+
+def read_chain(path: str | Path) -> Chain:
+    """A chain from a TOML file (docs/reference/chains.md).
+
+    Args:
+        path: the file; paths in it are relative to its folder.
+
+    Raises:
+        SourceError: it cannot be read, is no TOML, or has a step or key that means nothing.
+        RuleError: the code of a function cannot be imported.
+    """
+    from robosmi.chain.reading import read_chain as read  # wanted for chains in files only
+
+    return read(path)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 from robosmi.chain.steps import GIVEN, Step, relative
@@ -143,6 +142,8 @@ def in_order(steps: Sequence[Step], graph: Dependencies, place: Location | None 
 
 
 def _circle(before: Mapping[str, Iterable[str]]) -> list[str]:
+    from graphlib import CycleError, TopologicalSorter  # wanted for a wrong chain only
+
     try:
         TopologicalSorter(before).prepare()
     except CycleError as error:

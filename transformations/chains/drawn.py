@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
@@ -17,8 +17,7 @@ from robosmi.transformations.m2m.migration_plan import Hardware
 from robosmi.transformations.queries.circuit import the_board
 
 
-@dataclass(frozen=True)
-class StoredDrawing:
+class StoredDrawing(NamedTuple):
     """A drawing that was read and mapped, and whose circuit has the path of its copy.
 
     Attributes:

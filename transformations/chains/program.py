@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
@@ -22,8 +22,7 @@ from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.t2m.c_source.sources import source_files
 
 
-@dataclass(frozen=True)
-class ProgramFiles:
+class ProgramFiles(NamedTuple):
     """The files of one program, headers of its own behind the sources, and how they are read."""
 
     paths: Sequence[Path]
@@ -31,8 +30,7 @@ class ProgramFiles:
     defines: Sequence[str]
 
 
-@dataclass(frozen=True)
-class StoredProgram:
+class StoredProgram(NamedTuple):
     """A program that was read and whose units have the paths of their copies.
 
     Attributes:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration, platform
@@ -92,8 +93,7 @@ def decide_libraries(
     return made, libraries
 
 
-@dataclass(frozen=True)
-class Decided:
+class Decided(NamedTuple):
     """The decisions of a plan and what they are about, ready to be put together.
 
     Attributes:
