@@ -16,16 +16,25 @@ from robosmi.verify.toolchain_data import fill, load_toolchains, version_key
 VERIFY = Path(messages.__file__).parent
 CASES = Path(__file__).parent / "cases"
 
+KEYS = {
+    "profiles": "profiles",
+    "default_profile": "default_profile",
+    "default_board": "default_fqbn",
+    "board": "fqbn",
+    "libraries": "libraries",
+}
+"""How the project files of sketches call these, as the toolchain's data has it."""
+
 
 def project_file(tmp_path: Path, text: str) -> ProjectFile:
     """The file of that text, read."""
     path = tmp_path / "sketch.yaml"
     path.write_text(text)
-    return read_project_file(path)
+    return read_project_file(path, KEYS)
 
 
 def test_the_default_profile_names_board_and_libraries() -> None:
-    read = read_project_file(CASES / "for_mega" / "for_mega" / "sketch.yaml")
+    read = read_project_file(CASES / "for_mega" / "for_mega" / "sketch.yaml", KEYS)
     assert (read.board, read.board_line) == ("arduino:avr:mega:cpu=atmega2560", 7)
     assert read.libraries == {"Servo": "1.2.1", "DHT sensor library": "1.4.6"}
 
