@@ -184,6 +184,48 @@ def test_an_edit_of_the_text_in_the_plan_is_kept(migrated: Path) -> None:
     assert "pause(500);" in sketch_of(migrated)
 
 
+def test_an_edit_of_a_decisions_own_change_is_kept(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def add(root: Any) -> None:
+        (change,) = binding(root, "leftQTI").changes
+        change.replacement += " + 0"
+
+    rewritten(plan, add)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "const int leftQTI  = HIH40302ReadP1 + 0;" in sketch_of(migrated)
+
+
+def test_a_port_follows_its_connection_though_the_recorded_choice_was_edited_with_it(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def swap(root: Any) -> None:
+        left, right = binding(root, "leftQTI"), binding(root, "rightQTI")
+        left.connection, right.connection = right.connection, left.connection
+        left.choice, right.choice = right.choice, left.choice
+
+    rewritten(plan, swap)
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert "const int leftQTI  = HIH40301ReadP1;" in sketch_of(migrated)
+    assert "const int rightQTI = HIH40302ReadP1;" in sketch_of(migrated)
+
+
+def test_an_edit_within_what_another_change_takes_away_has_no_effect_and_is_a_finding(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+    source = (migrated / "models" / "source" / "line_follower.c").read_bytes()
+    before = sketch_of(migrated)
+
+    def add(root: Any) -> None:
+        start = source.index(b"simpletools.h")
+        unit = root.program.units[0]
+        root.edits.append(migration.TextChange(unit=unit, startOffset=start, endOffset=start + 6, replacement="complex"))
+
+    rewritten(plan, add)
+    assert "RS708" in run("check", plan, "--json").rules()
+    assert run("generate", plan, "-o", migrated).code == 0
+    assert sketch_of(migrated) == before
+
+
 def test_the_plan_of_the_api_is_the_plan_that_is_stored(case_study: Path, tmp_path: Path) -> None:
     planned = robosmi.plan_migration([case_study])
     robosmi.migrate([case_study], tmp_path / "out")
