@@ -52,6 +52,7 @@ evaluate: $(VENV)/.ready
 fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.hardware
 	$(BIN)/python -m tests.fuzz.xmi
+	$(BIN)/python -m tests.fuzz.metamodels
 	$(BIN)/python -m tests.fuzz.c_source
 	$(BIN)/python -m tests.fuzz.precompiled
 	$(BIN)/python -m tests.fuzz.quoting

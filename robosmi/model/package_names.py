@@ -97,7 +97,7 @@ class Scope:
         if local is None:
             local = name
             while local in self._taken or local in self._local.values():
-                local = f"_{local}"
+                local = _another(local)
             self._local[module, name] = local
         if (module, name) != ("builtins", local):
             self._used[when].setdefault(module, set()).add((name, local))
@@ -108,18 +108,18 @@ class Scope:
 
         Args:
             classifier: one of this package or of another.
-            when: see `symbol`.
+            when: see `symbol`. What links is outside of all classes.
             inside: whether it is used in the body of a class, where a member of that name would hide it.
         """
         own = self.names[classifier]
         if classifier.package is not self.package:
             return self.symbol(self.relative(classifier.package), own, when)
-        if not inside or (own not in self._members and not hasattr(builtins, own)):
+        if not inside or when == "link" or (own not in self._members and not hasattr(builtins, own)):
             return own  # mypy takes a name of Python's own for that, where the class comes later in the module
         if classifier not in self.aliases:
-            alias = f"_{own}"
+            alias = _another(own)
             while alias in self._taken or alias in self._local.values():
-                alias = f"_{alias}"
+                alias = _another(alias)
             self.aliases[classifier] = alias
             self._taken.add(alias)
         return self.aliases[classifier]
@@ -135,6 +135,11 @@ class Scope:
     def used(self, when: str) -> dict[str, set[tuple[str, str]]]:
         """Module -> (name, local name) of what is imported at that time."""
         return self._used[when]
+
+
+def _another(name: str) -> str:
+    """A name to try instead; none begins with two underscores, which Python would take for private ones of a class."""
+    return f"{name}_" if name.startswith("_") else f"_{name}"
 
 
 def _inner(classifier: Classifier) -> Sequence[DescribedElement]:

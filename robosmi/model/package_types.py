@@ -52,6 +52,10 @@ _ABSENT = {
 _REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[fFdD]?|[+-]?Infinity|NaN")
 
 
+_MOST_DIGITS = 4000
+"""Of a whole number in source code; Python reads 4,300."""
+
+
 @dataclass
 class Notes:
     """What a person should know about what was generated."""
@@ -173,7 +177,7 @@ def _plain_default(text: str, name: str, scope: Scope) -> tuple[str, str] | None
     if name == "str":
         return "default_value", string(text)
     if name == "int":
-        return ("default_value", str(int(text))) if re.fullmatch("[+-]?[0-9]+", text.strip()) else None
+        return ("default_value", str(int(text))) if re.fullmatch(f"[+-]?[0-9]{{1,{_MOST_DIGITS}}}", text.strip()) else None
     if name == "bool":
         return ("default_value", text.strip().capitalize()) if text.strip().lower() in ("true", "false") else None
     if name == "float":

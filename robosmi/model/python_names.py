@@ -12,7 +12,7 @@ import re
 import unicodedata
 from collections.abc import Collection
 
-_FOREIGN = re.compile(r"\W")
+_FOREIGN = re.compile(r"[^A-Za-z0-9_]")
 
 MODULE = frozenset(
     {
@@ -52,7 +52,7 @@ def python_name(name: str, reserved: Collection[str] = (), taken: Collection[str
         reserved: names with a meaning of their own in that place.
         taken: names that others in that place have already.
     """
-    text = _FOREIGN.sub("_", unicodedata.normalize("NFKC", name))
+    text = _FOREIGN.sub(_known, unicodedata.normalize("NFKC", name))
     text = re.sub("^__+", "_", text)
     if not text.isidentifier():
         text = f"_{text}"
@@ -61,3 +61,8 @@ def python_name(name: str, reserved: Collection[str] = (), taken: Collection[str
     while text in taken:
         text += "_"
     return text
+
+
+def _known(letter: re.Match[str]) -> str:
+    """A letter that an identifier may have, or `_`: those of `\\w` are not all among them."""
+    return letter[0] if f"_{letter[0]}".isidentifier() else "_"

@@ -11,25 +11,27 @@ import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
+from robosmi.quoting import visible
+
 WIDTH = 88
 
 
 def string(text: str) -> str:
-    """A text as a Python literal."""
+    """A text as a Python literal; what cannot be seen, or turns the direction of text, is an escape."""
     if '"' in text and "'" not in text:
         return repr(text)
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\x7f")
+    return visible(json.dumps(text, ensure_ascii=False))
 
 
 def docstring(text: str, indent: str) -> str:
-    """A text as a docstring, without the indentation of its first line."""
+    """A text as a docstring, without the indentation of its first line; whatever it says, it ends where the docstring does."""
     lines = [line.rstrip() for line in text.expandtabs(4).replace("\r\n", "\n").replace("\r", "\n").strip().split("\n")]
     if len(lines) > 1:
         lines = [lines[0], *textwrap.dedent("\n".join(lines[1:])).split("\n")]
-    safe = "\n".join(lines).replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
-    if safe.endswith('"'):
-        safe = f'{safe[:-1]}\\"'
-    parts = safe.split("\n")
+    body = "\n".join(lines)
+    begun = body.rstrip('"')  # quotes at the end are escaped one by one: three of them and the docstring's own make others
+    safe = begun.replace("\\", "\\\\").replace('"""', '\\"\\"\\"') + '\\"' * (len(body) - len(begun))
+    parts = [visible(line) for line in safe.split("\n")]
     body = "\n".join([parts[0], *(f"{indent}{line}" if line else "" for line in parts[1:])])
     return f'"""{body}\n{indent}"""' if len(parts) > 1 else f'"""{body}"""'
 
@@ -76,16 +78,20 @@ def imports(modules: Mapping[str, Iterable[tuple[str, str]]], indent: str = "") 
     return lines
 
 
-def _module_key(module: str) -> tuple[int, list[str | int]]:
+def _module_key(module: str) -> tuple[int, list[str | tuple[int, str]]]:
     dots = len(module) - len(module.lstrip("."))
     return (-dots if dots else -99, _natural(module))
 
 
-def _name_key(name: str) -> tuple[int, list[str | int], str]:
+def _name_key(name: str) -> tuple[int, list[str | tuple[int, str]], str]:
     kind = 0 if name.isupper() and len(name) > 1 else 1 if name[:1].isupper() else 2
     return (kind, _natural(name), name)
 
 
-def _natural(text: str) -> list[str | int]:
-    """Letters without case, numbers by their value; texts and numbers alternate, so that they compare."""
-    return [int(part) if part.isdecimal() else part for part in re.split(r"([0-9]+)", text.lower())]
+def _natural(text: str) -> list[str | tuple[int, str]]:
+    """Letters without case, numbers (of any length) by their value; texts and numbers alternate, so that they compare."""
+    parts: list[str | tuple[int, str]] = [*re.split(r"([0-9]+)", text.lower())]
+    for number in range(1, len(parts), 2):
+        digits = str(parts[number]).lstrip("0")
+        parts[number] = (len(digits), digits)
+    return parts
