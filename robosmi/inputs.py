@@ -94,6 +94,21 @@ def open_file(path: str | os.PathLike[str], *, follow: bool = True) -> BinaryIO:
         raise
 
 
+def check_ordinary(path: str | os.PathLike[str]) -> None:
+    """Make sure that a path may be given to a library that opens it by itself, as SQLite does.
+
+    The file is not opened here: closing it again would let go of the locks that the process has on it.
+
+    Raises:
+        InputRefusedError: it is no ordinary file, or no file can have such a name.
+        OSError: it does not exist, is a folder or may not be looked at.
+    """
+    try:
+        _check(os.stat(path), path)
+    except ValueError as error:
+        raise InputRefusedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
+
+
 def _check(found: os.stat_result, path: object) -> None:
     kind = stat.S_IFMT(found.st_mode)
     if kind == stat.S_IFLNK:  # the path itself may be none

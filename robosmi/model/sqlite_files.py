@@ -8,9 +8,12 @@ from __future__ import annotations
 import os
 import struct
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
 
 if TYPE_CHECKING:
     import sqlite3
@@ -27,12 +30,15 @@ def writing(target: Path, schema: str, application: int, number: int) -> Iterato
         schema: SQL that makes the tables.
         application: what marks such a file (`PRAGMA application_id`).
         number: number of its format (`PRAGMA user_version`).
+
+    Raises:
+        SourceError: it cannot be written: the folder is not there or may not be written, or the disk is full.
     """
     import sqlite3  # 5 ms, wanted only by who writes
 
     part = target.with_name(f"{target.name}.part-{os.getpid()}")
-    part.unlink(missing_ok=True)
     try:
+        part.unlink(missing_ok=True)
         db = sqlite3.connect(part, isolation_level=None)
         try:
             db.executescript(f"PRAGMA page_size={_PAGE}; PRAGMA journal_mode=OFF; PRAGMA encoding='UTF-8'; BEGIN; {schema}")
@@ -43,8 +49,15 @@ def writing(target: Path, schema: str, application: int, number: int) -> Iterato
             db.close()
         _forget_the_writer(part)
         part.replace(target)
+    except (sqlite3.OperationalError, OSError) as error:
+        raise SourceError(
+            f"cannot write here: {getattr(error, 'strerror', None) or error}",
+            location=Location(str(target)),
+            fix="check the folder's permissions and the space on the disk",
+        ) from error
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
 
 
 def _forget_the_writer(path: Path) -> None:

@@ -22,6 +22,7 @@ from robosmi.query.values import as_string, collection_kind
 
 MAX_DEPTH = 100
 MAX_DIGITS = 4000
+MAX_LETTERS = 10_000_000
 
 
 def as_json(value: Any) -> Any:
@@ -30,7 +31,7 @@ def as_json(value: Any) -> Any:
     An element is `{"type", "id", "name"}`, without `name` where it has none; a number that JSON lacks (NaN) is its text.
 
     Raises:
-        UsageError: it is no value, as a model or a function, or it is nested too deep.
+        UsageError: it is no value, as a model or a function, or it is nested too deep or too long to be shown.
     """
     return _json(value, 0)
 
@@ -38,6 +39,8 @@ def as_json(value: Any) -> Any:
 def _json(value: Any, depth: int) -> Any:
     if depth > MAX_DEPTH:
         raise UsageError(f"the value is nested deeper than {MAX_DEPTH} levels", fix="ask for less")
+    if isinstance(value, str) and len(value) > MAX_LETTERS:
+        raise UsageError(f"the text has more than {MAX_LETTERS:,} characters", fix="ask for less")
     if value is None or isinstance(value, (bool, str)):
         return value
     if isinstance(value, int):

@@ -16,6 +16,7 @@ from contextlib import AbstractContextManager, closing, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError
 
@@ -112,6 +113,7 @@ class SqliteFile:
         """See `Database`."""
         import sqlite3
 
+        self.exists()
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
             with closing(sqlite3.connect(self.path, timeout=0, isolation_level=None)) as db:
@@ -150,11 +152,14 @@ class SqliteFile:
         return found.st_mtime_ns, found.st_size
 
     def exists(self) -> bool:
-        """Whether the file is there."""
+        """Whether the file is there, and is one that SQLite may open: it would take a named pipe or a device, too."""
         try:
-            return self.path.exists()
+            inputs.check_ordinary(self.path)
+        except (FileNotFoundError, NotADirectoryError):
+            return False
         except OSError as error:
-            raise unusable(self.place, str(error)) from error
+            raise unusable(self.place, error.strerror or str(error)) from error
+        return True
 
     def _table(self, db: sqlite3.Connection) -> str:
         """What stands for the table: its name, a question for a file of format 1, or nothing for an empty file."""

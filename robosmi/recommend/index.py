@@ -19,6 +19,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.tfidf import Postings
@@ -119,10 +120,11 @@ class LibraryIndex:
 
         self.path = path
         try:
+            inputs.check_ordinary(path)  # SQLite would take a named pipe or a device
             # immutable: no locks, no look for a journal. Python's sqlite3 serialises the calls of several threads
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
-        except sqlite3.Error as error:
-            raise self._damaged(str(error)) from error
+        except (OSError, sqlite3.Error) as error:
+            raise self._damaged(getattr(error, "strerror", None) or str(error)) from error
         try:
             if self._one("PRAGMA application_id") != (APPLICATION,) or self._one("PRAGMA user_version") != (FORMAT,):
                 raise self._damaged(f"it is not an index of libraries of format {FORMAT}")

@@ -45,3 +45,10 @@ def test_a_query_that_fails_while_it_is_shown_fails_as_a_query(expression: str, 
     outcome = run_here("query", tmp_path / "books.csv", expression)
     assert outcome.code in (2, 3)
     assert "\n  do: " in outcome.err
+
+
+def test_an_answer_that_is_too_long_to_be_shown_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "books.csv").write_text("title\nx\n")
+    outcome = run_here("query", tmp_path / "books.csv", "f'{1:>20000000}'")
+    assert outcome.code == 2
+    assert "more than 10,000,000 characters" in outcome.err

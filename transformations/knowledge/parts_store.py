@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
@@ -57,9 +58,10 @@ class PartsFile:
         self.path = path
         self._parts: dict[str, tuple[PartNames, Part | None]] = {}
         try:  # immutable: no locks, no look for a journal
+            inputs.check_ordinary(path)  # SQLite would take a named pipe or a device
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
-        except sqlite3.Error as error:
-            raise self._damaged(str(error)) from error
+        except (OSError, sqlite3.Error) as error:
+            raise self._damaged(getattr(error, "strerror", None) or str(error)) from error
         if self._all("PRAGMA application_id") != [(APPLICATION,)] or self._all("PRAGMA user_version") != [(FORMAT,)]:
             self.close()
             raise self._damaged(f"it is no file of parts of format {FORMAT}")
