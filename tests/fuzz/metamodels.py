@@ -26,8 +26,8 @@ TEXTS = (
     "\t", "\x85", "\u2028", "\u202e", "\ufeff", "#", "# coding: utf-7", "{{ 7*7 }}", "{% raw %}", "a b", "é", "௰", "①", "²", "·",
     "x\u0301", "ª", "ﬁ", "𝔘", "🙂", "٣", "__class__", "__init__", "__debug__", "_int", "None", "class", "match", "import os",
     "os", f");open('{CANARY}','w')#", f"'+open('{CANARY}','w').name+'", "\\N{BULLET}", "\\u0041", "\\x", "%s", "{0}", "..",
-    "../../x", "/etc/passwd", "-", "self", "int", "print", "eClass", "Element", "TYPE_CHECKING", "Any", "robosmi", "typing", "mixins",
-    "linked", "␛0000", "␛000a", "␛", "9" * 5000, "x" * 60, "_", "1e400", "true",
+    "../../x", "/etc/passwd", "-", "self", "int", "print", "eClass", "Element", "TYPE_CHECKING", "Any", "robosmi", "typing",
+    "mixins", "linked", "␛0000", "␛000a", "␛", "9" * 5000, "x" * 60, "_", "1e400", "true",
 )  # fmt: skip
 _TYPES = ("EString", "EInt", "EBoolean", "EDouble", "EChar", "EBigDecimal", "EDate", "EByteArray", "EJavaObject", "ELong")
 _ECORE = "ecore:EDataType http://www.eclipse.org/emf/2002/Ecore#//"
