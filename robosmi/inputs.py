@@ -10,7 +10,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -137,6 +137,19 @@ def read_once() -> Iterator[None]:
             _READ.reset(token)
 
 
+_CHECK: ContextVar[Callable[[str | os.PathLike[str], bytes], None] | None] = ContextVar("check", default=None)
+
+
+@contextmanager
+def checked(check: Callable[[str | os.PathLike[str], bytes], None]) -> Iterator[None]:
+    """Within this, `check` is given the path and the bytes of each file that is read, before they are used; it may raise."""
+    token = _CHECK.set(check)
+    try:
+        yield
+    finally:
+        _CHECK.reset(token)
+
+
 def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True) -> bytes:
     """The bytes of an ordinary file.
 
@@ -149,6 +162,13 @@ def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True)
         InputRefusedError: it is no ordinary file, or is larger than its kind may be.
         OSError: it does not exist, is a folder or may not be read.
     """
+    data = _read(path, kind, follow)
+    if (check := _CHECK.get()) is not None:
+        check(path, data)
+    return data
+
+
+def _read(path: str | os.PathLike[str], kind: Kind, follow: bool) -> bytes:
     kept = _READ.get() if kind in (SOURCE, DRAWING, TABLE, SETTINGS) else None
     name = os.path.abspath(path) if kept is not None else ""
     if kept is not None and name in kept and len(kept[name]) <= kind.most:

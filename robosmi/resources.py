@@ -74,18 +74,21 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
     """As texts, since a migration asks some seventy times."""
     if kind not in KINDS:
         raise ValueError(f"no kind of data is called '{kind}'")
-    own = [os.path.join(project or os.getcwd(), ".robosmi")]
-    own += [place for place in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if place]
-    own.append(_user_data())
+    own = [os.path.join(project or os.getcwd(), ".robosmi"), *named()]
     for root in own:
         if os.path.isdir(folder := os.path.join(root, kind)):
-            if kind == "templates" and root is own[0]:
+            if kind == "templates" and root is own[0] and root not in own[1:]:
                 from robosmi.trust import demand  # most projects have no templates of their own
 
-                demand(Path(root))
+                demand(Path(root), kind)
             yield folder
     yield from _of_plugins(kind)
     yield str(built_in(kind))
+
+
+def named() -> list[str]:
+    """The folders with data that the user has named: those of `ROBOSMI_PATH`, then the user's own."""
+    return [*(place for place in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if place), _user_data()]
 
 
 @cache

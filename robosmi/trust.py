@@ -1,6 +1,8 @@
 """Which found folders may run something here: a person says so once, for exactly the files that are in them.
 
-What is named on the command line or in Python is not asked about. Kept in the user's data, by a digest of what would run.
+What is named on the command line or in Python is not asked about. Kept in the user's data, as the digest of each file that
+would run; a file is held against its digest when it is read, so that what runs is what was trusted. Which folders there are
+is `resources`'.
 """
 
 from __future__ import annotations
@@ -8,15 +10,20 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from pathlib import Path
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path, PurePath
 
-from robosmi import resources
+from robosmi import inputs, resources
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.inputs import DATA, read_bytes
+from robosmi.inputs import DATA, RECORD, read_bytes
 
-RUNS = ("templates",)
-"""The folders of a `.robosmi` whose files run."""
+OWN = ".robosmi"
+"""The folder of a project that is merely found, as the current folder is the project."""
+RUNS = {"templates": "", "platform_repo": ".toml"}
+"""The folders of a `.robosmi` with files that run, or name programs and their arguments; and the ending of those files."""
 
 
 def files_that_run(folder: Path) -> dict[str, str]:
@@ -28,18 +35,20 @@ def files_that_run(folder: Path) -> dict[str, str]:
     Raises:
         SourceError: a file cannot be read, or a folder in it is a link, so that its files can change unseen.
     """
+    return {name: digest for kind in RUNS for name, digest in _files(folder, kind).items()}
+
+
+def _files(folder: Path, kind: str) -> dict[str, str]:
     found: dict[str, str] = {}
     try:
-        for root in RUNS:
-            for place, folders, names in os.walk(folder / root, onerror=_raise):
-                for name in folders:
-                    if os.path.islink(linked := os.path.join(place, name)):
-                        raise SourceError(
-                            "a link to a folder cannot be trusted", location=Location(linked), fix="put a copy in its place"
-                        )
-                for name in names:
-                    path = Path(place, name)
-                    found[path.relative_to(folder).as_posix()] = hashlib.sha256(read_bytes(path, DATA)).hexdigest()
+        for place, folders, names in os.walk(folder / kind, onerror=_raise):
+            for name in folders:
+                if os.path.islink(linked := os.path.join(place, name)):
+                    raise SourceError(
+                        "a link to a folder cannot be trusted", location=Location(linked), fix="put a copy in its place"
+                    )
+            for path in (Path(place, name) for name in names if name.endswith(RUNS[kind])):
+                found[path.relative_to(folder).as_posix()] = _digest(read_bytes(path, DATA))
     except OSError as error:
         place = str(error.filename or folder)
         message = f"what would run cannot be read: {error.strerror or error}"
@@ -48,7 +57,8 @@ def files_that_run(folder: Path) -> dict[str, str]:
 
 
 def _raise(error: OSError) -> None:
-    raise error
+    if not isinstance(error, FileNotFoundError):
+        raise error
 
 
 def trust(folder: Path) -> tuple[Path, list[str]]:
@@ -63,44 +73,98 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
     Raises:
         SourceError: there is nothing to trust, or it cannot be read or noted.
     """
-    own = folder if folder.name == ".robosmi" else folder / ".robosmi"
+    own = folder if folder.name == OWN else folder / OWN
     files = files_that_run(own)
     if not files:
         raise SourceError("nothing in this folder would run", location=Location(str(folder)), fix="name a folder with a .robosmi")
     place = _place(own)
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(_digest(files), encoding="utf-8")
+        beside = place.with_name(f"{place.name}.{os.getpid()}")
+        beside.write_text(json.dumps(files, sort_keys=True), encoding="utf-8")
+        os.replace(beside, place)
     except OSError as error:
         message = f"the trust cannot be noted: {error.strerror or error}"
         raise SourceError(message, location=Location(str(place)), fix="set ROBOSMI_HOME to a folder of your own") from error
     return own, sorted(files)
 
 
-def demand(folder: Path) -> None:
-    """Make sure that a `.robosmi` folder that was merely found may run what it holds.
+def demand(folder: Path, kind: str) -> None:
+    """Make sure that a `.robosmi` folder that was merely found may run all that it holds of a kind.
 
     Raises:
         SourceError: nobody has trusted it, or it was changed since.
     """
-    files = files_that_run(folder)
+    files = _files(folder, kind)
     if not files:
         return
+    noted = {name: digest for name, digest in _noted(folder).items() if name.startswith(f"{kind}/")}
+    if noted != files:
+        raise _refused(folder, sorted(name for name in files if noted.get(name) != files[name]) or sorted(files), bool(noted))
+
+
+def check(path: str | os.PathLike[str], data: bytes) -> None:
+    """Make sure that bytes that were read may run, if they are of a folder that was merely found.
+
+    Args:
+        path: where they were read.
+        data: the bytes, which and no others the caller uses.
+
+    Raises:
+        SourceError: nobody has trusted that file, or it was changed since.
+    """
+    if (found := _found(path)) is not None:
+        folder, name = found
+        noted = _noted(folder)
+        if noted.get(name) != _digest(data):
+            raise _refused(folder, [name], bool(noted))
+
+
+@contextmanager
+def acting(project: Path | None = None) -> Iterator[None]:
+    """Within this, data may start programs: a found folder must be trusted, and each file of it is checked when it is read.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        SourceError: nobody has trusted the data of that folder, or it was changed since.
+    """
+    demand((project or Path.cwd()) / OWN, "platform_repo")
+    with inputs.checked(check):
+        yield
+
+
+def _found(path: str | os.PathLike[str]) -> tuple[Path, str] | None:
+    """The found `.robosmi` folder that a file that would run lies in, and its path there; None for any other file."""
+    parts = PurePath(os.path.abspath(path)).parts
+    for at, part in enumerate(parts[:-2], 1):
+        if part == OWN and (ending := RUNS.get(parts[at])) is not None and parts[-1].endswith(ending):
+            folder = Path(*parts[:at])
+            return None if os.fspath(folder) in map(os.path.abspath, resources.named()) else (folder, "/".join(parts[at:]))
+    return None
+
+
+def _refused(folder: Path, files: list[str], known: bool) -> SourceError:
+    why = "were changed since they were trusted" if known else "were found here and are not trusted"
+    return SourceError(
+        f"files in this folder that would run {why}; nothing of them was run", location=Location(str(folder)),
+        fix=f"read them ({', '.join(files[:3])}{', ...' if len(files) > 3 else ''}), then: "
+        f"robosmi trust {folder.parent}; or move the folder away",
+    )  # fmt: skip
+
+
+def _noted(folder: Path) -> dict[str, str]:
+    """What was trusted of a folder: relative path -> SHA-256; nothing where the note is not there or is damaged."""
     try:
-        noted = read_bytes(_place(folder), DATA).decode()
+        noted = json_of(read_bytes(_place(folder), RECORD).decode())
     except (OSError, ValueError):
-        noted = ""
-    if noted != _digest(files):
-        why = "were changed since they were trusted" if noted else "were found here and are not trusted"
-        raise SourceError(
-            f"the templates in this folder {why}; nothing of them was run", location=Location(str(folder)),
-            fix=f"read them ({', '.join(sorted(files)[:3])}{', ...' if len(files) > 3 else ''}), then: "
-            f"robosmi trust {folder.parent}; or move the folder away",
-        )  # fmt: skip
+        return {}
+    return noted if isinstance(noted, dict) else {}
 
 
-def _digest(files: dict[str, str]) -> str:
-    return hashlib.sha256(json.dumps(files, sort_keys=True).encode()).hexdigest()
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
 
 
 def _place(folder: Path) -> Path:

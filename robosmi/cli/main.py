@@ -45,7 +45,7 @@ COMMANDS = {
     "parts": "add the parts of a drawing tool to the catalogue",
     "platform": "make a source platform of your own from its headers",
     "metamodels": "hand out the metamodels, or generate Python packages from one",
-    "trust": "let the templates of a found folder run, as they are now",
+    "trust": "let what a found folder holds run, as it is now",
     "doctor": "what is installed and what is missing",
 }
 

@@ -29,6 +29,7 @@ from robosmi.generate.regions import partition
 from robosmi.generate.sandbox import allowed, may_call, refused
 from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.query.problems import unknown_property
+from robosmi.template_files import TemplateFiles
 
 Where = str | Path | Sequence[str | Path] | Mapping[str, str] | None
 """Where templates come from: a folder, several, texts by name, or None for the project's and the built-in ones."""
@@ -247,7 +248,7 @@ class Templates:
 @cache
 def _built_in(folders: tuple[Path, ...]) -> _Environment:
     """The environment of the templates in these folders; compiling them takes longer than what is made with them."""
-    return _environment(jinja2.FileSystemLoader([str(folder) for folder in folders]), auto_reload=True)
+    return _environment(TemplateFiles([str(folder) for folder in folders], found=True), auto_reload=True)
 
 
 def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False) -> _Environment:
@@ -289,9 +290,9 @@ def _loader(where: Where) -> jinja2.BaseLoader:
     if isinstance(where, Mapping):
         return _Texts(dict(where))
     if where is None:
-        return jinja2.FileSystemLoader([str(folder) for folder in resources.folders("templates")])
+        return TemplateFiles([str(folder) for folder in resources.folders("templates")], found=True)
     listed = [where] if isinstance(where, (str, Path)) else list(where)
     for folder in listed:
         if not Path(folder).is_dir():
             raise RuleError("the folder of templates does not exist", location=Location(str(folder)), fix="check the path")
-    return jinja2.FileSystemLoader([str(folder) for folder in listed])
+    return TemplateFiles([str(folder) for folder in listed], found=False)

@@ -15,6 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import pyecoregen.ecore as pyecoregen
+from jinja2.sandbox import SandboxedEnvironment
+from multigen.jinja import JinjaGenerator
 
 from robosmi import inputs, resources
 from robosmi.diagnostics import Finding, Location, Severity
@@ -28,6 +30,7 @@ from robosmi.model.package_names import PackageNames
 from robosmi.model.package_problems import problems_of
 from robosmi.model.package_types import Notes
 from robosmi.model.package_view import Mixins, PackageView, view_of
+from robosmi.template_files import TemplateFiles
 
 MIXINS = "mixins.py"
 
@@ -71,7 +74,15 @@ class PackageTask(pyecoregen.EcoreTask):
         return model.all()
 
 
-class PackageGenerator(pyecoregen.EcoreGenerator):
+class _Sandboxed(JinjaGenerator):  # type: ignore[misc]
+    """multigen's generator with Jinja's sandbox, reading templates as `template_files` does."""
+
+    def create_environment(self, **kwargs: Any) -> SandboxedEnvironment:
+        """The environment that templates run in."""
+        return SandboxedEnvironment(loader=TemplateFiles([self.templates_path], found=True), **kwargs)
+
+
+class PackageGenerator(pyecoregen.EcoreGenerator, _Sandboxed):
     """pyecoregen's generator with our task and template; it gives the files and writes none."""
 
     def __init__(self, **kwargs: Any) -> None:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content
+from robosmi.trust import acting
 from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
@@ -64,11 +65,13 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
 
     Raises:
         PlatformDataError: a toolchain's data is damaged.
+        SourceError: found data that names programs is not trusted.
     """
     result = [_package(name, needed_for) for name, needed_for in PACKAGES.items()]
-    for toolchain in load_toolchains(project):
-        result += _programs(toolchain)
-        result.append(_core(toolchain))
+    with acting(project):
+        for toolchain in load_toolchains(project):
+            result += _programs(toolchain)
+            result.append(_core(toolchain))
     return [*result, *map(_engine, engine_names())]
 
 

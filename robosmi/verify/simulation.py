@@ -223,7 +223,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     """
     chosen = engine_for(job.mcu, engine)
     question = json.dumps({"engine": chosen.name, "job": asdict(job)})
-    command = [sys.executable, "-m", "robosmi.verify.worker"]
+    command = [sys.executable, "-P", "-m", "robosmi.verify.worker"]  # no module of the current folder
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
         start_new_session=True, env=_environment(),

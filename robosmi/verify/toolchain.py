@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.plugins import content
+from robosmi.trust import acting
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.build import Build
 from robosmi.verify.compile_report import MISSING_HEADER, TOO_BIG, CompileReport
@@ -37,7 +38,7 @@ def compile_sketch(
         project: the project folder (see `robosmi.resources`); the current folder if None.
 
     Raises:
-        SourceError: there is no sketch, or its project file cannot be used.
+        SourceError: there is no sketch, its project file cannot be used, or found data that names programs is not trusted.
         UsageError: no board is called that, there are several sketches, or `keep` is no folder.
         MissingToolError: a tool or the core is not installed; its fix is the command that installs it.
         PlatformDataError: the repository's data is damaged.
@@ -45,7 +46,12 @@ def compile_sketch(
     started = time.perf_counter()
     if keep is not None and not keep.is_dir():
         raise UsageError("there is no such folder to keep the program in", location=Location(str(keep)), fix="make it first")
-    sketch, toolchain = find_sketch(Path(folder_or_sketch), load_toolchains(project))
+    with acting(project):
+        return _compiled(Path(folder_or_sketch), board, keep, project, started)
+
+
+def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
+    sketch, toolchain = find_sketch(place, load_toolchains(project))
     boards = load_boards(toolchain.platform, project)
     chosen = choose_board(sketch, boards, toolchain, board)
     installed = find_installed(toolchain)
