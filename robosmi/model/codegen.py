@@ -74,7 +74,7 @@ class PackageTask(pyecoregen.EcoreTask):
         return model.all()
 
 
-class _Sandboxed(JinjaGenerator):  # type: ignore[misc]
+class _Sandboxed(JinjaGenerator):
     """multigen's generator with Jinja's sandbox, reading templates as `template_files` does."""
 
     def create_environment(self, **kwargs: Any) -> SandboxedEnvironment:
