@@ -39,7 +39,12 @@ def main(words: list[str]) -> int:
             refused.append(f"{event} {path}")
             raise PermissionError(13, "out of reach in this test", path)
 
-    work = {"generate": robosmi.generate_sketch, "migrate": lambda source, output: robosmi.migrate([source], output)}[words[0]]
+    def work(given: str, output: str) -> None:
+        if words[0] == "generate":
+            robosmi.generate_sketch(given, output)
+        else:
+            robosmi.migrate([given], output)
+
     sys.addaudithook(hook)
     for given, folder, output in zip(words[1::3], words[2::3], words[3::3], strict=True):
         allowed[:] = [os.path.realpath(place) for place in (folder, os.path.dirname(output), *KEPT)]
