@@ -44,10 +44,12 @@ class Uno:
     Attributes:
         changed: `header/name` of a piece -> its text instead of the file's: adapters that are broken on purpose.
         ports: name of a conventional port -> the literal of its pin.
+        numbers: number of a port of the source -> the literal of its pin.
     """
 
     changed: Mapping[str, str] = field(default_factory=dict)
     ports: Mapping[str, str] = field(default_factory=dict)
+    numbers: Mapping[int, str] = field(default_factory=dict)
 
     def sketch(self, program: str, uses: Sequence[str]) -> str:
         """The text of a sketch:
@@ -61,7 +63,7 @@ class Uno:
         if needed.unserved:
             raise NotBuiltError(needed.unserved)
         setup = "".join(f"\n  {statement}" for piece in needed.pieces for statement in piece.setup)
-        text = f"#include <Arduino.h>\n{adapter_text(needed.pieces, self.ports, NO_PIN)}\n{program}"
+        text = f"#include <Arduino.h>\n{adapter_text(needed.pieces, self.ports, NO_PIN, self.numbers)}\n{program}"
         return text.replace("void setup() {", f"void setup() {{{setup}", 1)
 
     def run(
@@ -127,7 +129,8 @@ def broken(piece: AdapterPiece) -> dict[str, str]:
     unused = "".join(f"(void){each}; " for each in names)
     ways = {"does nothing": f"{piece.text[: found.end()]} {unused}{nothing}}}"}
     kinds = [_LAST_NAME.sub("", each.split("=")[0]).strip() for each in given]
-    if len(given) > 1 and kinds[0] == kinds[1] and "=" not in found["parameters"]:
+    different = len(given) > 1 and kinds[0] == kinds[1] and "=" not in found["parameters"]
+    if different and not set(names[:2]) <= set(piece.symmetric):
         swapped = ", ".join([given[1], given[0], *given[2:]])
         ways["swaps its arguments"] = piece.text[: found.start("parameters")] + swapped + piece.text[found.end("parameters") :]
     return ways

@@ -54,7 +54,7 @@ def warnings(text: str, mcu: str, folder: Path) -> str:
 
 def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
     """The pieces as a program that uses those wanted."""
-    functions = [piece for piece in needed if piece.kind == "adapter" and (piece.header, piece.name) in wanted]
+    functions = [piece for piece in needed if piece.kind in ("adapter", "variable") and (piece.header, piece.name) in wanted]
     names = [piece.target_name or piece.name for piece in functions if "template" not in piece.text]
     taken = "".join(f"  (void)&{name};\n" for name in names)
     return f"#include <Arduino.h>\n{adapter_text(needed, {}, NO_PIN)}\nvoid use() {{\n{taken}}}\n"
@@ -118,6 +118,8 @@ def uses(header: str) -> dict[tuple[str, str], set[tuple[str, str]]]:
     for cursor in unit.cursor.walk_preorder():
         here = piece_at(cursor.location) if cursor.kind in USING else None
         for other in meant(cursor) if here is not None else ():
+            if other.kind == KIND.FUNCTION_DECL and other.get_definition() is None:
+                continue  # one of the compiler's own, which "stands" where it is first used
             there = piece_at(other.location)
             if here is not None and there is not None and there != here:
                 found[here].add(there)
@@ -133,6 +135,11 @@ def test_what_is_declared_is_what_the_text_uses(piece: AdapterPiece) -> None:
     used = uses(piece.header)[piece.header, piece.name]
     assert used - declared == set(), "used, but not declared as needed"
     assert declared - used == set(), "declared as needed, but not used"
-    for name in (*(port.constant for port in piece.ports), *(pin.name for pin in piece.pins), *piece.vectors):
+    for name in (
+        *(port.constant for port in piece.ports),
+        *(pin.name for pin in piece.pins),
+        *piece.vectors,
+        *(table.name for table in piece.tables),
+    ):
         assert name in piece.text
     assert piece.text.count("ISR(") == len(piece.vectors)

@@ -18,15 +18,17 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 
 MARK = "//#"
-KINDS = ("adapter", "constant", "register", "variable", "helper")
-"""A function, a constant, a register or a variable of the source platform, or something that only adapters use."""
+KINDS = ("adapter", "constant", "register", "variable", "type", "helper")
+"""A function, a constant, a register, a variable or a type of the source platform, or something that only adapters use."""
 RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
 """How calls correspond (paper 3.4): one to one, to several statements, several to one, another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
-_LISTS = ("needs", "include", "timer", "vector", "mcu", "library")
-_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name")
+_LISTS = ("needs", "include", "timer", "vector", "mcu", "library", "symmetric")
+_ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
+_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table")
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
+_TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
 
 
@@ -68,6 +70,19 @@ class ConventionalPort:
     role: str
 
 
+@dataclass(frozen=True)
+class PortTable:
+    """A table that an adapter looks ports of the source up in: an array, declared with the pin of each port from 0 on.
+
+    Attributes:
+        name: its name in the text.
+        count: how many ports it tells of.
+    """
+
+    name: str
+    count: int
+
+
 @dataclass
 class AdapterPiece:
     """A piece of an adapter file.
@@ -90,8 +105,10 @@ class AdapterPiece:
         mcus: microcontrollers that this variant is for; empty for all.
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
+        tables: tables that it looks ports up in.
         fidelity: how faithful it is.
         limits: what it does not do.
+        symmetric: parameters that may change places without a difference.
         target_name: its name on the target, where that has one of its own already.
     """
 
@@ -112,8 +129,10 @@ class AdapterPiece:
     mcus: list[str] = field(default_factory=list)
     pins: list[AdapterPin] = field(default_factory=list)
     ports: list[ConventionalPort] = field(default_factory=list)
+    tables: list[PortTable] = field(default_factory=list)
     fidelity: str = ""
     limits: list[str] = field(default_factory=list)
+    symmetric: list[str] = field(default_factory=list)
     target_name: str = ""
 
 
@@ -200,9 +219,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
             f"write KEY: VALUE with one of: {', '.join(sorted((*_LISTS, *_TEXTS)))}",
         )  # fmt: skip
     if key in _LISTS:
-        attribute = {"needs": "needs", "include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus"}.get(
-            key, "libraries"
-        )
+        attribute = _ATTRIBUTES.get(key, key)
         known: list[str] = getattr(piece, attribute)
         known += [value] if key == "library" else value.split()
     elif key in ("for", "setup", "limit"):
@@ -228,6 +245,11 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
                 found[5] or "",
             )
         )
+    elif key == "table":
+        table = _TABLE.fullmatch(value)
+        if table is None:
+            raise _wrong(place, f"'{value}' is no table", "write: table: NAME COUNT")
+        piece.tables.append(PortTable(table[1], int(table[2])))
     elif key == "port":
         port = _PORT.fullmatch(value)
         if port is None:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
-def adapter_text(pieces: Iterable[AdapterPiece], pins: Mapping[str, str], unbound: str) -> str:
+def adapter_text(
+    pieces: Iterable[AdapterPiece], pins: Mapping[str, str], unbound: str, numbers: Mapping[int, str] = MappingProxyType({})
+) -> str:
     """The pieces as text, in their order: includes, the pins that they use by convention, and each with what is known of it.
 
     Args:
         pieces: in an order in which each stands behind what it needs.
         pins: name of a conventional port -> the target's literal for its pin.
         unbound: the literal for no pin.
+        numbers: number of a port of the source -> the target's literal for its pin, for tables that ports are looked up in.
     """
     pieces = list(pieces)
     lines = [f"#include {header}" for header in dict.fromkeys(header for piece in pieces for header in piece.includes)]
@@ -21,6 +25,9 @@ def adapter_text(pieces: Iterable[AdapterPiece], pins: Mapping[str, str], unboun
     if ports:
         lines.append("")
     lines += [f"const uint8_t {port.constant} = {pins.get(port.name, unbound)};  // {port.name}" for port in ports.values()]
+    for table in dict.fromkeys(table for piece in pieces for table in piece.tables):
+        literals = ", ".join(numbers.get(number, unbound) for number in range(table.count))
+        lines += ["", f"const uint8_t {table.name}[{table.count}] = {{{literals}}};  // the pin of each port of the source"]
     for piece in pieces:
         lines.append("")
         lines += [f"// {signature}" for signature in piece.signatures]

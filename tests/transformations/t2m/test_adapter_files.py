@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import AdapterPin, ConventionalPort, read_adapter_file
+from robosmi.transformations.knowledge.adapter_files import AdapterPin, ConventionalPort, PortTable, read_adapter_file
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 
 WHOLE = """//# header drive.h
@@ -26,6 +26,8 @@ static Servo wheel;
 //#   port: drive_left = drive.left 12 digital out servo
 //#   setup: wheel.attach(9);
 //#   library: Adafruit NeoPixel
+//#   table: port_pins 4
+//#   symmetric: left right
 //#   fidelity: one frame
 //#   fidelity: late
 //#   limit: no ramp
@@ -60,6 +62,7 @@ def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None
     assert drive.ports == [ConventionalPort("drive_left", "drive.left", 12, "digital", "out", "servo")]
     assert (drive.libraries, drive.mcus) == (["Adafruit NeoPixel"], ["atmega328p"])
     assert (drive.fidelity, drive.limits) == ("one frame late", ["no ramp", "no encoder"])
+    assert (drive.tables, drive.symmetric) == ([PortTable("port_pins", 4)], ["left", "right"])
     assert drive.location.line == 9
     assert drive.text.startswith("void drive(")
     assert (low.header, low.name) == ("tools.h", "low")
@@ -102,6 +105,7 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
         ("//# header a.h\n//# helper x\n//#   pin: p digital\nint x;\n", 3, "is no pin"),
         ("//# header a.h\n//# helper x\n//#   pin: p quantum in\nint x;\n", 3, "'quantum' is not known"),
         ("//# header a.h\n//# helper x\n//#   port: left 12 digital out\nint x;\n", 3, "is no port"),
+        ("//# header a.h\n//# helper x\n//#   table: pins\nint x;\n", 3, "is no table"),
         ("//# header a.h\n//# helper x\nint x;\n//# helper x\nint y;\n", 4, "'x' is there twice"),
     ],
 )

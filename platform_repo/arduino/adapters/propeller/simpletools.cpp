@@ -130,7 +130,7 @@ inline uint32_t get_direction(int32_t pin) {
 //#   pin: pin digital out
 //#   fidelity: exact
 inline void set_output(int32_t pin, int32_t state) {
-  Io(pin).set(state & 1);
+  Io(pin).set(state != 0);
 }
 
 //# adapter set_direction
@@ -140,7 +140,7 @@ inline void set_output(int32_t pin, int32_t state) {
 //#   pin: pin digital both
 //#   fidelity: exact
 inline void set_direction(int32_t pin, int32_t direction) {
-  Io(pin).drive(direction & 1);
+  Io(pin).drive(direction != 0);
 }
 
 //# adapter toggle
@@ -168,11 +168,83 @@ inline uint32_t reverse(int32_t pin) {
   return io.driven();
 }
 
+// ---------------------------------------------------------------- several pins
+// Ends of a range are ports of the source: what lies between them is in its order, not in that of the target's pins.
+
+//# helper PortRange
+//#   fidelity: the ends may come in either order; bit 0 of a pattern is the lower port
+struct PortRange {
+  int32_t first, last;
+
+  PortRange(int32_t end, int32_t start) : first(end < start ? end : start), last(end < start ? start : end) {}
+};
+
+//# adapter get_states
+//#   for: unsigned int get_states(int endPin, int startPin)
+//#   kind: oneToMany
+//#   symmetric: endPin startPin
+//#   needs: Io PortRange propeller.h/port
+//#   fidelity: levels; the pins are read one after the other, within some 5 us each
+inline uint32_t get_states(int32_t endPin, int32_t startPin) {
+  PortRange range(endPin, startPin);
+  uint32_t pattern = 0;
+  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | Io(port(number)).high();
+  return pattern;
+}
+
+//# adapter get_outputs
+//#   for: unsigned int get_outputs(int endPin, int startPin)
+//#   kind: oneToMany
+//#   symmetric: endPin startPin
+//#   needs: Io PortRange propeller.h/port
+//#   fidelity: output latches; the pins are read one after the other, within some 5 us each
+inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
+  PortRange range(endPin, startPin);
+  uint32_t pattern = 0;
+  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | Io(port(number)).latch();
+  return pattern;
+}
+
+//# adapter get_directions
+//#   for: unsigned int get_directions(int endPin, int startPin)
+//#   kind: oneToMany
+//#   symmetric: endPin startPin
+//#   needs: Io PortRange propeller.h/port
+//#   fidelity: directions; the pins are read one after the other, within some 5 us each
+inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
+  PortRange range(endPin, startPin);
+  uint32_t pattern = 0;
+  for (int32_t number = range.last; number >= range.first; number--) pattern = pattern << 1 | Io(port(number)).driven();
+  return pattern;
+}
+
+//# adapter set_outputs
+//#   for: void set_outputs(int endPin, int startPin, unsigned int pattern)
+//#   kind: oneToMany
+//#   symmetric: endPin startPin
+//#   needs: Io PortRange propeller.h/port
+//#   fidelity: output latches; the pins change one after the other, within some 5 us each
+inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
+  PortRange range(endPin, startPin);
+  for (int32_t number = range.first; number <= range.last; number++, pattern >>= 1) Io(port(number)).set(pattern & 1);
+}
+
+//# adapter set_directions
+//#   for: void set_directions(int endPin, int startPin, unsigned int pattern)
+//#   kind: oneToMany
+//#   symmetric: endPin startPin
+//#   needs: Io PortRange propeller.h/port
+//#   fidelity: directions; the pins change one after the other, within some 5 us each
+inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
+  PortRange range(endPin, startPin);
+  for (int32_t number = range.first; number <= range.last; number++, pattern >>= 1) Io(port(number)).drive(pattern & 1);
+}
+
 // ---------------------------------------------------------------- time
 
-//# helper pause_ticks
+//# helper pause_unit
 //#   fidelity: the unit of pause in ticks of 12.5 ns
-static int32_t pause_ticks = 80000L;
+static int32_t pause_unit = 80000L;
 
 //# helper io_ticks
 //#   fidelity: the unit of timed input and output in ticks of 12.5 ns
@@ -193,23 +265,23 @@ const int32_t us = 80L;
 //# adapter pause
 //#   for: void pause(int time)
 //#   kind: oneToOne
-//#   needs: pause_ticks propeller.h/waitcnt propeller.h/CNT
+//#   needs: pause_unit propeller.h/waitcnt propeller.h/CNT
 //#   fidelity: within 0.1 %
 inline void pause(int32_t time) {
-  if (pause_ticks == 80000L) {
+  if (pause_unit == 80000L) {
     delay((uint32_t)time);
     return;
   }
-  for (uint32_t at = CNT; time > 0; time--) waitcnt(at += pause_ticks);
+  for (uint32_t at = CNT; time > 0; time--) waitcnt(at += pause_unit);
 }
 
 //# adapter set_pause_dt
 //#   for: void set_pause_dt(int clockticks)
 //#   kind: oneToOne
-//#   needs: pause_ticks
+//#   needs: pause_unit
 //#   fidelity: exact
 inline void set_pause_dt(int32_t clockticks) {
-  pause_ticks = clockticks;
+  pause_unit = clockticks;
 }
 
 //# adapter set_io_dt
@@ -228,6 +300,46 @@ inline void set_io_dt(int32_t clockticks) {
 //#   fidelity: exact
 inline void set_io_timeout(int32_t clockticks) {
   io_timeout_ticks = clockticks;
+}
+
+//# adapter pause_ticks
+//#   for: void pause_ticks(unsigned int pticks)
+//#   kind: oneToMany
+//#   needs: propeller.h/waitcnt propeller.h/CNT
+//#   fidelity: within 8 us
+inline void pause_ticks(uint32_t pticks) {
+  waitcnt(pticks + CNT);
+}
+
+//# helper mark_ticks
+//#   fidelity: when mark was called, in ticks of 12.5 ns
+static uint32_t mark_ticks = 0;
+
+//# adapter mark
+//#   for: void mark(void)
+//#   kind: semantic
+//#   needs: mark_ticks propeller.h/CNT
+//#   fidelity: within 4 us
+inline void mark() {
+  mark_ticks = CNT;
+}
+
+//# adapter timeout
+//#   for: int timeout(int time)
+//#   kind: semantic
+//#   needs: mark_ticks io_ticks propeller.h/CNT
+//#   fidelity: within 8 us; up to 53.7 s after mark, as there
+inline int32_t timeout(int32_t time) {
+  return CNT - mark_ticks >= (uint32_t)time * (uint32_t)io_ticks;
+}
+
+//# adapter wait
+//#   for: void wait(int time)
+//#   kind: semantic
+//#   needs: mark_ticks io_ticks propeller.h/waitcnt
+//#   fidelity: within 8 us, without drift: each wait begins where the one before it ended
+inline void wait(int32_t time) {
+  waitcnt(mark_ticks += (uint32_t)time * (uint32_t)io_ticks);
 }
 
 // ---------------------------------------------------------------- timed input and output
@@ -361,17 +473,23 @@ inline int32_t count(int32_t pin, int32_t duration) {
   return edges;
 }
 
+//# helper in_range_of_tone
+//#   fidelity: what tone() can play within 1 %
+inline bool in_range_of_tone(int32_t frequency) {
+  return frequency >= 31 && frequency <= 65535L;
+}
+
 //# adapter freqout
 //#   for: void freqout(int pin, int msTime, int frequency)
 //#   kind: oneToMany
-//#   needs: Io low
+//#   needs: Io low in_range_of_tone
 //#   timer: Timer2
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
-//#   limit: one tone at a time, and only square waves
+//#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
 inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io(pin);
-  if (!io.wired() || frequency <= 0) {
+  if (!io.wired() || !in_range_of_tone(frequency)) {
     delay((uint32_t)msTime);
     return;
   }
@@ -381,3 +499,649 @@ inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   noTone(io.pin);
   io.drive(false);
 }
+
+// ---------------------------------------------------------------- waves that go on
+
+//# helper wave_pins
+//#   fidelity: the pin of each channel of square_wave
+static int32_t wave_pins[2] = {-1, -1};
+
+//# helper end_wave
+//#   needs: Io wave_pins
+inline void end_wave(uint8_t channel) {
+  Io io(wave_pins[channel]);
+  wave_pins[channel] = -1;
+  if (!io.wired()) return;
+  noTone(io.pin);
+  io.drive(false);
+}
+
+//# adapter square_wave
+//#   for: void square_wave(int pin, int channel, int freq)
+//#   kind: semantic
+//#   needs: Io wave_pins end_wave in_range_of_tone
+//#   timer: Timer2
+//#   pin: pin digital out signed
+//#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; a negative pin ends the channel's wave
+//#   limit: one wave at a time: while one channel plays, the other stays silent
+//#   limit: below 31 Hz and above 65,535 Hz there is no wave
+inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
+  uint8_t at = channel != 0;
+  if (pin != wave_pins[at] || !in_range_of_tone(freq)) end_wave(at);
+  Io io(pin);
+  if (!io.wired() || !in_range_of_tone(freq) || wave_pins[!at] >= 0) return;
+  wave_pins[at] = pin;
+  tone(io.pin, (unsigned int)freq);
+}
+
+//# adapter square_wave_stop
+//#   for: void square_wave_stop(void)
+//#   kind: semantic
+//#   needs: end_wave
+//#   timer: Timer2
+//#   fidelity: exact; the pins become inputs
+inline void square_wave_stop() {
+  end_wave(0);
+  end_wave(1);
+}
+
+//# helper pwm_channels
+//#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
+struct PwmChannel {
+  uint8_t pin, mask;
+  volatile uint8_t *out;
+  uint16_t end;
+  uint32_t microseconds;
+  bool high;
+};
+static volatile PwmChannel pwm_channels[2];
+
+//# helper pwm_cycle
+//#   fidelity: microseconds of the cycle, 0 while there is none
+static volatile uint32_t pwm_cycle = 0;
+
+//# helper pwm_end_pulses
+//#   needs: pwm_channels
+//#   timer: Timer1
+//#   fidelity: ends the pulses that are over within 4 us, and has the timer call at the end of the next one
+inline void pwm_end_pulses() {
+  uint16_t next = 0xFFFF;
+  for (volatile PwmChannel &channel : pwm_channels) {
+    if (!channel.high) continue;
+    if (channel.end <= TCNT1 + 8) {
+      *channel.out &= ~channel.mask;
+      channel.high = false;
+    } else if (channel.end < next) {
+      next = channel.end;
+    }
+  }
+  OCR1B = next;
+}
+
+//# helper pwm_counts
+//#   needs: pwm_channels pwm_cycle pwm_end_pulses
+//#   timer: Timer1
+//#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
+//#   fidelity: half microseconds in cycles up to 32.7 ms, 4 us beyond
+ISR(TIMER1_COMPA_vect) {  // a cycle begins
+  for (volatile PwmChannel &channel : pwm_channels) {
+    if (!channel.end) continue;
+    *channel.out |= channel.mask;
+    channel.high = true;
+  }
+  pwm_end_pulses();
+}
+ISR(TIMER1_COMPB_vect) {
+  pwm_end_pulses();
+}
+inline uint16_t pwm_counts(uint32_t microseconds) {
+  if (microseconds >= pwm_cycle) return microseconds ? 0xFFFF : 0;  // it never ends
+  return pwm_cycle > 32767 ? microseconds / 4 : microseconds * 2;
+}
+
+//# adapter pwm_set
+//#   for: void pwm_set(int pin, int channel, int tHigh)
+//#   kind: semantic
+//#   needs: Io pwm_channels pwm_cycle pwm_counts
+//#   timer: Timer1
+//#   pin: pin digital out
+//#   fidelity: within 4 us, from the next cycle on
+//#   limit: pulses shorter than 8 us come out up to 8 us long
+inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
+  volatile PwmChannel &it = pwm_channels[channel != 0];
+  Io before(it.pin), io(pin);
+  uint32_t microseconds = tHigh < 0 ? 0 : tHigh;
+  uint8_t old = SREG;
+  cli();
+  bool moved = it.out && (it.out != io.out || it.mask != io.mask);
+  it.pin = io.pin;
+  it.mask = io.mask;
+  it.out = io.out;
+  it.high = it.high && !moved;
+  it.microseconds = io.wired() ? microseconds : 0;
+  it.end = io.wired() ? pwm_counts(microseconds) : 0;
+  SREG = old;
+  if (moved) before.drive(false);
+  if (pwm_cycle) io.drive(true);
+}
+
+//# adapter pwm_start
+//#   for: int pwm_start(unsigned int cycleMicroseconds)
+//#   kind: semantic
+//#   needs: Io pwm_channels pwm_cycle pwm_counts
+//#   timer: Timer1
+//#   fidelity: within 0.1 %; the number returned is not that of a cog
+//#   limit: cycles of more than 262 ms are made 262 ms long
+//#   limit: not together with servos, which need Timer1, too
+inline int32_t pwm_start(uint32_t cycleMicroseconds) {
+  uint32_t cycle = cycleMicroseconds > 262144UL ? 262144UL : cycleMicroseconds < 20 ? 20 : cycleMicroseconds;
+  bool slow = cycle > 32767;
+  uint8_t old = SREG;
+  cli();
+  pwm_cycle = cycle;
+  for (volatile PwmChannel &channel : pwm_channels) {
+    if (!channel.out) continue;
+    channel.end = pwm_counts(channel.microseconds);
+    Io(channel.pin).drive(true);
+  }
+  TCCR1A = 0;
+  TCCR1B = _BV(WGM12) | (slow ? _BV(CS11) | _BV(CS10) : _BV(CS11));  // up to OCR1A, again and again
+  OCR1A = (uint16_t)((slow ? cycle / 4 : cycle * 2) - 1);
+  OCR1B = 0xFFFF;
+  TCNT1 = 0;
+  TIFR1 = _BV(OCF1A) | _BV(OCF1B);
+  TIMSK1 = _BV(OCIE1A) | _BV(OCIE1B);
+  SREG = old;
+  return 2;
+}
+
+//# adapter pwm_stop
+//#   for: void pwm_stop(void)
+//#   kind: semantic
+//#   needs: Io pwm_channels pwm_cycle
+//#   timer: Timer1
+//#   fidelity: exact: no more pulses, and the pins become inputs
+inline void pwm_stop() {
+  TIMSK1 = 0;
+  pwm_cycle = 0;
+  for (volatile PwmChannel &channel : pwm_channels) {
+    channel.high = false;
+    if (channel.out) Io(channel.pin).drive(false);
+  }
+}
+
+//# helper dac_pins
+//#   fidelity: the pin of each channel of dac_ctr
+static int32_t dac_pins[2] = {-1, -1};
+
+//# helper dac_bits
+//#   fidelity: resolution of dac_ctr
+static uint8_t dac_bits = 8;
+
+//# helper end_dac
+//#   needs: Io dac_pins
+inline void end_dac(uint8_t channel) {
+  Io io(dac_pins[channel]);
+  dac_pins[channel] = -1;
+  if (!io.wired()) return;
+  digitalWrite(io.pin, LOW);  // which ends the wave of its timer
+  io.drive(false);
+}
+
+//# adapter dac_ctr
+//#   for: void dac_ctr(int pin, int channel, int dacVal)
+//#   kind: semantic
+//#   needs: Io dac_pins dac_bits end_dac
+//#   pin: pin pwm out
+//#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
+//#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   limit: 8 bits: further bits of the resolution are left out
+inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
+  uint8_t at = channel != 0;
+  if (pin != dac_pins[at]) end_dac(at);
+  Io io(pin);
+  if (!io.wired()) return;
+  dac_pins[at] = pin;
+  uint32_t fraction = (uint32_t)dacVal << (32 - dac_bits);  // of 2 to the power of 32; what does not fit is lost, as there
+  analogWrite(io.pin, (int)(fraction >> 24));
+}
+
+//# adapter dac_ctr_res
+//#   for: void dac_ctr_res(int bits)
+//#   kind: oneToOne
+//#   needs: dac_bits
+//#   fidelity: exact; 0 means 8 bits
+inline void dac_ctr_res(int32_t bits) {
+  dac_bits = bits > 0 && bits <= 32 ? bits : 8;
+}
+
+//# adapter dac_ctr_stop
+//#   for: void dac_ctr_stop(void)
+//#   kind: semantic
+//#   needs: end_dac
+//#   fidelity: exact; the pins become inputs
+inline void dac_ctr_stop() {
+  end_dac(0);
+  end_dac(1);
+}
+
+// ---------------------------------------------------------------- shifting
+
+//# constant MSBPRE
+#define MSBPRE 0L
+
+//# constant LSBPRE
+#define LSBPRE 1L
+
+//# constant MSBPOST
+#define MSBPOST 2L
+
+//# constant LSBPOST
+#define LSBPOST 3L
+
+//# constant LSBFIRST
+//#   fidelity: the target has it, with the same value
+static_assert(LSBFIRST == 0, "LSBFIRST is 0 in simpletools.h");
+
+//# constant MSBFIRST
+//#   fidelity: the target has it, with the same value
+static_assert(MSBFIRST == 1, "MSBFIRST is 1 in simpletools.h");
+
+//# helper clock_pulse
+//#   needs: Io
+inline void clock_pulse(const Io &clock) {
+  clock.set(!clock.latch());
+  clock.set(!clock.latch());
+}
+
+//# adapter shift_in
+//#   for: int shift_in(int pinDat, int pinClk, int mode, int bits)
+//#   kind: semantic
+//#   needs: Io low clock_pulse MSBPRE LSBPRE MSBPOST
+//#   pin: pinDat digital in
+//#   pin: pinClk digital out
+//#   fidelity: exact but for the clock, which is some 25 kHz
+inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits) {
+  bool before = mode == MSBPRE || mode == LSBPRE, highest = mode == MSBPRE || mode == MSBPOST;
+  Io data(pinDat), clock(pinClk);
+  uint32_t value = 0;
+  data.drive(false);
+  low(pinClk);
+  for (uint8_t number = 0; number < bits; number++) {
+    if (!before) clock_pulse(clock);
+    uint32_t bit = data.high();
+    value = highest ? value << 1 | bit : value | bit << number;
+    if (before) clock_pulse(clock);
+  }
+  return (int32_t)value;
+}
+
+//# adapter shift_out
+//#   for: void shift_out(int pinDat, int pinClk, int mode, int bits, int value)
+//#   kind: semantic
+//#   needs: Io low clock_pulse
+//#   pin: pinDat digital out
+//#   pin: pinClk digital out
+//#   fidelity: exact but for the clock, which is some 30 kHz
+inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits, int32_t value) {
+  Io data(pinDat), clock(pinClk);
+  data.drive(true);
+  low(pinClk);
+  for (uint8_t number = 0; number < bits; number++) {
+    data.set(value >> (mode == LSBFIRST ? number : bits - 1 - number) & 1);
+    clock_pulse(clock);
+  }
+}
+
+// ---------------------------------------------------------------- two-wire bus
+
+//# constant EEPROM_ADDR
+#define EEPROM_ADDR 0x50L
+
+//# helper i2c_buses
+//#   needs: simplei2c.h/i2c
+static i2c i2c_buses[2];
+
+//# adapter i2c_newbus
+//#   for: i2c *i2c_newbus(int sclPin, int sdaPin, int sclDrive)
+//#   kind: manyToOne
+//#   needs: i2c_buses simplei2c.h/i2c simplei2c.h/i2c_open
+//#   pin: sclPin digital both
+//#   pin: sdaPin digital both
+//#   fidelity: exact at the pins SCL and SDA; a bus at any other pins is not wired
+//#   limit: the bus is the one of the hardware: connect devices to SCL and SDA
+inline i2c *i2c_newbus(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
+  return i2c_open(&i2c_buses[sclPin != SCL || sdaPin != SDA], sclPin, sdaPin, sclDrive);
+}
+
+//# helper i2c_begin
+//#   needs: simplei2c.h/i2c simplei2c.h/i2c_start simplei2c.h/i2c_writeByte
+//#   fidelity: addresses a device, then its memory: highest byte first, lowest first when the count is negative; counts acknowledged bytes
+inline int32_t i2c_begin(i2c *bus, int32_t address, int32_t memory, int32_t count) {
+  i2c_start(bus);
+  if (i2c_writeByte(bus, address << 1 & 0xFE)) return 0;
+  int32_t taken = 0, size = labs(count);
+  while (taken < size) {
+    if (i2c_writeByte(bus, memory >> 8 * (count > 0 ? size - 1 - taken : taken) & 0xFF)) break;
+    taken++;
+  }
+  return 1 + taken;
+}
+
+//# adapter i2c_out
+//#   for: int i2c_out(i2c *busID, int i2cAddr, int memAddr, int memAddrCount, const unsigned char *data, int dataCount)
+//#   kind: oneToMany
+//#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_writeByte simplei2c.h/i2c_stop
+//#   fidelity: exact: the number of bytes that were acknowledged, with the device's address; 100 kHz
+inline int32_t i2c_out(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, const void *data, int32_t dataCount) {
+  int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
+  if (!acknowledged) return 0;
+  for (int32_t number = 0; number < size; number++, acknowledged++)
+    if (i2c_writeByte(busID, ((const uint8_t *)data)[dataCount < 0 ? size - 1 - number : number])) break;
+  i2c_stop(busID);
+  return acknowledged;
+}
+
+//# adapter i2c_in
+//#   for: int i2c_in(i2c *busID, int i2cAddr, int memAddr, int memAddrCount, unsigned char *data, int dataCount)
+//#   kind: oneToMany
+//#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte simplei2c.h/i2c_readByte
+//#   fidelity: exact, with its count of bytes, which leaves out the last one read; 100 kHz
+inline int32_t i2c_in(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, void *data, int32_t dataCount) {
+  int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
+  if (!acknowledged) return 0;
+  i2c_start(busID);
+  if (i2c_writeByte(busID, (i2cAddr << 1 & 0xFE) | 1)) return acknowledged;
+  for (int32_t number = 0; number < size; number++)
+    ((uint8_t *)data)[dataCount < 0 ? size - 1 - number : number] = i2c_readByte(busID, number == size - 1);
+  i2c_stop(busID);
+  return acknowledged + (size ? size : 1);
+}
+
+//# adapter i2c_busy
+//#   for: int i2c_busy(i2c *busID, int i2cAddr)
+//#   kind: oneToMany
+//#   needs: simplei2c.h/i2c simplei2c.h/i2c_poll
+//#   fidelity: exact: 0 when the device acknowledges its address, 1 when it does not
+inline int32_t i2c_busy(i2c *busID, int32_t i2cAddr) {
+  return i2c_poll(busID, i2cAddr << 1 & 0xFE);
+}
+
+// ---------------------------------------------------------------- EEPROM
+
+//# helper ee_cell
+//#   include: <avr/eeprom.h>
+inline uint8_t *ee_cell(int32_t addr) {
+  return (uint8_t *)(uint16_t)((uint32_t)addr & E2END);
+}
+
+//# adapter ee_putByte
+//#   for: void ee_putByte(unsigned char value, int addr)
+//#   kind: oneToMany
+//#   needs: ee_cell
+//#   include: <avr/eeprom.h>
+//#   fidelity: exact within the memory of the microcontroller
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes; what the source robot kept is not carried over
+inline void ee_putByte(uint8_t value, int32_t addr) {
+  eeprom_update_byte(ee_cell(addr), value);
+}
+
+//# adapter ee_getByte
+//#   for: char ee_getByte(int addr)
+//#   kind: oneToMany
+//#   needs: ee_cell
+//#   include: <avr/eeprom.h>
+//#   fidelity: exact within the memory of the microcontroller; 0 to 255
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline uint8_t ee_getByte(int32_t addr) {
+  return eeprom_read_byte(ee_cell(addr));
+}
+
+//# adapter ee_putStr
+//#   for: void ee_putStr(unsigned char *s, int n, int addr)
+//#   kind: oneToMany
+//#   needs: ee_putByte
+//#   fidelity: exact within the memory of the microcontroller
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_putStr(const void *s, int32_t n, int32_t addr) {
+  for (int32_t number = 0; number < n; number++) ee_putByte(((const uint8_t *)s)[number], addr + number);
+}
+
+//# adapter ee_getStr
+//#   for: unsigned char *ee_getStr(unsigned char *s, int n, int addr)
+//#   kind: oneToMany
+//#   needs: ee_getByte
+//#   fidelity: exact within the memory of the microcontroller
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+template <class Text>
+inline Text *ee_getStr(Text *s, int32_t n, int32_t addr) {
+  for (int32_t number = 0; number < n; number++) ((uint8_t *)s)[number] = ee_getByte(addr + number);
+  return s;
+}
+
+//# adapter ee_putInt
+//#   for: void ee_putInt(int value, int addr)
+//#   kind: oneToMany
+//#   needs: ee_putStr
+//#   fidelity: exact: four bytes, the lowest first
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_putInt(int32_t value, int32_t addr) {
+  ee_putStr(&value, sizeof value, addr);
+}
+
+//# adapter ee_getInt
+//#   for: int ee_getInt(int addr)
+//#   kind: oneToMany
+//#   needs: ee_getStr
+//#   fidelity: exact: four bytes, the lowest first
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline int32_t ee_getInt(int32_t addr) {
+  int32_t value;
+  ee_getStr(&value, sizeof value, addr);
+  return value;
+}
+
+//# adapter ee_putFloat32
+//#   for: void ee_putFloat32(float value, int addr)
+//#   kind: oneToMany
+//#   needs: ee_putStr
+//#   fidelity: exact
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_putFloat32(float value, int32_t addr) {
+  ee_putStr(&value, sizeof value, addr);
+}
+
+//# adapter ee_getFloat32
+//#   for: float ee_getFloat32(int addr)
+//#   kind: oneToMany
+//#   needs: ee_getStr
+//#   fidelity: exact
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline float ee_getFloat32(int32_t addr) {
+  float value;
+  ee_getStr(&value, sizeof value, addr);
+  return value;
+}
+
+//# adapter ee_config
+//#   for: void ee_config(int sclPin, int sdaPin, int sclDrive)
+//#   kind: oneToOne
+//#   fidelity: nothing to do: the memory is inside of the microcontroller
+//#   limit: an EEPROM at pins of its own is not used; call i2c_out and i2c_in for it
+inline void ee_config(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
+  (void)sclPin;
+  (void)sdaPin;
+  (void)sclDrive;
+}
+
+//# adapter ee_put_byte
+//#   for: void ee_put_byte(unsigned char value, int addr)
+//#   kind: oneToOne
+//#   needs: ee_putByte
+//#   fidelity: the older name of ee_putByte
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_put_byte(uint8_t value, int32_t addr) {
+  ee_putByte(value, addr);
+}
+
+//# adapter ee_get_byte
+//#   for: char ee_get_byte(int addr)
+//#   kind: oneToOne
+//#   needs: ee_getByte
+//#   fidelity: the older name of ee_getByte
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline uint8_t ee_get_byte(int32_t addr) {
+  return ee_getByte(addr);
+}
+
+//# adapter ee_put_int
+//#   for: void ee_put_int(int value, int addr)
+//#   kind: oneToOne
+//#   needs: ee_putInt
+//#   fidelity: the older name of ee_putInt
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_put_int(int32_t value, int32_t addr) {
+  ee_putInt(value, addr);
+}
+
+//# adapter ee_get_int
+//#   for: int ee_get_int(int addr)
+//#   kind: oneToOne
+//#   needs: ee_getInt
+//#   fidelity: the older name of ee_getInt
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline int32_t ee_get_int(int32_t addr) {
+  return ee_getInt(addr);
+}
+
+//# adapter ee_put_str
+//#   for: void ee_put_str(unsigned char *s, int n, int addr)
+//#   kind: oneToOne
+//#   needs: ee_putStr
+//#   fidelity: the older name of ee_putStr
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_put_str(const void *s, int32_t n, int32_t addr) {
+  ee_putStr(s, n, addr);
+}
+
+//# adapter ee_get_str
+//#   for: unsigned char *ee_get_str(unsigned char *s, int n, int addr)
+//#   kind: oneToOne
+//#   needs: ee_getStr
+//#   fidelity: the older name of ee_getStr
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+template <class Text>
+inline Text *ee_get_str(Text *s, int32_t n, int32_t addr) {
+  return ee_getStr(s, n, addr);
+}
+
+//# adapter ee_put_float32
+//#   for: void ee_put_float32(float value, int addr)
+//#   kind: oneToOne
+//#   needs: ee_putFloat32
+//#   fidelity: the older name of ee_putFloat32
+//#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+inline void ee_put_float32(float value, int32_t addr) {
+  ee_putFloat32(value, addr);
+}
+
+// ---------------------------------------------------------------- arithmetic
+
+//# constant PI
+//#   fidelity: the target has it, with the same value
+static_assert(PI == 3.141592653589793, "PI is that in simpletools.h");
+
+//# adapter constrainInt
+//#   for: int constrainInt(int value, int min, int max)
+//#   kind: oneToOne
+//#   symmetric: value lowest
+//#   fidelity: exact: the middle one of the three, since the limits may come in either order
+inline int32_t constrainInt(int32_t value, int32_t lowest, int32_t highest) {
+  if (lowest > highest) return constrainInt(value, highest, lowest);
+  return value < lowest ? lowest : value > highest ? highest : value;
+}
+
+//# adapter constrainFloat
+//#   for: float constrainFloat(float value, float min, float max)
+//#   kind: oneToOne
+//#   symmetric: value lowest
+//#   fidelity: exact: the middle one of the three, since the limits may come in either order
+inline float constrainFloat(float value, float lowest, float highest) {
+  if (lowest > highest) return constrainFloat(value, highest, lowest);
+  return value < lowest ? lowest : value > highest ? highest : value;
+}
+
+//# adapter mapInt
+//#   for: int mapInt(int value, int fromMin, int fromMax, int toMin, int toMax)
+//#   kind: semantic
+//#   fidelity: exact: to the nearest integer, halves away from zero, where map() cuts off
+inline int32_t mapInt(int32_t value, int32_t fromMin, int32_t fromMax, int32_t toMin, int32_t toMax) {
+  int32_t product = (value - fromMin) * (toMax - toMin), range = fromMax - fromMin;
+  int32_t steps = (labs(product) + labs(range) / 2) / labs(range);
+  return (product < 0) == (range < 0) ? toMin + steps : toMin - steps;
+}
+
+//# adapter mapFloat
+//#   for: float mapFloat(float value, float fromMin, float fromMax, float toMin, float toMax)
+//#   kind: oneToOne
+//#   fidelity: exact
+inline float mapFloat(float value, float fromMin, float fromMax, float toMin, float toMax) {
+  return (value - fromMin) * (toMax - toMin) / (fromMax - fromMin) + toMin;
+}
+
+//# adapter endianSwap
+//#   for: void endianSwap(void *resultAddr, void *varAddr, int byteCount)
+//#   kind: oneToMany
+//#   fidelity: exact
+inline void endianSwap(void *resultAddr, const void *varAddr, int32_t byteCount) {
+  for (int32_t number = 0; number < byteCount; number++)
+    ((uint8_t *)resultAddr)[number] = ((const uint8_t *)varAddr)[byteCount - 1 - number];
+}
+
+//# helper random_seeded
+static bool random_seeded = false;
+
+//# adapter random
+//#   for: int random(int limitLow, int limitHigh)
+//#   kind: semantic
+//#   name: random_between
+//#   symmetric: limitLow limitHigh
+//#   needs: random_seeded propeller.h/CNT
+//#   fidelity: both limits inclusive, in either order; rand() behind it has 15 bits, as there
+//#   limit: the first call seeds from the time and an open analog input: other numbers than there
+inline int32_t random_between(int32_t limitLow, int32_t limitHigh) {
+  if (!random_seeded) srand((unsigned int)(analogRead(A0) * 257u + CNT));
+  random_seeded = true;
+  int32_t lower = limitLow < limitHigh ? limitLow : limitHigh, upper = limitLow < limitHigh ? limitHigh : limitLow;
+  return lower + rand() % (upper + 1 - lower);
+}
+
+// ---------------------------------------------------------------- terminal
+
+//# adapter term_cmd
+//#   for: void term_cmd(int termConst, ...)
+//#   kind: semantic
+//#   needs: simpletext.h/simpleterm_pointer simpletext.h/writeByte simpletext.h/CRSRXY simpletext.h/CRSRX simpletext.h/CRSRY
+//#   fidelity: exact: the command, and a column or a row behind CRSRX, CRSRY and CRSRXY
+//#   limit: the Serial Monitor of the Arduino IDE does not obey commands; a Parallax terminal does
+template <class... Numbers>
+inline void term_cmd(int32_t termConst, Numbers... numbers) {
+  const char values[] = {(char)numbers..., 0, 0};
+  uint8_t count = termConst == CRSRXY ? 2 : termConst == CRSRX || termConst == CRSRY ? 1 : 0;
+  writeByte(simpleterm_pointer(), (char)termConst);
+  for (uint8_t number = 0; number < count; number++) writeByte(simpleterm_pointer(), values[number]);
+}
+
+// ---------------------------------------------------------------- counters of a cog, as constants
+
+//# constant CTR_NCO
+#define CTR_NCO 0x10000000L
+
+//# constant NCO_PWM_1
+#define NCO_PWM_1 0x10000000L
+
+//# constant CTR_PLL
+#define CTR_PLL 0x8000000L
+
+//# constant DUTY_SE
+#define DUTY_SE 0x18000000L

@@ -1,0 +1,68 @@
+"""propeller.h: counter, registers of the pins, locks. Semantics of propgcc b280e7a77 and of the Propeller."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import Uno, proves
+
+
+def p(*names: str) -> list[str]:
+    """These names of propeller.h."""
+    return [f"propeller.h/{name}" for name in names]
+
+
+@proves(*p("INA", "OUTA", "DIRA", "waitpeq", "waitpne"))
+def registers_of_the_pins_are_those_of_the_ports(uno: Uno) -> None:
+    program = """
+void show(uint32_t value) { Serial.print(value, HEX); Serial.print(' '); }
+void setup() { Serial.begin(115200);
+  DIRA |= 1 << 3 | 1L << 26; OUTA = 1L << 26; OUTA |= 1 << 3; show(OUTA); show(DIRA); delay(2);
+  OUTA ^= 1L << 26; OUTA &= ~(1UL << 3); OUTA |= 1L << 30; show(OUTA);
+  if (OUTA >> 3 & 1) show(0xBAD);
+  DIRA = 1L << 26; show(DIRA); show(INA & 0xFF); delay(1); Serial.flush();
+  waitpeq(0x20, 0x60); show(micros() / 1000); waitpne(0x20, 0x60); show(micros() / 1000);
+  uint32_t was = OUTA; OUTA = DIRA; show(OUTA); OUTA = was;
+} void loop() {}
+"""
+    wired = replace(uno, numbers={3: "8", 26: "13", 5: "2", 6: "3"})
+    devices = [
+        DeviceUse("levels", {"pin": "D2"}, {"points": [[0, 1], [3, 0], [12, 1]]}),
+        DeviceUse("levels", {"pin": "D3"}, {"points": [[0, 1], [10, 0], [20, 1]]}),
+    ]
+    trace = wired.run(program, p("INA", "OUTA", "DIRA", "waitpeq", "waitpne"), 50, devices)
+    words = trace.text.split()
+    assert words[:4] == ["4000008", "4000008", "0", "4000000"]
+    assert int(words[4], 16) & 0x60 == 0x40 or int(words[4], 16) & 0x60 == 0x60
+    assert words[5:] == [f"{12:X}", f"{20:X}", "4000000"]
+    levels = {pin: [level for _, level in trace.levels(pin) if level != "p"] for pin in ("D8", "D13")}
+    assert levels == {"D8": [0, 1, 0, "z"], "D13": [0, 1, 0, 1, 0]}
+
+
+@proves(*p("waitcnt", "waitcnt2", "CNT", "CLKFREQ"))
+def the_counter_counts_ticks_of_80_megahertz(uno: Uno) -> None:
+    program = """
+void setup() { pinMode(8, OUTPUT); uint32_t at = CNT + CLKFREQ / 100; digitalWrite(8, 1); waitcnt(at); digitalWrite(8, 0);
+  for (int turn = 0; turn < 4; turn++) { digitalWrite(8, turn & 1); at = waitcnt2(at, CLKFREQ / 200); }
+  Serial.begin(115200); Serial.print(waitcnt2(100, 20)); Serial.print(' '); Serial.print(waitcnt(at) == at); } void loop() {}
+"""
+    trace = uno.run(program, p("waitcnt", "waitcnt2", "CNT", "CLKFREQ"), 60)
+    _, begun, *later = [at_us for at_us, _ in trace.levels("D8")]
+    assert [at_us - begun for at_us in later] == [pytest.approx(us, abs=24) for us in (10_000, 10_000, 15_000, 20_000)]
+    assert trace.text == "120 1"
+
+
+@proves(*p("locknew", "lockret", "lockset", "lockclr", "HUBDATA", "HUBTEXT"))
+def locks_are_given_set_and_cleared(uno: Uno) -> None:
+    program = """
+HUBDATA int32_t kept = 5;
+HUBTEXT void show(int32_t value) { Serial.print(value); Serial.print(' '); }
+void setup() { Serial.begin(115200); show(kept); for (int turn = 0; turn < 9; turn++) show(locknew()); lockret(3);
+  show(locknew());
+  show(lockset(1)); show(lockset(1)); show(lockset(2)); show(lockclr(1)); show(lockclr(1)); show(lockset(1)); } void loop() {}
+"""
+    trace = uno.run(program, p("locknew", "lockret", "lockset", "lockclr", "HUBDATA", "HUBTEXT"), 30)
+    assert trace.text.split() == ["5", "0", "1", "2", "3", "4", "5", "6", "7", "-1", "3", "0", "-1", "0", "-1", "0", "0"]

@@ -1,0 +1,44 @@
+"""The text of adapters: what is declared in front of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.knowledge.adapter_files import read_adapter_file
+
+FILE = """//# header pins.h
+
+//# helper port
+//#   table: port_pins 4
+int port(int number) { return port_pins[number]; }
+
+//# adapter go
+//#   for: void go(void)
+//#   kind: oneToOne
+//#   include: <Servo.h>
+//#   port: left_servo = pins.left 12 digital out servo
+//#   limit: it does not stop
+void go() { port(left_servo); }
+"""
+
+
+def test_pins_and_tables_are_declared_with_what_is_bound(tmp_path: Path) -> None:
+    path = tmp_path / "pins.cpp"
+    path.write_text(FILE)
+    text = adapter_text(read_adapter_file(path), {"pins.left": "9"}, "255", {1: "A0", 3: "5"})
+    assert text.split("\n") == [
+        "#include <Servo.h>",
+        "",
+        "const uint8_t left_servo = 9;  // pins.left",
+        "",
+        "const uint8_t port_pins[4] = {255, A0, 255, 5};  // the pin of each port of the source",
+        "",
+        "int port(int number) { return port_pins[number]; }",
+        "",
+        "// void go(void)",
+        "// Limit: it does not stop",
+        "void go() { port(left_servo); }",
+        "",
+    ]
+    assert "left_servo = 255;" in adapter_text(read_adapter_file(path), {}, "255")
