@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.knowledge.adapter_files import read_adapter_file
+from robosmi.transformations.m2t.adapter_text import adapter_text
 
 FILE = """//# header pins.h
 
