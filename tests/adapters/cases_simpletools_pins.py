@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import pytest
 
-from robosmi.verify.simulation import DeviceUse, Trace
+from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.adapters.bench import Uno, proves
 
 
-def driven(trace: Trace, pin: str) -> list[int | str]:
+def driven(trace: PinTrace, pin: str) -> list[int | str]:
     """The levels that a program drives a pin to; between two of them there may be a pull-up for 3 us."""
     return [level for _, level in trace.levels(pin) if level != "p"]
 

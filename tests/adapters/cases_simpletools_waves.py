@@ -6,7 +6,7 @@ import itertools
 
 import pytest
 
-from robosmi.verify.simulation import DeviceUse, Trace
+from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.adapters.bench import Uno, proves
 
 
@@ -15,7 +15,7 @@ def s(*names: str) -> list[str]:
     return [f"simpletools.h/{name}" for name in names]
 
 
-def hertz(trace: Trace, pin: str, from_ms: float, to_ms: float) -> float:
+def hertz(trace: PinTrace, pin: str, from_ms: float, to_ms: float) -> float:
     """The mean frequency at a pin between two times; 0 without two pulses."""
     begins = [begun for begun, _ in trace.pulses(pin) if from_ms * 1000 <= begun < to_ms * 1000]
     return (len(begins) - 1) / (begins[-1] - begins[0]) * 1e6 if len(begins) > 1 else 0
