@@ -71,6 +71,19 @@ def test_a_wheel_turns_as_its_pulses_say(job_of: Run, engine: str) -> None:
     assert ticks == pytest.approx((width - 1500) * 0.64 * 1.05, abs=2)  # for 1 s, and the 50 ms until it stands
 
 
+def test_a_feedback_servo_tells_its_angle(job_of: Run, engine: str) -> None:
+    devices = [DeviceUse("feedback_servo", {"servo": "D9", "feedback": "D2"}, {"degrees": 90.0})]
+    trace = simulate(job_of("feedback", 800, devices), engine)
+    before, after = (971 - int(each) for each in trace.text.split())
+    pulses = trace.pulses("D9")
+    turning = (pulses[-1][0] - pulses[0][0]) / 1e6 + 0.05  # seconds until it stands
+    beyond = sum(width for _, width in pulses) / len(pulses) - 1520
+    degrees = trace.device_events[-1].value
+    assert before / 942 * 360 == pytest.approx(90, abs=2)
+    assert after / 942 * 360 == pytest.approx(degrees, abs=2)
+    assert degrees == pytest.approx(90 + beyond * 4.88 * turning, abs=2)
+
+
 def test_a_serial_line_carries_bytes_both_ways(job_of: Run, engine: str) -> None:
     pins = {"receive": "D10", "transmit": "D11"}
     trace = simulate(

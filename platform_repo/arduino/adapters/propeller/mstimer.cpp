@@ -1,0 +1,56 @@
+//# header mstimer.h
+// A clock of milliseconds. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Misc/libmstimer (mstimer.h, mstimer.c).
+
+//# helper mstime_origin
+static uint32_t mstime_origin;
+static bool mstime_on;
+static int32_t mstime_held;  // what it shows while it stands
+
+//# adapter mstime_get
+//#   for: int mstime_get()
+//#   kind: oneToOne
+//#   needs: mstime_origin
+//#   fidelity: milliseconds since the start; the resonator of an Uno is up to 0.5 % off
+inline int32_t mstime_get() {
+  return mstime_on ? (int32_t)(millis() - mstime_origin) : mstime_held;
+}
+
+//# adapter mstime_set
+//#   for: void mstime_set(int newTime)
+//#   kind: oneToOne
+//#   needs: mstime_origin
+//#   fidelity: exact
+inline void mstime_set(int32_t newTime) {
+  mstime_held = newTime;
+  mstime_origin = millis() - newTime;
+}
+
+//# adapter mstime_reset
+//#   for: void mstime_reset()
+//#   kind: oneToOne
+//#   needs: mstime_set
+//#   fidelity: exact
+inline void mstime_reset() {
+  mstime_set(0);
+}
+
+//# adapter mstime_start
+//#   for: int mstime_start()
+//#   kind: oneToOne
+//#   needs: mstime_origin mstime_set
+//#   fidelity: from 0; the answer is the number of a cog, always 1 here
+inline int32_t mstime_start() {
+  mstime_set(0);
+  mstime_on = true;
+  return 1;
+}
+
+//# adapter mstime_stop
+//#   for: void mstime_stop()
+//#   kind: oneToOne
+//#   needs: mstime_origin mstime_get
+//#   fidelity: the time stands
+inline void mstime_stop() {
+  mstime_held = mstime_get();
+  mstime_on = false;
+}

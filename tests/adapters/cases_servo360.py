@@ -1,0 +1,81 @@
+"""servo360.h: servos that tell their angle. Semantics of the library's sources (libservo360, Simple-Libraries 1cc167c10)."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.verify.simulation import DeviceUse, PinTrace
+from tests.adapters.bench import Uno, proves
+
+SAY = "void say(int32_t number) { Serial.print(number); Serial.print(' '); }"
+SERVOS = [
+    DeviceUse("feedback_servo", {"servo": "D5", "feedback": "A0"}, {}),
+    DeviceUse("feedback_servo", {"servo": "D6", "feedback": "A1"}, {"degrees": 10.0, "dead_us": 25.0}),
+]
+
+
+def s(*names: str) -> list[str]:
+    """These functions of servo360.h."""
+    return [f"servo360.h/servo360_{name}" for name in names]
+
+
+def turned(trace: PinTrace, number: int) -> float:
+    """How far a servo has turned, in degrees."""
+    start = SERVOS[number].settings.get("degrees", 90.0)
+    return float(next(event.value for event in trace.device_events if event.device == number)) - float(start)
+
+
+@proves(*s("connect", "angle", "goto", "getAngle", "getCsop", "getTurns", "setAngleLimits", "setMaxSpeed", "setAcceleration"))
+def servos_turn_to_angles_and_hold_them(uno: Uno) -> None:
+    used = s("connect", "angle", "goto", "getAngle", "getCsop", "getTurns", "setAngleLimits", "setMaxSpeed", "setAcceleration")
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); say(servo360_connect(5, 4)); say(servo360_connect(5, A0)); say(servo360_connect(5, A0));
+  say(servo360_connect(6, A1)); say(servo360_angle(9, 3)); say(servo360_angle(5, 120)); servo360_setAngleLimits(6, 45, -45);
+  servo360_angle(6, -90); delay(1500); say(servo360_getAngle(5)); say(servo360_getAngle(6));
+  servo360_setMaxSpeed(5, 180); servo360_setAcceleration(5, 180);
+  servo360_goto(5, 360); delay(100); say(servo360_getCsop(5)); delay(900); say(servo360_getAngle(5)); delay(2900);
+  say(servo360_getCsop(5)); say(servo360_getTurns(5)); say(servo360_getAngle(5)); }}
+void loop() {{}}
+"""
+    trace = uno.run(program, used, 7400, [*SERVOS, DeviceUse("levels", {"pin": "D4"}, {"points": [[0, 0]]})])
+    told = [int(each) for each in trace.text.split()]
+    assert told[:6] == [-8, 0, -4, 1, -1, 0]
+    assert told[6:8] == pytest.approx([120, -45], abs=3)
+    assert told[8] == 3
+    assert told[9] == pytest.approx(120 + 90, abs=25)
+    assert told[10] == 2
+    assert told[11] == 1
+    assert told[12] == pytest.approx(480, abs=6)
+    assert [turned(trace, 0), turned(trace, 1)] == pytest.approx([480, -45], abs=6)
+
+
+@proves(
+    *s("speed", "stop", "set", "feedback", "enable", "getSpeed", "couple", "setRampStep", "getMaxSpeed", "setUnitsFullCircle")
+)
+def servos_turn_at_speeds_that_are_ramped_and_held(uno: Uno) -> None:
+    used = s(
+        "speed", "stop", "set", "feedback", "enable", "getSpeed", "couple", "setRampStep", "getMaxSpeed", "setUnitsFullCircle"
+    )
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); servo360_connect(5, A0); servo360_connect(6, A1);
+  say(servo360_couple(6, 9)); say(servo360_couple(6, 5));
+  say(servo360_getMaxSpeed(5)); say(servo360_setUnitsFullCircle(6, 64));
+  servo360_setRampStep(5, 410); servo360_setRampStep(6, 410);
+  say(servo360_speed(5, 360)); servo360_speed(6, -64); delay(2000); say(servo360_getSpeed(5)); say(servo360_getSpeed(6));
+  say(servo360_stop(5)); servo360_stop(6); delay(1000); say(servo360_getSpeed(5));
+  servo360_feedback(5, 0); say(servo360_set(5, 1600)); delay(200); servo360_enable(5, 0); delay(200); }}
+void loop() {{}}
+"""
+    trace = uno.run(program, [*used, "servo360.h/servo360_connect"], 4600, SERVOS)
+    told = [int(each) for each in trace.text.split()]
+    assert told.pop(0) == -2
+    assert told[:4] == [1, 720, 1, 0]
+    assert told[4] == pytest.approx(360, abs=40)
+    assert told[5] == pytest.approx(-64, abs=8)
+    assert told[6] == 0
+    assert told[7] == pytest.approx(0, abs=10)
+    assert told[8] == 0
+    widths = trace.pulses("D5")
+    assert [width for _, width in widths[-4:-1]] == pytest.approx([1600] * 3, abs=10)
+    assert trace.levels("D5")[-1][0] < trace.simulated_us - 150_000
+    assert turned(trace, 1) == pytest.approx(-708, abs=40)

@@ -1,0 +1,62 @@
+"""A servo that turns all round and tells its angle, such as Parallax's Feedback 360 (data sheet of #900-00360)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from robosmi.verify.bench import Device, Level
+
+_CYCLE_US = 1e6 / 910
+_LEAST_DUTY, _MOST_DUTY = 0.029, 0.971
+
+
+class FeedbackServo(Device):
+    """The servo: pulses at `servo` turn it, the duty of the signal at `feedback` tells its angle: 2.9 % up to 97.1 % of 910 Hz.
+
+    Settings: `degrees`, where it stands at first, counted counter-clockwise; `neutral_us` and `dead_us`, the width at which it
+    stands and how far a pulse must be from there to turn it; `degrees_per_s_per_us`, its speed for each microsecond beyond;
+    longer pulses turn it counter-clockwise. Without pulses for 50 ms it stands. Where it has got to is noted as `degrees` at
+    the end.
+    """
+
+    pin_names = ("servo", "feedback")
+    setting_names: ClassVar[Mapping[str, Any]] = {
+        "degrees": 90.0, "neutral_us": 1500.0, "dead_us": 20.0, "degrees_per_s_per_us": 4.88,
+    }  # fmt: skip
+
+    def start(self) -> None:
+        """Stand still, and begin to tell the angle."""
+        self._begun: float | None = None
+        self._last_pulse = self._speed = self._told = 0.0
+        self._degrees = float(self.settings["degrees"])
+        self._tell()
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Take a pulse of the program."""
+        if pin != self.pins["servo"]:
+            return
+        if level == 1:
+            self._begun = self.bench.now
+        elif self._begun is not None:
+            beyond, self._begun, self._last_pulse = (
+                self.bench.now - self._begun - self.settings["neutral_us"],
+                None,
+                self.bench.now,
+            )
+            turning = max(0.0, abs(beyond) - self.settings["dead_us"]) * self.settings["degrees_per_s_per_us"]
+            self._speed = turning if beyond > 0 else -turning
+
+    def _tell(self) -> None:
+        if self.bench.now - self._last_pulse > 50_000:
+            self._speed = 0.0
+        self._degrees += self._speed * (self.bench.now - self._told) / 1e6
+        self._told = self.bench.now
+        duty = _MOST_DUTY - self._degrees % 360 / 360 * (_MOST_DUTY - _LEAST_DUTY)
+        self.bench.set_level(self.pins["feedback"], 1)
+        self.bench.at(self.bench.now + duty * _CYCLE_US, lambda: self.bench.set_level(self.pins["feedback"], 0))
+        self.bench.at(self.bench.now + _CYCLE_US, self._tell)
+
+    def ended(self) -> None:
+        """Note where it has got to."""
+        self.note("degrees", self._degrees)
