@@ -2,18 +2,47 @@
 
 from __future__ import annotations
 
+import random
+from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests.fuzz.edits import KINDS, run
+from robosmi.generate import three_way
+from robosmi.generate.regions import Region
+from robosmi.generate.three_way import Chunk
+from tests.fuzz.edits import KINDS, Tally, regenerations, run
+from tests.fuzz.edits_arenas import Pages
 from tests.fuzz.edits_judge import Round, faults
+
+BETWEEN = three_way._between
 
 BASE = b"head\nvoid one() {\n  // TODO\n}\nvoid two() {\n  // TODO\n}\n"
 EDITED = b"head\nvoid one() {\n  EDIT\n}\nvoid two() {\n  // TODO\n}\n"
 MADE = b"new\nvoid one() {\n  // TODO\n}\nvoid two() {\n  // TODO\n}\n"
 GOOD = b"new\nvoid one() {\n  EDIT\n}\nvoid two() {\n  // TODO\n}\n"
 ONE = Round("o", BASE, EDITED, MADE, GOOD, {"RS512"})
+
+REGIONS = b"""void one() {
+// protected region r on begin
+  // TODO
+// protected region r end
+}
+void two() {
+// protected region s on begin
+  // TODO
+// protected region s end
+}
+"""
+IN_R = REGIONS.replace(b"// TODO", b"EDIT", 1)
+SWAPPED = REGIONS.replace(b"region r", b"region q").replace(b"region s", b"region r").replace(b"region q", b"region s")
+FOLLOWED = SWAPPED.replace(b"region r on begin\n  // TODO", b"region r on begin\n  EDIT")
+INSIDE = Round("o", REGIONS, IN_R, SWAPPED, FOLLOWED, {"RS512"})
+IN_THE_OTHER = SWAPPED.replace(b"region s on begin\n  // TODO", b"region s on begin\n  EDIT")
+SWITCHED = REGIONS.replace(b"r on begin", b"r off begin")
+OFF = replace(INSIDE, edited=SWITCHED, made=REGIONS, after=REGIONS, rules={"RS518"})
 
 
 def test_no_edit_is_lost_in_sixty_regenerations() -> None:
@@ -35,6 +64,9 @@ def test_no_edit_is_lost_in_sixty_regenerations() -> None:
         replace(ONE, made=None, after=EDITED, rules={"RS514"}),
         replace(ONE, made=None, edited=BASE, after=None, rules=set()),
         replace(ONE, edited=None, after=MADE, rules={"RS517"}),
+        INSIDE,
+        OFF,
+        replace(ONE, edited=EDITED[:-1], after=b"<<<<<<< yours\n" + GOOD, rules={"RS511"}, old=[EDITED[:-1]]),
     ],
 )
 def test_the_judge_finds_no_fault_where_an_edit_is_kept_or_reported(good: Round) -> None:
@@ -60,7 +92,52 @@ def test_the_judge_finds_no_fault_where_an_edit_is_kept_or_reported(good: Round)
         (replace(ONE, made=None, after=None), "no longer made"),
         (replace(ONE, made=None, after=EDITED, rules=set()), "no longer made"),
         (replace(ONE, edited=None, after=MADE, rules=set()), "without a word"),
+        (replace(INSIDE, after=IN_THE_OTHER), "misplaced: '  EDIT'"),
+        (replace(INSIDE, after=SWAPPED), "lost: '  EDIT'"),
+        (replace(OFF, rules=set()), "lost: '// protected region r off begin'"),
+        (replace(OFF, edited=IN_R.replace(b"r on begin", b"r off begin")), "lost: '  EDIT'"),
+        (replace(OFF, edited=SWITCHED.replace(b"r end", b"r end EDIT")), "lost: '// protected region r end EDIT'"),
+        (replace(OFF, after=REGIONS.replace(b"region r", b"region q")), "lost: '// protected region r off begin'"),
     ],
 )  # fmt: skip
 def test_the_judge_finds_what_is_lost(bad: Round, fault: str) -> None:
     assert [found for found in faults(bad) if fault in found]
+
+
+def _generated_wins(*texts: Any) -> list[Chunk]:
+    """A merge that takes what is made wherever the two differ."""
+    return [replace(chunk, kind="both" if chunk.kind == "both" else "theirs") for chunk in BETWEEN(*texts)]
+
+
+def _region_made_anew(self: object, piece: str | Region, old: object, before: object) -> str | Region:
+    """A merge that takes the template's text of every region."""
+    return piece
+
+
+def _orphans_dropped(self: object, lines: list[Any], orphans: object) -> str:
+    """A merge that drops the regions for which nothing is made."""
+    return "".join(line.text for line in lines)
+
+
+def _line_feeds(self: object, text: str) -> bytes:
+    """A merge that forgets the form of the file."""
+    return text.encode(errors="surrogateescape")
+
+
+@pytest.mark.parametrize(
+    ("place", "broken"),
+    [
+        ("robosmi.generate.three_way._between", _generated_wins),
+        ("robosmi.generate.keep._Merge._their", _region_made_anew),
+        ("robosmi.generate.keep._Merge._with_orphans", _orphans_dropped),
+        ("robosmi.generate.text_form.FileText.written", _line_feeds),
+    ],
+)
+def test_the_judge_notices_a_broken_merge(
+    place: str, broken: Callable[..., object], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(place, broken)
+    tally, chance = Tally(), random.Random(3)
+    for number in range(6):
+        regenerations(Pages(tmp_path, chance), tmp_path / str(number), chance, 10, tally)
+    assert tally.wrong

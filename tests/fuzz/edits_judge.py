@@ -96,7 +96,10 @@ def _lost(one: Round) -> Iterator[str]:
     assert one.made is not None
     assert one.after is not None
     base, edited, made, after = (Counter(lines(data)) for data in (one.base, one.edited, one.made, one.after))
+    said = _switched_off(one) if "RS518" in one.rules else set()
     for line in edited:
+        if line in said:
+            continue
         if edited[line] > base[line] and after[line] < edited[line] - max(0, base[line] - made[line]):
             yield f"lost: {line!r}"
     if one.rules & TOLD:
@@ -107,8 +110,30 @@ def _lost(one: Round) -> Iterator[str]:
     yield from _misplaced(one)
 
 
+def _switched_off(one: Round) -> set[str]:
+    """The marker lines of regions that the file says are off and that have their default text again, which RS518 has said.
+
+    What a person wrote before or behind such a marker in its line must be there still.
+    """
+    assert one.edited is not None
+    assert one.after is not None
+    markers = [(line, found) for line in lines(one.edited) if (found := _REGION.search(line)) is not None]
+    off = {found[1] for _, found in markers if found[2] == "off begin"}
+    after = lines(one.after)
+    off &= {found[1] for line in after if (found := _REGION.search(line)) is not None}
+    return {
+        line
+        for line, found in markers
+        if found[1] in off
+        and all(any(word in now for now in after) for word in (line[: found.start()] + line[found.end() :]).split())
+    }
+
+
 def _misplaced(one: Round) -> Iterator[str]:
-    """Lines of a person that stand in another function than the one they were written into."""
+    """Lines of a person that stand in another region or function than the one they were written into.
+
+    A region follows its id: where the function around it has another name now, its text is right there.
+    """
     assert one.base is not None
     assert one.edited is not None
     assert one.after is not None
@@ -118,15 +143,30 @@ def _misplaced(one: Round) -> Iterator[str]:
         if line in known or len(heads) != 1 or len(then.get(line, ())) != 1:
             continue
         (head,), (now,) = heads, then[line]
-        if head in known and head != now and head in lines(one.after):
+        if head != now and _stands(head, known) and _stands(head, lines(one.after)):
             yield f"misplaced: {line!r} stood in {head!r} and stands in {now!r}"
 
 
+def _stands(place: str, found: Iterable[str]) -> bool:
+    """Whether a text has a place: a region by its id, a function by its head."""
+    ids = {f"region {marker[1]}" for line in found if (marker := _REGION.search(line)) is not None}
+    return place in ids or place in found
+
+
 def _functions(found: Iterable[str]) -> dict[str, list[str]]:
-    """Line -> the heads of the functions it stands in: lines that begin at the margin and end with a brace."""
-    head, heads = "", dict[str, list[str]]()
+    """Line -> the places it stands in: `region ID` of the region, else the head of the function.
+
+    The head of a function is a line that begins at the margin and ends with a brace.
+    """
+    head, region, heads = "", "", dict[str, list[str]]()
     for line in found:
-        if line[:1].strip() and line.rstrip().endswith("{"):
+        marker = _REGION.search(line)
+        if marker is not None:
+            region = "" if marker[2] == "end" else f"region {marker[1]}"
+        elif region:
+            if "EDIT" in line:
+                heads.setdefault(line, []).append(region)
+        elif line[:1].strip() and line.rstrip().endswith("{"):
             head = line
         elif line.startswith("}"):
             head = ""
@@ -145,7 +185,8 @@ def _form(one: Round) -> Iterator[str]:
     if kinds and not ends(one.after) <= kinds:
         yield f"line ends: {kinds} before, {ends(one.after)} after"
     whole, was, now = (data.endswith((b"\n", b"\r")) for data in (one.edited, one.base, one.after))
-    if one.edited and whole != was and now != whole:
+    marked = "RS511" in one.rules and one.edited in one.old  # the last line is one of the conflict then
+    if one.edited and whole != was and now != whole and not marked:
         yield "the last line break came or went"
     places = {line: end for line, end in _own_ends(one.edited).items() if len(kinds) > 1}
     for line, end in _own_ends(one.after).items():
