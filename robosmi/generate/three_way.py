@@ -1,14 +1,18 @@
 """Three-way merge of texts by lines: what a person changed and what the generator changed since the same base.
 
 The algorithm is diff3's: lines that both sides left alone are where they meet; between such lines, a side that did not change
-gives way, and both having changed is a conflict unless they changed alike. Matching lines are found by Python's `difflib`.
-(The `merge3` package does the same but its licence, GPL, does not fit; `three-merge` merges characters and marks no conflicts.)
+gives way, and both having changed is a conflict unless they changed alike. Matching lines are found by patience diff (lines that
+stand once in both texts are anchors), and a line that stands more often matches only below the same head: else a body would go to
+another function that looks like its own when functions change places. Python's `difflib` does the rest. (The `merge3` package
+merges so, too, but its licence, GPL, does not fit; `three-merge` merges characters and marks no conflicts.)
 Source: S. Khanna, K. Kunal, B. C. Pierce, A Formal Investigation of Diff3, FSTTCS 2007.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
@@ -70,16 +74,94 @@ def _meeting(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) ->
 
 def _blocks(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int, int]]:
     """Matching runs: place in the base, place in the other, length."""
-    head = 0
-    while head < min(len(base), len(other)) and base[head] == other[head]:
-        head += 1
-    tail = 0
-    while tail < min(len(base), len(other)) - head and base[-1 - tail] == other[-1 - tail]:
-        tail += 1
-    middle = SequenceMatcher(None, base[head : len(base) - tail], other[head : len(other) - tail], autojunk=False)
-    found = [(0, 0, head)] if head else []
-    found += [(block.a + head, block.b + head, block.size) for block in middle.get_matching_blocks() if block.size]
-    return [*found, (len(base) - tail, len(other) - tail, tail)] if tail else found
+    unique = _unique(base, other)
+    above, in_other = _heads(base, set(unique)), _heads(other, set(unique.values()))
+    found: list[tuple[int, int, int]] = []
+    for i, j, length in sorted(_runs(base, other)):
+        for k in range(length):
+            head = above[i + k]
+            if i + k not in unique and (None if head is None else unique[head]) != in_other[j + k]:
+                continue
+            if found and (found[-1][0] + found[-1][2], found[-1][1] + found[-1][2]) == (i + k, j + k):
+                found[-1] = (found[-1][0], found[-1][1], found[-1][2] + 1)
+            else:
+                found.append((i + k, j + k, 1))
+    return found
+
+
+def _unique(base: Sequence[str], other: Sequence[str]) -> dict[int, int]:
+    """Lines that stand once in each of two texts: place in the base -> place in the other, in the base's order."""
+    counts, others = Counter(base), Counter(other)
+    places = {line: place for place, line in enumerate(other)}
+    return {i: places[line] for i, line in enumerate(base) if counts[line] == 1 == others[line]}
+
+
+def _heads(lines: Sequence[str], unique: Set[int]) -> list[int | None]:
+    """For each line the last of some lines before it that is indented less, or begins at the margin as it does.
+
+    A line such as `return;` stands in many functions; the head of its own says which one it is.
+    """
+    found: list[int | None] = []
+    indents: list[int] = []
+    heads: list[int] = []
+    for place, line in enumerate(lines):
+        indent = len(line) - len(line.lstrip()) if line.strip() else 0
+        outer = bisect_left(indents, max(indent, 1))
+        found.append(heads[outer - 1] if outer else None)
+        if place in unique:
+            outer = bisect_left(indents, indent)
+            indents[outer:], heads[outer:] = [indent], [place]
+    return found
+
+
+def _runs(base: Sequence[str], other: Sequence[str]) -> Iterator[tuple[int, int, int]]:
+    """Matching runs by patience diff: lines that stand once in both texts are anchors, and between them again.
+
+    From each anchor lines are matched downwards, then upwards; what is left without anchors is `difflib`'s. The runs of one
+    text are in no order.
+    """
+    work = [(0, len(base), 0, len(other))]
+    while work:
+        a, stop_a, b, stop_b = work.pop()
+        length = _equal(base, other, range(a, stop_a), range(b, stop_b))
+        if length:
+            yield a, b, length
+        a, b = a + length, b + length
+        unique = _unique(base[a:stop_a], other[b:stop_b])
+        anchors = [(a + i, b + unique[i]) for i in _rising(unique)]
+        if anchors:
+            starts, stops = [(a, b), *anchors], [*anchors, (stop_a, stop_b)]
+            work += [(i, end_i, j, end_j) for (i, j), (end_i, end_j) in zip(starts, stops, strict=True)]
+            continue
+        length = _equal(base, other, range(stop_a - 1, a - 1, -1), range(stop_b - 1, b - 1, -1))
+        stop_a, stop_b = stop_a - length, stop_b - length
+        if length:
+            yield stop_a, stop_b, length
+        middle = SequenceMatcher(None, base[a:stop_a], other[b:stop_b], autojunk=False)
+        yield from ((a + block.a, b + block.b, block.size) for block in middle.get_matching_blocks() if block.size)
+
+
+def _equal(base: Sequence[str], other: Sequence[str], places: range, in_other: range) -> int:
+    """How many lines are equal one after the other."""
+    pairs = zip(places, in_other, strict=False)
+    return next((n for n, (i, j) in enumerate(pairs) if base[i] != other[j]), min(len(places), len(in_other)))
+
+
+def _rising(places: Mapping[int, int]) -> list[int]:
+    """The longest choice of keys whose values rise as they do (patience sorting)."""
+    tops: list[int] = []  # the smallest value that ends a choice of each length
+    keys: list[int] = []
+    before: dict[int, int | None] = {}
+    for key, value in places.items():
+        length = bisect_left(tops, value)
+        tops[length : length + 1], keys[length : length + 1] = [value], [key]
+        before[key] = keys[length - 1] if length else None
+    found: list[int] = []
+    last = keys[-1] if keys else None
+    while last is not None:
+        found.append(last)
+        last = before[last]
+    return found[::-1]
 
 
 def _between(

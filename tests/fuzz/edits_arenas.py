@@ -153,6 +153,7 @@ void loop() {
 }
 """
 PLAIN = "# {{ title }}\n{% for e in elements %}\n\n## {{ e.name }}\n\n  TODO {{ e.id }}\n  more\n{% endfor %}\n"
+ALIKE = "// {{ title }}\n{% for e in elements %}\n\nvoid {{ e.name }}() {\n  begin();\n  // TODO\n  end();\n}\n{% endfor %}\n"
 
 
 class Pages:
@@ -173,9 +174,9 @@ class Pages:
         page.insert(chance.randrange(len(page) + 1), new)
 
     def _gen(self, folder: Path, *, keep: bool) -> Gen:
-        g = Gen(folder, {"page": PAGE, "plain": PLAIN}, keep=keep)
+        g = Gen(folder, {"page": PAGE, "plain": PLAIN, "alike": ALIKE}, keep=keep)
         for name, elements in self.pages.items():
-            for template, target in (("page", name), ("plain", f"{name}.md")):
+            for template, target in (("page", name), ("plain", f"{name}.md"), ("alike", f"{name}.c")):
                 rule = g.rule(template=template, target=target, name=target)
                 rule(partial(self._values, elements))
         return g

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import permutations, product
+
 import pytest
 
 from robosmi.generate.three_way import chunks
@@ -31,3 +34,33 @@ def kinds(base: str, ours: str, theirs: str) -> list[str]:
 )
 def test_stretches(base: str, ours: str, theirs: str, expected: list[str]) -> None:
     assert kinds(base, ours, theirs) == expected
+
+
+def functions(heads: Iterable[str]) -> list[str]:
+    """Functions that differ in nothing but their heads."""
+    return [line for head in heads for line in (f"void {head}()", "{", "  begin();", "  work();", "  end();", "}", "")]
+
+
+@pytest.mark.parametrize("theirs", [*map("".join, permutations("ABCD")), "BCD", "DCB", "CAB", "XBACD", "BXADC"])
+@pytest.mark.parametrize("inside", ["", "  if (ready) {", "#ifdef FAST"])
+def test_a_body_stays_in_its_function_whatever_the_order(theirs: str, inside: str) -> None:
+    """What a person writes into a function is in that function or in a conflict, on either side of the merge."""
+    base, new = functions("ABCD"), functions(theirs)
+    for edited, place, replaced in product(range(4), range(2, 6), (0, 1)):
+        at = edited * 7 + place
+        ours = [*base[:at], *([inside] if inside else []), "EDIT", *base[at + replaced :]]
+        for one, other in ((ours, new), (new, ours)):
+            text: list[str] = []
+            for chunk in chunks(base, one, other):
+                text += {"ours": one[slice(*chunk.ours)], "conflict": ["?"]}.get(chunk.kind, other[slice(*chunk.theirs)])
+            if "EDIT" in text:
+                heads = [line for line in text[: text.index("EDIT")] if line.startswith("void") or line == "?"]
+                assert heads[-1] in ("?", f"void {'ABCD'[edited]}()")
+            else:
+                assert "?" in text
+
+
+def test_the_order_of_similar_functions_is_no_conflict_where_the_edited_one_stays() -> None:
+    base, theirs = functions("ABCD"), functions("ACBD")
+    ours = [line.replace("work", "EDIT") if number < 7 else line for number, line in enumerate(base)]
+    assert [chunk.kind for chunk in chunks(base, ours, theirs) if chunk.kind in ("ours", "conflict")] == ["ours"]
