@@ -841,6 +841,10 @@ class Block(Statement):
 class If(Statement):
     """A selection by condition."""
 
+    initial: Statement | None = EReference(containment=True)
+    """C++: the statement before the condition, as in if (int a = f(); a > 2)."""
+    declaration: DeclarationStatement | None = EReference(containment=True)
+    """C++: the variable that the condition declares, as in if (int a = f()); the condition is then its name."""
     condition: Expression | None = EReference(containment=True)
     """The condition."""
     thenBranch: Statement | None = EReference(containment=True)
@@ -859,6 +863,8 @@ class If(Statement):
             column: int | None = None,
             endLine: int | None = None,
             endColumn: int | None = None,
+            initial: Statement | None = None,
+            declaration: DeclarationStatement | None = None,
             condition: Expression | None = None,
             thenBranch: Statement | None = None,
             elseBranch: Statement | None = None,
@@ -873,6 +879,8 @@ class Loop(Statement):
     """Its form."""
     endless: bool = EAttribute(eType=EBoolean)
     """True when the condition is absent or a constant other than zero."""
+    declaration: DeclarationStatement | None = EReference(containment=True)
+    """C++: the variable that the condition declares, as in while (int a = f()), the condition being its name; of a loop over a range the variable for each of its elements."""
     condition: Expression | None = EReference(containment=True)
     """The condition, if written."""
     body: Statement | None = EReference(containment=True)
@@ -891,6 +899,7 @@ class Loop(Statement):
             endColumn: int | None = None,
             form: LoopForm | None = None,
             endless: bool | None = None,
+            declaration: DeclarationStatement | None = None,
             condition: Expression | None = None,
             body: Statement | None = None,
         ) -> None: ...
@@ -912,6 +921,7 @@ class While(Loop):
             endColumn: int | None = None,
             form: LoopForm | None = None,
             endless: bool | None = None,
+            declaration: DeclarationStatement | None = None,
             condition: Expression | None = None,
             body: Statement | None = None,
         ) -> None: ...
@@ -933,6 +943,7 @@ class DoWhile(Loop):
             endColumn: int | None = None,
             form: LoopForm | None = None,
             endless: bool | None = None,
+            declaration: DeclarationStatement | None = None,
             condition: Expression | None = None,
             body: Statement | None = None,
         ) -> None: ...
@@ -945,6 +956,8 @@ class For(Loop):
     """Its first clause."""
     step: Expression | None = EReference(containment=True)
     """Its third clause."""
+    range: Expression | None = EReference(containment=True)
+    """C++: what a loop over a range goes through, as in for (int a : values); such a loop has neither condition nor step."""
 
     if TYPE_CHECKING:
 
@@ -959,16 +972,22 @@ class For(Loop):
             endColumn: int | None = None,
             form: LoopForm | None = None,
             endless: bool | None = None,
+            declaration: DeclarationStatement | None = None,
             condition: Expression | None = None,
             body: Statement | None = None,
             initial: Statement | None = None,
             step: Expression | None = None,
+            range: Expression | None = None,
         ) -> None: ...
 
 
 class Switch(Statement):
     """A selection by value."""
 
+    initial: Statement | None = EReference(containment=True)
+    """C++: the statement before the value, as in switch (int a = f(); a)."""
+    declaration: DeclarationStatement | None = EReference(containment=True)
+    """C++: the variable that is declared as the value, as in switch (int a = f()); the value is then its name."""
     selector: Expression | None = EReference(containment=True)
     """The value."""
     body: Statement | None = EReference(containment=True)
@@ -985,6 +1004,8 @@ class Switch(Statement):
             column: int | None = None,
             endLine: int | None = None,
             endColumn: int | None = None,
+            initial: Statement | None = None,
+            declaration: DeclarationStatement | None = None,
             selector: Expression | None = None,
             body: Statement | None = None,
         ) -> None: ...
@@ -1667,13 +1688,19 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Enumeration.literals.eType = EnumerationLiteral
     Namespace.declarations.eType = Declaration
     Block.statements.eType = Statement
+    If.initial.eType = Statement
+    If.declaration.eType = DeclarationStatement
     If.condition.eType = Expression
     If.thenBranch.eType = Statement
     If.elseBranch.eType = Statement
+    Loop.declaration.eType = DeclarationStatement
     Loop.condition.eType = Expression
     Loop.body.eType = Statement
     For.initial.eType = Statement
     For.step.eType = Expression
+    For.range.eType = Expression
+    Switch.initial.eType = Statement
+    Switch.declaration.eType = DeclarationStatement
     Switch.selector.eType = Expression
     Switch.body.eType = Statement
     Case.constant.eType = Expression

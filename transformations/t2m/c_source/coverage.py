@@ -14,7 +14,16 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import KEYWORDS
 from robosmi.transformations.t2m.c_source.context import UnitContext
 
-_NO_CALL = KEYWORDS | {"defined", "__builtin_offsetof", "__alignof__", "_Alignof", "alignof", "_Static_assert", "static_assert"}
+_NO_CALL = KEYWORDS | {
+    "defined",
+    "__builtin_offsetof",
+    "__alignof__",
+    "_Alignof",
+    "alignof",
+    "_Static_assert",
+    "static_assert",
+    "constexpr",
+}
 _NO_CALL |= {"_Generic", "_Alignas", "_Atomic", "__typeof", "__real__", "__imag__", "__real", "__imag"}
 _NO_CALL |= {"__builtin_choose_expr", "__builtin_types_compatible_p", "__builtin_va_arg"}  # they take types, or choose
 _NO_CALL_OF_CXX = frozenset(["catch", "operator", "decltype", "noexcept", "alignas", "new", "delete", "throw"])

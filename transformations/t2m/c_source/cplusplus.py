@@ -1,8 +1,8 @@
 """Builders of what C++ has beyond C, as far as the metamodel `ccode` can say it; programs of both are read with one set.
 
-Classes become records with methods, templates what they are a template of, `extern "C"` blocks their declarations, `try` a block,
-a loop over a range a `for` without condition, `new`, `delete` and `throw` unary operators, a call of an overloaded operator the
-operation that the text has. What has no form in the metamodel (a lambda) stays text, and its calls are listed as unresolved.
+Classes become records with methods, templates what they are a template of, `extern "C"` blocks their declarations, `try` a block
+with its handlers, `new`, `delete` and `throw` unary operators, a call of an overloaded operator the operation that the text has.
+What has no form in the metamodel (a lambda, a structured binding) stays text, and its calls are listed as unresolved.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from robosmi.transformations.t2m.c_source.statements import statement
 from robosmi.transformations.t2m.c_source.tree import Node
 
 METHOD, CONSTRUCTOR, DESTRUCTOR, CONVERSION = 21, 24, 25, 26
+VARIABLE, CATCH, TRY = 9, 223, 224
 FUNCTION_TEMPLATE, CLASS_TEMPLATE, PARTIAL_TEMPLATE, LINKAGE = 30, 31, 32, 23
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*)")
 
@@ -65,28 +66,35 @@ def overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
     return kind(operator=operator, left=built[0], right=built[1], **place)
 
 
-def _try(context: UnitContext, node: Node) -> ccode.Statement:
+def _try(context: UnitContext, node: Node) -> ccode.Block:
     context.find("RS107", Severity.warning, "exceptions are read as plain blocks", node.start, node.end, "read it by hand")
-    parts: list[ccode.Statement] = []
-    for child in node.children:
-        inner = child.children[-1] if child.kind == 223 and child.children else child  # CXX_CATCH_STMT
-        parts.append(statement(context, inner))
+    parts = [_catch(context, child) if child.kind == CATCH else statement(context, child) for child in node.children]
     return ccode.Block(statements=parts, **context.source.place(node.start, node.end))
 
 
+def _catch(context: UnitContext, node: Node) -> ccode.Statement:
+    """The block of a handler; one that names what is thrown is a block with the declaration of that and its own block."""
+    caught = [child for child in node.children if child.kind == VARIABLE and context.spelling(child.cursor)]
+    if not caught:
+        return statement(context, node.children[-1])
+    place = context.source.place(caught[0].start, caught[0].end)
+    declaration = ccode.DeclarationStatement(declarations=declarations.group(context, caught), **place)
+    body = statement(context, node.children[-1])
+    return ccode.Block(statements=[declaration, body], **context.source.place(node.start, node.end))
+
+
 def _for_range(context: UnitContext, node: Node) -> ccode.Statement:
-    body = node.children[-1] if node.children else None
-    variables = [c for c in node.children if c.kind == 9 and c.end > c.start]
-    over = [c for c in node.children[:-1] if 100 <= c.kind < 200 and c.end > c.start]
-    initial: ccode.Statement | None = None
-    if variables:
-        place = context.source.place(variables[0].start, over[0].end if over else variables[0].end)
-        initial = ccode.DeclarationStatement(declarations=declarations.group(context, variables[:1]), **place)
+    initial, declaration, children = statements.leading(context, node)
+    if declaration is None:  # for (auto [a, b] : pairs)
+        message = "the variables of this loop are in no model"
+        context.find("RS107", Severity.warning, message, node.start, node.end, "read it by hand")
+    over = [child for child in children[:-1] if 100 <= child.kind < 200 and child.end > child.start]
     return ccode.For(
         form=ccode.LoopForm.forLoop,
         initial=initial,
-        step=expression(context, over[0]) if over else None,
-        body=statement(context, body) if body is not None else None,
+        declaration=declaration,
+        range=expression(context, over[0]) if over else None,
+        body=statement(context, children[-1]) if children else None,
         **context.source.place(node.start, node.end),
     )
 
@@ -95,4 +103,4 @@ def enable() -> None:
     """Add these builders to those of C."""
     expressions.BUILDERS.update(dict.fromkeys((124, 125, 126, 127, 128), _named_cast))
     expressions.BUILDERS.update({133: _word("throw"), 134: _word("new"), 135: _word("delete")})
-    statements.BUILDERS.update({224: _try, 225: _for_range})
+    statements.BUILDERS.update({TRY: _try, 225: _for_range})

@@ -16,7 +16,7 @@ from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
-PARAMETER, COMPOUND, FIELD, LITERAL, TYPE_REF = 10, 202, 6, 7, 43
+PARAMETER, COMPOUND, TRY, FIELD, LITERAL, TYPE_REF = 10, 202, 224, 6, 7, 43
 
 
 def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None) -> list[ccode.Declaration]:
@@ -87,7 +87,7 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
         context.lib.getCursorResultType(node.cursor),
     )
     parameters = [_parameter(context, c) for c in node.children if c.kind == PARAMETER]
-    body = next((c for c in node.children if c.kind == COMPOUND), None)
+    body = next((c for c in node.children if c.kind in (COMPOUND, TRY)), None)
     element = ccode.Function(
         name=name,
         comment=context.comment(node) if context.depth == 0 else None,

@@ -89,6 +89,9 @@ def _call(context: UnitContext, node: Node) -> ccode.Expression:
     if context.source.language == "C++":
         from robosmi.transformations.t2m.c_source.cplusplus import overloaded
 
+        if len(children) == 1 and (children[0].start, children[0].end) == (node.start, node.end):
+            return expression(context, children[0])  # a constructor that the text does not name
+        children = [c for c in children if not _is_call_operator(context, c)]
         if (operation := overloaded(context, node)) is not None:
             return operation
     callee = children[0] if children else None
@@ -117,6 +120,11 @@ def _call(context: UnitContext, node: Node) -> ccode.Expression:
         context.covered.add(before[1])
     context.call_nodes.append((element, node, callee))
     return element
+
+
+def _is_call_operator(context: UnitContext, node: Node) -> bool:
+    """Whether this is what the parser names between an object that is called as a function and its arguments."""
+    return context.text(node)[:1] == "(" and context.spelling(node.cursor) == "operator()"
 
 
 def _called(context: UnitContext, callee: Node) -> Any:

@@ -196,7 +196,7 @@ def _parts(element: Any) -> list[Any]:
     if isinstance(element, ccode.DoWhile):
         parts = [element.body, element.condition]
     elif isinstance(element, ccode.For):
-        parts = [element.initial, element.condition, element.step, element.body]
+        parts = [element.initial, element.declaration, element.range, element.condition, element.step, element.body]
     elif isinstance(element, ccode.Assignment) and isinstance(element.eContainer(), ccode.InitializerList):
         parts = [element.right, element.left]
     return [part for part in parts if part is not None]

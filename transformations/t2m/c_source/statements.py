@@ -17,6 +17,7 @@ from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
 COMPOUND, FOR = 202, 209
+_OTHER_DECLARATION, _VARIABLE, _DECLARATION = 1, 9, 231
 _CONSTANT_KINDS = frozenset({100, 106, 110, 111, 112, 114, 117, 130})
 
 
@@ -44,9 +45,11 @@ def statement(context: UnitContext, node: Node) -> ccode.Statement:
 
 
 def block(context: UnitContext, node: Node) -> ccode.Block:
-    """A compound statement."""
+    """A compound statement; the body of a function may be a `try` with its handlers, too, which is read as one."""
     if (waiting := context.later(ccode.Block, block, node)) is not None:
         return waiting  # type: ignore[no-any-return]
+    if node.kind != COMPOUND:
+        return BUILDERS[node.kind](context, node)  # type: ignore[return-value]
     return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
 
 
@@ -80,20 +83,76 @@ def _unknown(context: UnitContext, node: Node) -> ccode.Statement:
 
 
 def _if(context: UnitContext, node: Node) -> ccode.Statement:
-    children = node.children
+    initial, declaration, children = leading(context, node)
     condition = expression(context, children[0]) if children else None
     then = statement(context, children[1]) if len(children) > 1 else None
     other = statement(context, children[2]) if len(children) > 2 else None
-    return ccode.If(condition=condition, thenBranch=then, elseBranch=other, **context.source.place(node.start, node.end))
+    return ccode.If(
+        initial=initial,
+        declaration=declaration,
+        condition=condition,
+        thenBranch=then,
+        elseBranch=other,
+        **context.source.place(node.start, node.end),
+    )
+
+
+def leading(context: UnitContext, node: Node) -> tuple[ccode.Statement | None, ccode.DeclarationStatement | None, list[Node]]:
+    """What may stand before a condition in C++: a statement, and a variable that is the condition; and the other children.
+
+    The parser does not give the statement of each kind of head; it is kept as text then.
+    """
+    children = node.children
+    if context.source.language != "C++":
+        return None, None, children
+    initial: ccode.Statement | None = None
+    opened = context.token_at(node.start) + 1
+    if opened < len(context.tokens) and context.tokens[opened][3] == "constexpr":
+        opened += 1
+    if node.kind != FOR and opened < len(context.tokens) and context.tokens[opened][3] == "(" and not node.from_macro:
+        ends = _semicolons(context, opened)
+        if ends:
+            first = [child for child in children if child.start < ends[0][2]]
+            children = [child for child in children if child.start >= ends[0][2]]
+            initial = statement(context, first[0]) if first else _head_as_text(context, context.tokens[opened + 1][1], ends[0][2])
+    elif children and children[0].kind == _DECLARATION and node.kind != FOR:
+        initial, children = statement(context, children[0]), children[1:]
+    variable = next((child for child in children if child.kind == _VARIABLE), None)
+    if variable is None:
+        return initial, None, children
+    if context.text(variable).endswith(":"):  # of a loop over a range
+        variable.end = context.tokens[context.token_before(variable.end) - 1][2]
+    place = context.source.place(variable.start, variable.end)
+    declaration = ccode.DeclarationStatement(declarations=declarations.group(context, [variable]), **place)
+    return initial, declaration, [child for child in children if child is not variable]
+
+
+def _head_as_text(context: UnitContext, start: int, end: int) -> ccode.Statement:
+    place = context.source.place(start, end)
+    text = context.source.text(start, end)
+    if text == ";":
+        return ccode.EmptyStatement(**place)
+    context.find("RS107", Severity.warning, "the first statement of a head is kept as text", start, end, "read it by hand")
+    return ccode.UnknownStatement(text=text, **place)
+
+
+def _semicolons(context: UnitContext, opened: int) -> list[Any]:
+    """The semicolons between a parenthesis and the one that closes it, outside of further brackets, as tokens."""
+    depth, found = 0, []
+    for token in context.tokens[opened : context.matching(opened)]:
+        depth += (token[3] in ("(", "[", "{")) - (token[3] in (")", "]", "}"))
+        if token[3] == ";" and depth == 1:
+            found.append(token)
+    return found
 
 
 def _while(context: UnitContext, node: Node) -> ccode.Statement:
-    condition, body = (
-        (node.children[0], node.children[-1]) if len(node.children) > 1 else (None, node.children[0] if node.children else None)
-    )
+    _, declaration, children = leading(context, node)
+    condition, body = (children[0], children[-1]) if len(children) > 1 else (None, children[0] if children else None)
     return ccode.While(
         form=ccode.LoopForm.whileLoop,
         endless=(condition is not None and constant_true(context, condition)) or None,
+        declaration=declaration,
         condition=expression(context, condition) if condition is not None else None,
         body=statement(context, body) if body is not None else None,
         **context.source.place(node.start, node.end),
@@ -115,10 +174,13 @@ def _do(context: UnitContext, node: Node) -> ccode.Statement:
 
 def _for(context: UnitContext, node: Node) -> ccode.Statement:
     initial, condition, step, body = for_parts(context, node)
+    first = statement(context, initial) if initial is not None else None
+    _, declaration, _ = leading(context, node)
     return ccode.For(
         form=ccode.LoopForm.forLoop,
         endless=(condition is None and body is not None) or (condition is not None and constant_true(context, condition)) or None,
-        initial=statement(context, initial) if initial is not None else None,
+        initial=first,
+        declaration=declaration,
         condition=expression(context, condition) if condition is not None else None,
         step=expression(context, step) if step is not None else None,
         body=statement(context, body) if body is not None else None,
@@ -128,21 +190,14 @@ def _for(context: UnitContext, node: Node) -> ccode.Statement:
 
 def for_parts(context: UnitContext, node: Node) -> tuple[Node | None, Node | None, Node | None, Node | None]:
     """The clauses and the body of a for loop; the parser gives those that are written without saying which they are."""
-    children = node.children
+    children = [child for child in node.children if child.kind != _VARIABLE]  # of the condition, in C++
     if len(children) == 4:
         return children[0], children[1], children[2], children[3]
     i = context.token_at(node.start)
     if i + 1 >= len(context.tokens) or context.tokens[i][3] != "for":  # out of a macro
         padded = [None] * (4 - len(children)) + list(children)
         return padded[0], padded[1], padded[2], padded[3]
-    close = context.matching(i + 1)
-    depth, semicolons = 0, []
-    for j in range(i + 1, close + 1):
-        text = context.tokens[j][3]
-        depth += (text in ("(", "[", "{")) - (text in (")", "]", "}"))
-        if text == ";" and depth == 1:
-            semicolons.append(context.tokens[j][1])
-    limits = [*semicolons[:2], context.tokens[close][1]]
+    limits = [*(token[1] for token in _semicolons(context, i + 1)[:2]), context.tokens[context.matching(i + 1)][1]]
     parts: list[Node | None] = [None, None, None, None]
     for child in children:
         parts[next((k for k, limit in enumerate(limits) if child.start < limit), 3) if len(limits) == 3 else 3] = child
@@ -163,9 +218,11 @@ def constant_true(context: UnitContext, node: Node) -> bool:
 
 
 def _switch(context: UnitContext, node: Node) -> ccode.Statement:
-    selector = expression(context, node.children[0]) if node.children else None
-    body = statement(context, node.children[-1]) if len(node.children) > 1 else None
-    return ccode.Switch(selector=selector, body=body, **context.source.place(node.start, node.end))
+    initial, declaration, children = leading(context, node)
+    selector = expression(context, children[0]) if children else None
+    body = statement(context, children[-1]) if len(children) > 1 else None
+    place = context.source.place(node.start, node.end)
+    return ccode.Switch(initial=initial, declaration=declaration, selector=selector, body=body, **place)
 
 
 def _case(context: UnitContext, node: Node) -> ccode.Statement:
@@ -193,6 +250,8 @@ def _return(context: UnitContext, node: Node) -> ccode.Statement:
 
 
 def _declaration(context: UnitContext, node: Node) -> ccode.Statement:
+    if context.source.language == "C++" and any(child.kind == _OTHER_DECLARATION for child in node.children):
+        return _unknown(context, node)  # auto [a, b] = pair;
     return ccode.DeclarationStatement(
         declarations=declarations.group(context, node.children, node.start), **_place(context, node)
     )
@@ -217,6 +276,6 @@ BUILDERS: dict[int, Callable[[UnitContext, Node], ccode.Statement]] = {
     213: _plain(ccode.Break),
     214: _return,
     230: _plain(ccode.EmptyStatement),
-    231: _declaration,
+    _DECLARATION: _declaration,
 }
 """CXCursorKind -> builder; what is not here becomes an `UnknownStatement`."""

@@ -119,7 +119,11 @@ def test_damaged_compile_commands(tmp_path: Path, text: str) -> None:
     assert caught.value.fix
 
 
-@pytest.mark.parametrize("path", [FOLDER / "robot.cpp", FOLDER / "sketch.ino", PROJECT], ids=["robot", "sketch", "project"])
+@pytest.mark.parametrize(
+    "path",
+    [FOLDER / "robot.cpp", FOLDER / "heads.cpp", FOLDER / "sketch.ino", PROJECT],
+    ids=["robot", "heads", "sketch", "project"],
+)
 def test_on_demand_gives_the_same_model(path: Path) -> None:
     model = open_program(path)
     for element in list(model.all_contents()):
