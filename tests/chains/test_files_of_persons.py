@@ -216,6 +216,27 @@ def test_an_edit_of_the_plan_while_generate_follows_it_stops_it(migrated: Path, 
     assert "edited twice" in plan.read_text()
 
 
+def test_comments_in_the_plan_are_told_of_and_the_old_file_is_kept(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+    made = plan.read_bytes()
+    head, _, rest = made.partition(b">\n  <")
+    noted = head + b">\n  <!-- D9: the motor is there -->\n  <?todo ask?>\n  <" + rest
+    plan.write_bytes(noted)
+    looked = robosmi.generate_sketch(plan, migrated, dry_run=True)
+    assert "RS524" in {f.rule for f in looked.findings}
+    assert plan.read_bytes() == noted
+    first = robosmi.generate_sketch(plan, migrated)
+    (told,) = [f for f in first.findings if f.rule == "RS524"]
+    assert told.location is not None
+    assert (told.location.path, told.location.line) == (str(plan), head.count(b"\n") + 2)
+    assert "2 comments" in told.message
+    assert "plan.xmi.orig" in told.message
+    assert (migrated / "models" / "plan.xmi.orig").read_bytes() == noted
+    assert plan.read_bytes() == made
+    assert "RS524" not in {f.rule for f in robosmi.generate_sketch(plan, migrated).findings}
+    assert not (migrated / "models" / "plan.xmi.orig.2").exists()
+
+
 def test_a_sketch_of_another_name_leaves_the_edited_one_and_says_so(migrated: Path, line_follower: Path) -> None:
     sketch = migrated / SKETCH
     sketch.write_text(sketch.read_text() + "// mine\n")

@@ -17,10 +17,11 @@ from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Guarded, Manifest, reformed_file
-from robosmi.generate.places import Places
+from robosmi.generate.places import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
 from robosmi.model.commit import at_work, look_only, update
+from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
@@ -152,6 +153,7 @@ def produce(
         known = {**{name: places.look(name) for name in sorted(kept.merged | kept.orphans)}, **exempt}
         guarded = manifest.guard(places, contents | kept.records, inputs=known)
         kept.findings += _told(output, guarded)
+        kept.old |= _with_comments(output, exempt, contents, kept.findings)
         by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
         if not dry_run:
             record = Manifest.of(contents | kept.records, by_person)
@@ -170,6 +172,25 @@ def _told(output: Path, guarded: Guarded) -> list[Finding]:
         for name in guarded.deleted
     ]
     return deleted + [reformed_file(output / name) for name in guarded.reformed]
+
+
+def _with_comments(
+    output: Path, inputs: Mapping[str, bytes | None], contents: Mapping[str, bytes], findings: list[Finding]
+) -> dict[str, bytes]:
+    """The models that are written anew and had comments of a person, under the names that they are kept by."""
+    old: dict[str, bytes] = {}
+    for name, data in inputs.items():
+        staying = {text for _, text in comments(contents.get(name, b""))}
+        lost = [line for line, text in comments(data or b"") if text not in staying]
+        if data is None or not lost or name not in contents:
+            continue
+        beside = free_name(output, f"{name}.orig")
+        old[beside] = data
+        number = f"{len(lost)} comments are" if len(lost) > 1 else "a comment is"
+        message = f"{number} not in the file any more: a model holds none; the old file is kept as {Path(beside).name}"
+        place = Location(str(output / name), lost[0])
+        findings.append(Finding("RS524", Severity.warning, message, place, fix="keep such notes outside of the models"))
+    return old
 
 
 def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping[str, bytes]) -> None:

@@ -1,0 +1,24 @@
+"""The comments and processing instructions of an XML file, which no model holds; who writes a file anew may tell of them."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from xml.parsers import expat
+
+
+def comments(data: bytes) -> list[tuple[int, str]]:
+    """The comments and processing instructions of an XML file.
+
+    Args:
+        data: the file; what stands behind an error is not looked at.
+
+    Returns:
+        Line (from 1) and text of each, in their order.
+    """
+    found: list[tuple[int, str]] = []
+    parser = expat.ParserCreate()
+    parser.CommentHandler = lambda text: found.append((parser.CurrentLineNumber, text))
+    parser.ProcessingInstructionHandler = lambda target, text: found.append((parser.CurrentLineNumber, f"{target} {text}"))
+    with suppress(expat.ExpatError, LookupError, ValueError):
+        parser.Parse(data, True)
+    return found
