@@ -13,8 +13,10 @@ import pytest
 
 import robosmi
 from robosmi.errors import SourceError, StoppedError
+from robosmi.model import commit
 from robosmi.transformations.chains import generate as generate_chain
 from robosmi.transformations.chains import output as output_chain
+from robosmi.transformations.m2m import plan_tasks
 from tests.running import Outcome, run, tree
 
 SKETCH = "line_follower/line_follower.ino"
@@ -186,7 +188,7 @@ def test_a_read_only_file_stops_the_run_that_would_change_it_and_no_other(name: 
 def test_an_edit_while_the_run_is_at_work_stops_it(
     name: str, migrated: Path, line_follower: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    update = output_chain.update
+    update = commit.update
 
     def slow(folder: Path, *rest: Any) -> None:
         (folder / name).write_bytes((folder / name).read_bytes() + b"// mine\n")
@@ -204,7 +206,7 @@ def test_an_edit_while_the_run_is_at_work_stops_it(
 def test_an_edit_of_the_plan_while_generate_follows_it_stops_it(migrated: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     plan = migrated / "models" / "plan.xmi"
     plan.write_text(plan.read_text().replace('toolVersion="', 'toolVersion="edited '))
-    settle = generate_chain.settle
+    settle = plan_tasks.settle
 
     def slow(found: Any, *rest: Any) -> None:
         settle(found, *rest)

@@ -55,7 +55,9 @@ class Sketch:
 
     def make(self, folder: Path) -> list[Finding]:
         files = [self.source, self.helper] if self.helper.exists() else [self.source]
-        return robosmi.migrate(files, folder, hardware=self.drawing, history=str(self.source.parent / "history.sqlite")).findings
+        history = str(self.source.parent / "history.sqlite")
+        found: list[Finding] = robosmi.migrate(files, folder, hardware=self.drawing, history=history).findings
+        return found
 
     def fresh(self) -> dict[str, bytes]:
         with tempfile.TemporaryDirectory() as empty:

@@ -13,11 +13,11 @@ TEMPLATE = "{{ head }}\n{{ out.start_preserve('/*', '*/', 'a', true) }}\ndefault
 BEGIN, END = "/* protected region a on begin */", "/* protected region a end */"
 
 
-def generated(folder: Path, head: str, template: str = TEMPLATE, **options: bool) -> Generation:
+def generated(folder: Path, head: str, template: str = TEMPLATE, *, append: bool = False) -> Generation:
     """One run without `keep`."""
     g = Gen(folder, {"t": template})
 
-    @g.rule(template="t", target="o.txt", **options)
+    @g.rule(template="t", target="o.txt", append=append)
     def Page() -> dict[str, str]:
         return {"head": head}
 

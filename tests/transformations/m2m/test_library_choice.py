@@ -15,7 +15,8 @@ from robosmi.recommend.history import History
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.index_writer import write_index
 from robosmi.transformations.knowledge.board_models import load_board
-from robosmi.transformations.knowledge.library_ranking import device_knowledge, library_index
+from robosmi.transformations.knowledge.device_knowledge import device_knowledge
+from robosmi.transformations.knowledge.library_ranking import library_index
 from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
@@ -86,7 +87,7 @@ def decided(circuit: Any, index: LibraryIndex | None, history: History) -> dict[
     found = library_index() if index is None else index
     ranker = DeviceRanker(found, device_knowledge("arduino", None), "avr")
     choices = choose_libraries(circuit, circuit.components, {}, ranker, models, history, 5, sure=0.01)
-    return {choice.component.title: choice for choice in choices}
+    return {choice.component.title: choice for choice in choices if choice.component is not None}
 
 
 def test_what_was_chosen_for_another_platform_is_no_choice_for_this_one(examples: Path, tmp_path: Path) -> None:
