@@ -10,6 +10,7 @@ Not here: any technology (`emf`, `plain_xml`, `table`), how a file finds its dri
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
@@ -227,9 +228,11 @@ class Model(ABC):
         return f"<{type(self).__name__} {self.name}{place}>"
 
     def _repr_html_(self) -> str:
-        from robosmi.model.show import model_html
+        from robosmi.model.html_table import html_table  # for notebooks only
+        from robosmi.quoting import html_attribute
 
-        return model_html(self)
+        counted = Counter(name_of(type_of(element)) for element in self.all_contents())
+        return f"<p>{html_attribute(repr(self))}</p>{html_table(('type', 'elements'), counted.most_common())}"
 
 
 class TypeHandle:

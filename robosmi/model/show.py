@@ -6,13 +6,13 @@ Any technology's, through `driver`. Nothing is written and nothing recurses; lon
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from pyecore.ecore import EEnumLiteral
 
 from robosmi.model.driver import Model, contents_of, features_of, is_element, name_of, type_of
+from robosmi.model.html_table import html_table
 from robosmi.quoting import html_attribute, terminal
 
 LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
@@ -88,33 +88,20 @@ def plain(value: Any) -> Any:
     return [x.name if isinstance(x, EEnumLiteral) else _reference(x) if is_element(x) else x for x in value]
 
 
-def _table(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
-    def cells(tag: str, values: Iterable[Any]) -> str:
-        return "<tr>" + "".join(f"<{tag}>{html_attribute(str(value))}</{tag}>" for value in values) + "</tr>"
-
-    return f"<table><thead>{cells('th', head)}</thead><tbody>{''.join(cells('td', line) for line in lines)}</tbody></table>"
-
-
-def model_html(model: Model) -> str:
-    """How many elements of each type a model holds, as HTML."""
-    counted = Counter(name_of(type_of(element)) for element in model.all_contents())
-    return f"<p>{html_attribute(repr(model))}</p>{_table(('type', 'elements'), counted.most_common())}"
-
-
 def metamodel_html(metamodel: Any) -> str:
     """The classes and enumerations of a metamodel, as HTML."""
     lines = []
     for path, classifier in metamodel.classifiers():
         inner: Any = getattr(classifier, "eStructuralFeatures", None) or getattr(classifier, "eLiterals", ())
         lines.append((path, ", ".join(str(x.name) for x in inner)))
-    return _table(("type", "features"), lines)
+    return html_table(("type", "features"), lines)
 
 
 def element_html(element: Any) -> str:
     """The features of an element that say something, as HTML."""
     values = ((name, plain(getattr(element, name))) for name in features_of(element))
     said = [x for x in values if x[1] not in (None, "", [])]
-    return f"<p>{html_attribute(label(element))}</p>{_table(('feature', 'value'), said)}"
+    return f"<p>{html_attribute(label(element))}</p>{html_table(('feature', 'value'), said)}"
 
 
 def items_html(items: Sequence[Any], limit: int = 50) -> str:
@@ -122,7 +109,7 @@ def items_html(items: Sequence[Any], limit: int = 50) -> str:
     shown = list(items[:limit])
     left = f"<p>... and {len(items) - limit} more</p>" if len(items) > limit else ""
     if not shown or not all(is_element(x) for x in shown):
-        return _table((f"{len(items)} items",), [[x] for x in shown]) + left
+        return html_table((f"{len(items)} items",), [[x] for x in shown]) + left
     names = [n for n in features_of(shown[0]) if not isinstance(plain(getattr(shown[0], n)), list)]
     lines = [[label(x), *(plain(getattr(x, n, "")) for n in names)] for x in shown]
-    return _table((f"{len(items)} elements", *names), lines) + left
+    return html_table((f"{len(items)} elements", *names), lines) + left
