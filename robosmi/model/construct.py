@@ -14,8 +14,9 @@ from typing import Any
 from pyecore import ecore
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFeature
 
-from robosmi.model import lean, strict
-from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder, note_link
+from robosmi.model import lean
+from robosmi.model.feature_errors import unknown_feature
+from robosmi.model.lean import ContainedValue, ReferenceValue, collection, features_fixed, holder, note_link
 
 Entry = tuple[Any, str, Any, Any, Any]
 """Class of the values that go in bare, key of the slot, feature, how to put other values in, what that needs to know."""
@@ -56,7 +57,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
             continue
         entry = plan.get(name)
         if entry is None:
-            raise strict.unknown_feature(element, name)
+            raise unknown_feature(element, name)
         bare, key, feature, put, known = entry
         if value.__class__ is bare:
             slots[key] = value
@@ -109,7 +110,7 @@ class _Known:
         cls = value.__class__
         if cls is EProxy or not isinstance(value, self.kind):
             return False
-        if isinstance(value, strict.Element):
+        if features_fixed(cls):
             self.classes.add(cls)
         return True
 

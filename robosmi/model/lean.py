@@ -18,7 +18,7 @@ from pyecore.innerutils import InternalSet
 from pyecore.valuecontainer import EBag, ECollection, EList, EOrderedSet, EValue
 
 from robosmi.model import datatypes
-from robosmi.model.strict import Element, resource_of
+from robosmi.model.structure import resource_of
 
 
 def _holder_class(name: str, is_ref: bool, is_cont: bool) -> Any:
@@ -81,6 +81,11 @@ def bare(feature: Any) -> bool:
     return feature.__class__ is _BareAttribute
 
 
+def features_fixed(cls: type) -> bool:
+    """Whether a class says that its features never change once it is made, as those of `strict` do."""
+    return getattr(cls, "_fixed_features", False)
+
+
 def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
     """A holder of one of the classes above."""
     made = _new(cls)
@@ -101,7 +106,7 @@ def collection(owner: Any, feature: Any) -> Any:
             is_cont = is_ref and feature.containment
             kind = EOrderedSet if feature.unique else EList if feature.ordered else EBag
             form = kind, is_ref, is_cont, is_cont and feature.eOpposite is None
-        if issubclass(owner.__class__, Element):  # the features of other classes may change yet
+        if features_fixed(owner.__class__):  # those of other classes may change yet
             feature.__dict__["_robosmi_form"] = form
     if form is None:
         made = ECollection.create(owner, feature)

@@ -2,7 +2,8 @@
 
 pyecore takes a misspelt feature, a misspelt constructor keyword and a text where an enumeration literal is wanted
 without a word; `Element` refuses all three and says what was meant. To type checkers it is a plain typed class, since
-pyecore has no annotations. Generated packages import this module and pyecore, nothing else; it imports no model code.
+pyecore has no annotations. Generated packages import this module and pyecore, nothing else. How values are put into a new
+element is `construct`'s and `lean`'s business.
 """
 
 from __future__ import annotations
@@ -12,7 +13,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from pyecore import ecore
 
-from robosmi.errors import ModelError, did_you_mean
+from robosmi.model.construct import initialise
+from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, declared_features, unknown_feature
+from robosmi.model.lean import prepare
+from robosmi.model.structure import resource_of
+
+__all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError"]
 
 if TYPE_CHECKING:
 
@@ -43,14 +49,6 @@ else:
     EnumLiteral = ecore.EEnumLiteral
 
 
-class UnknownFeatureError(ModelError, AttributeError):
-    """A feature that the element's class does not have."""
-
-
-class FeatureValueError(ModelError, TypeError):
-    """A value that the feature does not take."""
-
-
 class Element(_Base):
     """A model element: a pyecore EObject with strict construction and assignment.
 
@@ -67,10 +65,11 @@ class Element(_Base):
         def __new__(cls, *args: Any, **features: Any) -> Any:
             """As pyecore's, without its process-wide set of all instances and without ballast (`lean`)."""
             if "_inverse_rels" not in cls.__dict__:
-                from robosmi.model.lean import prepare  # it needs this module
-
                 prepare(cls)
             return object.__new__(cls)
+
+        _fixed_features = True
+        """Once a class is made its features never change, so that `lean` may keep what it finds of them."""
 
         _renamed: dict[str, str] = {}
         """Names of features that would hide what every element has (`delete`) -> the attribute that has them."""
@@ -100,12 +99,12 @@ class Element(_Base):
             return resource_of(self)
 
     def __init__(self, **features: Any) -> None:
-        (_initialise or _find_initialise())(self, features)
+        initialise(self, features)
 
     if not TYPE_CHECKING:  # to a type checker an element has its features and no others
 
         def __setattr__(self, name: str, value: Any) -> None:
-            enumerations = _features(type(self))
+            enumerations = declared_features(type(self))
             expected = enumerations.get(name, _MISSING)
             if expected is _MISSING:
                 if name in _INTERNAL or name[0] == "_":
@@ -134,7 +133,7 @@ class Element(_Base):
         return element_html(self)
 
     def __repr__(self) -> str:
-        known = _features(type(self))
+        known = declared_features(type(self))
         shown = [
             f"{n}={self.eGet(n)!r}"
             for n in ("name", "title", "label", "path", "elementId", "line")
@@ -143,57 +142,5 @@ class Element(_Base):
         return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
 
 
-def resource_of(element: Any) -> Any:
-    """The resource of an element's root container; a loop, since pyecore asks for it at every change, recursively.
-
-    Raises:
-        ModelError: the element contains itself.
-    """
-    steps, limit, seen = 0, 64, element  # a circle passes by one that was seen, sooner or later (Brent)
-    while (container := element._container) is not None:
-        element = container.dyn_inst
-        if element is seen:
-            raise ModelError(f"{element!r} contains itself", fix="take it out of what it contains first")
-        steps += 1
-        if steps == limit:
-            steps, limit, seen = 0, limit * 2, element
-    return element._eresource
-
-
-_initialise: Any = None
-
-
-def _find_initialise() -> Any:
-    global _initialise
-    from robosmi.model.construct import initialise  # it needs this module's errors
-
-    _initialise = initialise
-    return initialise
-
-
 _MISSING: Any = object()
 _INTERNAL = frozenset({"listeners", "dyn_inst", "eResource"})
-_CACHE: dict[type, dict[str, Any]] = {}
-
-
-def _features(cls: type) -> dict[str, Any]:
-    """Feature name -> its enumeration, or None where it is of another type."""
-    known = _CACHE.get(cls)
-    if known is None:
-        known = {}
-        for base in reversed(cls.__mro__):
-            for name, feature in base.__dict__.items():
-                if isinstance(feature, ecore.EStructuralFeature):
-                    known[name] = feature.eType if isinstance(feature.eType, ecore.EEnum) else None
-        if getattr(cls, "eClass", None) is not None:
-            _CACHE[cls] = known
-    return known
-
-
-def unknown_feature(element: Element, name: str) -> UnknownFeatureError:
-    """The error for a name that is no feature of the element, with the nearest that is."""
-    known = _features(type(element))
-    return UnknownFeatureError(
-        f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
-        fix=f"use one of: {', '.join(sorted(known))}",
-    )

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from robosmi.errors import ModelError
 from robosmi.model.features import all_features
 
 
@@ -65,6 +66,23 @@ def root_of(element: Any) -> Any:
     while (container := element.eContainer()) is not None:
         element = container
     return element
+
+
+def resource_of(element: Any) -> Any:
+    """The resource of an element's root container; a loop, since pyecore asks for it at every change, recursively.
+
+    Raises:
+        ModelError: the element contains itself.
+    """
+    steps, limit, seen = 0, 64, element  # a circle passes by one that was seen, sooner or later (Brent)
+    while (container := element._container) is not None:
+        element = container.dyn_inst
+        if element is seen:
+            raise ModelError(f"{element!r} contains itself", fix="take it out of what it contains first")
+        steps += 1
+        if steps == limit:
+            steps, limit, seen = 0, limit * 2, element
+    return element._eresource
 
 
 def place_in(collection: Any, element: Any) -> int:

@@ -1,0 +1,46 @@
+"""The errors of a feature's name or value that a model element does not take, and the features that its class declares.
+
+What raises them is `strict` and `construct`, and the drivers of other technologies.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pyecore import ecore
+
+from robosmi.errors import ModelError, did_you_mean
+
+
+class UnknownFeatureError(ModelError, AttributeError):
+    """A feature that the element's class does not have."""
+
+
+class FeatureValueError(ModelError, TypeError):
+    """A value that the feature does not take."""
+
+
+_CACHE: dict[type, dict[str, Any]] = {}
+
+
+def declared_features(cls: type) -> dict[str, Any]:
+    """Feature name -> its enumeration, or None where it is of another type."""
+    known = _CACHE.get(cls)
+    if known is None:
+        known = {}
+        for base in reversed(cls.__mro__):
+            for name, feature in base.__dict__.items():
+                if isinstance(feature, ecore.EStructuralFeature):
+                    known[name] = feature.eType if isinstance(feature.eType, ecore.EEnum) else None
+        if getattr(cls, "eClass", None) is not None:
+            _CACHE[cls] = known
+    return known
+
+
+def unknown_feature(element: Any, name: str) -> UnknownFeatureError:
+    """The error for a name that is no feature of the element, with the nearest that is."""
+    known = declared_features(type(element))
+    return UnknownFeatureError(
+        f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
+        fix=f"use one of: {', '.join(sorted(known))}",
+    )
