@@ -13,6 +13,9 @@ from functools import cache
 from pathlib import Path
 
 from robosmi.errors import PlatformDataError
+from robosmi.user_folders import cache_dir, named, user_data
+
+__all__ = ["KINDS", "built_in", "cache_dir", "find", "folders", "named", "user_data"]
 
 KINDS = ("metamodels", "templates", "platform_repo")
 """The kinds of data there are; each is a folder of the package of that name."""
@@ -32,29 +35,6 @@ def built_in(kind: str) -> Path:
         if folder.is_dir():
             return folder
     raise PlatformDataError(f"the built-in data '{kind}' is not installed", fix="install robosmi again")
-
-
-def user_data() -> Path:
-    """The user's own data folder (XDG base directory specification; `ROBOSMI_HOME` overrides it). It need not exist."""
-    return Path(_user_data())
-
-
-def _user_data() -> str:
-    if own := os.environ.get("ROBOSMI_HOME"):
-        return own
-    data = os.environ.get("XDG_DATA_HOME") or os.path.join(_home(), ".local", "share")
-    return os.path.join(data, "robosmi")
-
-
-def _home() -> str:
-    """The user's home folder; one that is not there, as system users have, for a user whom the system does not know."""
-    home = os.path.expanduser("~")
-    return home if os.path.isabs(home) else os.path.join(os.sep, "nonexistent")
-
-
-def cache_dir() -> Path:
-    """The folder for what can be made again, e.g. compiled cores (XDG base directory specification)."""
-    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.join(_home(), ".cache")) / "robosmi"
 
 
 def folders(kind: str, project: Path | None = None) -> Iterator[Path]:
@@ -84,11 +64,6 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
             yield folder
     yield from _of_plugins(kind)
     yield str(built_in(kind))
-
-
-def named() -> list[str]:
-    """The folders with data that the user has named: those of `ROBOSMI_PATH`, then the user's own."""
-    return [*(place for place in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if place), _user_data()]
 
 
 @cache

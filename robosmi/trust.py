@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePath
 
-from robosmi import inputs, resources
+from robosmi import inputs, user_folders
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -141,7 +141,7 @@ def _found(path: str | os.PathLike[str]) -> tuple[Path, str] | None:
     for at, part in enumerate(parts[:-2], 1):
         if part == OWN and (ending := RUNS.get(parts[at])) is not None and parts[-1].endswith(ending):
             folder = Path(*parts[:at])
-            return None if os.fspath(folder) in map(os.path.abspath, resources.named()) else (folder, "/".join(parts[at:]))
+            return None if os.fspath(folder) in map(os.path.abspath, user_folders.named()) else (folder, "/".join(parts[at:]))
     return None
 
 
@@ -169,4 +169,4 @@ def _digest(data: bytes) -> str:
 
 def _place(folder: Path) -> Path:
     real = os.fsencode(os.path.realpath(folder))
-    return resources.user_data() / "trusted" / hashlib.sha256(real).hexdigest()
+    return user_folders.user_data() / "trusted" / hashlib.sha256(real).hexdigest()

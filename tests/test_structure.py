@@ -23,7 +23,18 @@ import robosmi
 
 ROOT = Path(__file__).parents[1]
 CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
-FOUNDATION = ("errors", "diagnostics", "resources", "plugins", "project", "inputs", "data_text", "trust", "template_files")
+FOUNDATION = (
+    "errors",
+    "diagnostics",
+    "user_folders",
+    "resources",
+    "plugins",
+    "project",
+    "inputs",
+    "data_text",
+    "trust",
+    "template_files",
+)
 LOW = ("quoting", *FOUNDATION)
 ABOVE: dict[str, tuple[str, ...]] = {
     "quoting": FOUNDATION,
