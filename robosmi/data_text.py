@@ -7,11 +7,18 @@ of thousands of digits. What the values mean is up to who asks for them, and so 
 from __future__ import annotations
 
 import json
+import re
 import sys
 import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
+
+MOST_PARTS = 100
+"""Of a dotted key in TOML. Python's reader goes through all beginnings of a key, so that a long one takes minutes."""
+_TOKEN = re.compile(
+    r'''""".*?"""|\'{3}.*?\'{3}|#[^\n]*|(?P<part>"(?:\\.|[^"\\\n])*"|'[^'\n]*'|[A-Za-z0-9_-]+|[ \t]+)|(?P<dot>\.)|.''', re.DOTALL
+)
 
 
 @contextmanager
@@ -32,10 +39,22 @@ def toml_of(text: str | bytes) -> dict[str, Any]:
     """The value of a text in TOML 1.0, which is UTF-8 if it is given as bytes.
 
     Raises:
-        ValueError: it is no TOML (`tomllib.TOMLDecodeError`), is nested too deeply, or has a number that is too long.
+        ValueError: it is no TOML (`tomllib.TOMLDecodeError`), is nested too deeply, or has a number or a key that is too long.
     """
     with _readable_errors():
-        return tomllib.loads(text if isinstance(text, str) else text.decode("utf-8"))
+        text = text if isinstance(text, str) else text.decode("utf-8")
+        if any(line.count(".") >= MOST_PARTS for line in text.split("\n")) and _parts(text) > MOST_PARTS:
+            raise ValueError(f"a key in it has more than {MOST_PARTS} parts")
+        return tomllib.loads(text)
+
+
+def _parts(text: str) -> int:
+    """The parts of the longest dotted key; dots in texts, comments and numbers do not count."""
+    longest = dots = 0
+    for token in _TOKEN.finditer(text):
+        dots = dots + (token.lastgroup == "dot") if token.lastgroup else 0
+        longest = max(longest, dots + 1)
+    return longest
 
 
 def json_of(text: str | bytes) -> Any:

@@ -22,3 +22,15 @@ def test_a_text_that_cannot_be_read_is_a_value_error(read: Callable[[str], Any],
 def test_what_can_be_read_is() -> None:
     assert toml_of(b"a = [1, 2]") == {"a": [1, 2]}
     assert json_of('{"a": [1, 2]}') == {"a": [1, 2]}
+
+
+@pytest.mark.parametrize("part", ["a", '"a.\\" = b"', "'='", "a \t"])
+def test_a_dotted_key_without_end_is_refused_at_once(part: str) -> None:
+    with pytest.raises(ValueError, match="more than 100 parts"):
+        toml_of("x = 1\n" + ".".join([part] * 30_000) + " = 1")
+
+
+def test_dots_of_texts_comments_and_numbers_are_no_parts_of_keys() -> None:
+    dots = "a." * 300 + "b"
+    text = f'# {dots}\na.b.c = "{dots}"\nd = """\n{dots}"""\ne = \'\'\'\n{dots}\'\'\'\nf = [{"1.5, " * 300}]\n'
+    assert toml_of(text)["d"] == dots
