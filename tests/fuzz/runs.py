@@ -18,15 +18,15 @@ from pathlib import Path
 from robosmi.generate import Gen
 from robosmi.model.commit import STAGE, interrupted
 
-FILES = 12
+FILES, LINES = 12, 2000
 
 
 def run(folder: Path, version: int) -> None:
     """One run: as many files as there are, all of one version."""
-    g = Gen(folder, {"t": "{{ body }}"})
+    g = Gen(folder, {"t": "{{ body }}\n"})
 
     def body(n: int) -> dict[str, str]:
-        return {"body": f"{version}\n" * 2000}
+        return {"body": f"{version}\n" * LINES}
 
     g.rule(domain=range(FILES), template="t", target=lambda n: f"{n % 3}/{n}")(body)
     g.run()
@@ -50,7 +50,12 @@ def whole(folder: Path) -> bool:
     texts = {(folder / f"{n % 3}" / f"{n}").read_text() for n in range(FILES)}
     files = sum(path.is_file() for path in folder.rglob("*"))
     beside = [path for path in folder.parent.iterdir() if path.name.startswith(STAGE)]
-    return len(texts) == 1 and texts.pop().count("\n") == 2000 and files == FILES and not beside
+    return len(texts) == 1 and all(map(of_one_run, texts)) and files == FILES and not beside
+
+
+def of_one_run(text: str) -> bool:
+    """Whether a file is whole."""
+    return text.count("\n") == LINES and len(set(text.split())) == 1
 
 
 def rounds(count: int, root: Path) -> int:
@@ -63,25 +68,28 @@ def rounds(count: int, root: Path) -> int:
         wrong += any(codes) or not whole(folder)
         if number % 2:
             shutil.rmtree(folder)
-    print(f"{count} rounds of two to four runs at once: {wrong} wrong", flush=True)
+    print(f"runs: {count} rounds of two to four runs at once: {wrong} wrong", flush=True)
     return wrong
 
 
 def kills(count: int, root: Path) -> int:
     """Runs killed, every other one a first run; the number of recoveries that went wrong."""
     chance, wrong, unfinished, none = random.Random(20), 0, 0, 0
+    begun = time.monotonic()
+    os.waitpid(started(root / "timed", 0), 0)
+    usual = time.monotonic() - begun
     for number in range(count):
         folder = root / "killed"
         if number % 2 == 0:
             shutil.rmtree(folder, ignore_errors=True)
         child = started(folder, number)
-        time.sleep(chance.random() * 0.03)
+        time.sleep(chance.random() * usual)
         os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
         unfinished += interrupted(folder)
         none += not folder.exists()
         if folder.exists():
-            wrong += sum(path.stat().st_size == 0 for path in folder.glob("[0-9]/*"))
+            wrong += sum(not of_one_run(path.read_text()) for path in folder.glob("[0-9]/*"))
         run(folder, -number)
         wrong += not whole(folder)
     print(
