@@ -51,6 +51,7 @@ _CONTENT = {
     ("device", "registers"): "verification.devices.two_wire:Registers",
     ("device", "serial_line"): "verification.devices.serial_line:SerialLine",
     ("device", "feedback_servo"): "verification.devices.feedback_servo:FeedbackServo",
+    ("device", "serial_registers"): "verification.devices.serial_registers:SerialRegisters",
     ("device", "sony_remote"): "verification.devices.infrared:SonyRemote",
     ("device", "two_pin_ranger"): "verification.devices.ranger:TwoPinRanger",
     ("device", "typing"): "verification.devices.levels:Typing",

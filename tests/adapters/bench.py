@@ -124,7 +124,7 @@ def broken(piece: AdapterPiece) -> dict[str, str]:
     given = [each.strip() for each in found["parameters"].split(",") if each.strip() not in ("", "void")]
     line = piece.text[: found.start()].rsplit("\n", 1)[-1]
     returned = line.replace("inline", "").replace("static", "").strip()
-    nothing = "" if returned.endswith("void") else f"return ({returned})0; "
+    nothing = "" if returned.endswith("void") else "return {}; "
     names = [match[1] for each in given if "..." not in each and (match := _LAST_NAME.search(each.split("=")[0]))]
     unused = "".join(f"(void){each}; " for each in names)
     ways = {"does nothing": f"{piece.text[: found.end()]} {unused}{nothing}}}"}

@@ -84,6 +84,14 @@ def test_a_feedback_servo_tells_its_angle(job_of: Run, engine: str) -> None:
     assert degrees == pytest.approx(90 + beyond * 4.88 * turning, abs=2)
 
 
+def test_serial_registers_are_written_and_read(job_of: Run, engine: str) -> None:
+    pins = {"select": "D5", "clock": "D6", "data_in": "D7", "data_out": "D8"}
+    devices = [DeviceUse("serial_registers", pins, {"content": [1, 2, 0x53, 0xA7, 5]})]
+    trace = simulate(job_of("serial_registers", 100, devices), engine)
+    assert trace.text.split() == ["83", "83", "167", "77"]  # one, two with the bit for going on, one that was written
+    assert [event.value for event in trace.device_events] == [[9, 77]]
+
+
 def test_a_serial_line_carries_bytes_both_ways(job_of: Run, engine: str) -> None:
     pins = {"receive": "D10", "transmit": "D11"}
     trace = simulate(

@@ -34,7 +34,7 @@
 //#   fidelity: exact
 #define _epoch 2440588L
 
-//# variable datetime
+//# type datetime
 //#   fidelity: exact; the type of a point in time
 struct datetime_st {
   int32_t y, mo, d, h, m, s;

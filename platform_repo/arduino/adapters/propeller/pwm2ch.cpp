@@ -3,7 +3,7 @@
 // Learn/Simple Libraries/Convert/libpwm2ch (pwm2ch.h, pwm2ch.c).
 // Compare interrupts of Timer1 begin the cycle and end the pulses, so that any two pins serve.
 
-//# variable pwm2ch
+//# type pwm2ch
 //#   fidelity: what pwm2ch_start gives; its fields are not those of the library
 struct pwm2ch {
   uint16_t cycle;                 // ticks of Timer1

@@ -1,0 +1,94 @@
+//# header abvolts.h
+// Voltages of the ActivityBot's board, in and out. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Convert/libabvolts (abvolts.h, abvolts.c, abvoltsF.c, abvoltsDA.c, daVolts.c).
+// The Propeller has no converter; its board has one of four channels and 12 bits at 5 V. Here the Uno's own is used, with 10 bits.
+
+//# helper ad_pins
+//#   port: ad_0 = abvolts.channel_0 0 analog in
+//#   port: ad_1 = abvolts.channel_1 1 analog in
+//#   port: ad_2 = abvolts.channel_2 2 analog in
+//#   port: ad_3 = abvolts.channel_3 3 analog in
+const uint8_t ad_pins[4] = {ad_0, ad_1, ad_2, ad_3};
+
+//# adapter ad_init
+//#   for: void ad_init(int csPin, int sclPin, int doPin, int diPin)
+//#   kind: semantic
+//#   needs: ad_pins simpletools.h/Io
+//#   fidelity: the four channels become inputs; the pins given are those of the source board's converter, which is not there
+inline void ad_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin) {
+  (void)csPin, (void)sclPin, (void)doPin, (void)diPin;
+  for (uint8_t pin : ad_pins) Io(pin).drive(false);
+}
+
+//# adapter ad_in
+//#   for: int ad_in(int channel)
+//#   kind: oneToOne
+//#   needs: ad_pins
+//#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
+//#   limit: 10 bits; the reference is the supply of the board
+inline int32_t ad_in(int32_t channel) {
+  uint8_t pin = ad_pins[channel & 3];
+  return pin < NUM_DIGITAL_PINS ? analogRead(pin) * 4L : 0;
+}
+
+//# adapter ad_volts
+//#   for: float ad_volts(int channel)
+//#   kind: oneToOne
+//#   needs: ad_in
+//#   fidelity: in steps of 5 mV
+//#   limit: 10 bits; the reference is the supply of the board
+inline float ad_volts(int32_t channel) {
+  return ad_in(channel) * (5.0f / 4096.0f);
+}
+
+//# helper da_bits
+static uint8_t da_bits = 8;
+
+//# helper da_pins
+//#   port: da_0 = abvolts.output_0 26 pwm out
+//#   port: da_1 = abvolts.output_1 27 pwm out
+static uint8_t da_pins[2] = {da_0, da_1};
+
+//# adapter da_init
+//#   for: void da_init(int pinDA0, int pinDA1)
+//#   kind: oneToOne
+//#   needs: da_pins
+//#   pin: pinDA0 pwm out
+//#   pin: pinDA1 pwm out
+//#   fidelity: exact
+inline void da_init(int32_t pinDA0, int32_t pinDA1) {
+  da_pins[0] = pinDA0;
+  da_pins[1] = pinDA1;
+}
+
+//# adapter da_res
+//#   for: void da_res(int bits)
+//#   kind: oneToOne
+//#   needs: da_bits
+//#   fidelity: exact; more than 8 bits are cut to 8
+inline void da_res(int32_t bits) {
+  da_bits = bits ? bits : 8;
+}
+
+//# adapter da_out
+//#   for: void da_out(int channel, int daVal)
+//#   kind: semantic
+//#   needs: da_bits da_pins
+//#   fidelity: the mean voltage, of 8 bits and 5 V
+//#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   limit: full scale is 5 V instead of 3.3 V
+inline void da_out(int32_t channel, int32_t daVal) {
+  uint8_t pin = da_pins[channel ? 1 : 0];
+  int32_t value = da_bits > 8 ? daVal >> (da_bits - 8) : daVal << (8 - da_bits);
+  if (pin < NUM_DIGITAL_PINS) analogWrite(pin, value & 0xFF);
+}
+
+//# adapter da_volts
+//#   for: void da_volts(int channel, float daVal)
+//#   kind: semantic
+//#   needs: da_out da_bits
+//#   fidelity: so many volts in the mean, of the 5 V of this board; no more than 3.3 V, as there
+//#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+inline void da_volts(int32_t channel, float daVal) {
+  float most = (float)(1L << da_bits);
+  da_out(channel, (int32_t)constrain(constrain(daVal, 0.0f, 3.3f) * most / 5.0f + 0.5f, 0.0f, most - 1));
+}
