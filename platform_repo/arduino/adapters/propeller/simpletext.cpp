@@ -303,13 +303,14 @@ inline int32_t getChar() {
 struct TextOut {
   text_t *device;
   char *memory;
-  int32_t count;
+  int32_t count, room;  // what does not fit is counted, too
   bool ended;
 
-  explicit TextOut(text_t *to) : device(to), memory(0), count(0), ended(false) {}
-  explicit TextOut(char *to) : device(0), memory(to), count(0), ended(false) {}
+  explicit TextOut(text_t *to) : device(to), memory(0), count(0), room(0), ended(false) {}
+  explicit TextOut(char *to, int32_t size = 32767) : device(0), memory(to), count(0), room(size), ended(false) {}
   void put(char c) {
-    if (memory) memory[count] = c;
+    if (memory && count < room) memory[count] = c;
+    else if (memory) ended = true;
     else if (!c) ended = true;
     else if (!ended) writeChar(device, c);
     count++;

@@ -1,0 +1,66 @@
+"""stdio.h: printf, scanf and single characters. Semantics of the library's sources (propgcc b280e7a77, lib/stdio) and of C99."""
+
+from __future__ import annotations
+
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import Uno, proves
+
+
+def c(*names: str) -> list[str]:
+    """These functions of stdio.h."""
+    return [f"stdio.h/{name}" for name in names]
+
+
+@proves(*c("printf", "sprintf", "snprintf", "putchar", "puts"))
+def texts_and_numbers_are_printed(uno: Uno) -> None:
+    program = r"""
+void setup() {
+  char text[64]; int32_t count;
+  c_printf("[%d][%5d][%-5d|][%05d][%+d][% d][%.3d][%8.3d][%u][%ld][%hd][%hhu]\n", 70000, -42, 42, -42, 7, 7, 5, -5, -1,
+    123456L, 70000, 300);
+  c_printf("[%x][%X][%#x][%#o][%08lx][%c][%3c][%-3c|][%s][%6s][%-6s|][%.2s][%%][%*d][%.*f]\n", 48879, 0xBEEF, 255, 8,
+    0xBEEFL, 'Q', 'a', 'b',
+    "str", "ab", "cd", "efgh", 4, 7, 2, 2.5);
+  c_printf("[%f][%.2f][%8.3f][%-8.1f|][%08.2f][%+.1f][%.0f][%#.0f][%f][%f]\n", 3.5, -2.126, 9.9996, 0.25, -1.5, 2.0, 2.6,
+    3.0, 123456.0, 0.0);
+  c_printf("[%e][%.2E][%g][%g][%g][%.3g][%G]\n", 1500.0, 0.000125, 0.5, 1e-7, 100000.0, 1234567.0, 1e10);
+  count = c_sprintf(text, "%d-%s-%.1f", 5, "x", 9.96); c_printf("%s %d\n", text, count);
+  count = c_snprintf(text, 6, "%d", 12345678L); c_printf("%s %d\n", text, count);
+  count = c_puts("line") * 100 + c_puts("") * 10 + (c_putchar('k') == 'k'); c_putchar('\r'); c_printf("%d", count);
+}
+void loop() {}
+"""
+    trace = uno.run(program, c("printf", "sprintf", "snprintf", "putchar", "puts"), 120)
+    assert trace.text.split("\n") == [
+        "[70000][  -42][42   |][-0042][+7][ 7][005][    -005][4294967295][123456][4464][44]",
+        "[beef][BEEF][0xff][010][0000beef][Q][  a][b  |][str][    ab][cd    |][ef][%][   7][2.50]",
+        "[3.500000][-2.13][  10.000][0.3     |][-0001.50][+2.0][3][3.][123456.000000][0.000000]",
+        "[1.500000e+03][1.25E-04][0.5][1e-07][100000][1.23e+06][1E+10]",
+        "5-x-10.0 8",
+        "12345 8",
+        "line",
+        "k",
+        "501",
+    ]
+
+
+@proves(*c("scanf", "sscanf", "getchar", "gets"))
+def texts_and_numbers_are_read(uno: Uno) -> None:
+    program = r"""
+void setup() {
+  int32_t a = 0, b = 0; int small = 0; short half = 0; float f = 0; char s[16], u[16]; int32_t r;
+  r = c_sscanf("12 -70000 ff 2.5e1 word", "%d %d %x %f %s", &small, &a, &b, &f, s); c_printf("%d %d %d %d %.2f %s\n", r,
+    small, a, b, f, s);
+  r = c_sscanf("x=123456,abc;z", "x=%3d%hd,%[a-c];%c", &a, &half, s, u); c_printf("%d %d %d %s %c\n", r, a, half, s, u[0]);
+  r = c_sscanf("5 apples 0x1F 017", "%*d %[^ ] %i %i", s, &a, &b); c_printf("%d %s %d %d\n", r, s, a, b);
+  c_printf("%d %d\n", c_sscanf("", "%d", &a), c_sscanf("q", "%d", &a));
+  r = c_scanf("%d %f", &a, &f); c_printf("%d %d %.1f\n", r, a, f);
+  c_printf("%c", c_getchar()); c_printf("%d|", c_getchar()); c_printf("%s|", c_gets(s)); c_printf("%s", s);
+}
+void loop() {}
+"""
+    typing = DeviceUse("typing", {}, {"points": [[30, "-99999 .5\nA\rnext line\n"]]})
+    trace = uno.run(program, c("scanf", "sscanf", "getchar", "gets", "printf"), 100, [typing])
+    assert trace.text.split("\n") == [
+        "5 12 -70000 255 25.00 word", "4 123 456 abc z", "3 apples 31 15", "-1 0", "2 -99999 0.5", "A10|next line|next line",
+    ]  # fmt: skip
