@@ -1045,6 +1045,25 @@ inline void ee_put_float32(float value, int32_t addr) {
   ee_putFloat32(value, addr);
 }
 
+// ---------------------------------------------------------------- memory card
+
+//# adapter sd_mount
+//#   for: int sd_mount(int doPin, int clkPin, int diPin, int csPin)
+//#   kind: semantic
+//#   needs: Io
+//#   include: <SD.h>
+//#   library: SD
+//#   pin: doPin digital in
+//#   pin: clkPin digital out
+//#   pin: diPin digital out
+//#   pin: csPin digital out
+//#   fidelity: 0 when the card is ready, else another number
+//#   limit: the card has to be at the pins of SPI (on an Uno 12, 13 and 11); at any others it is not wired
+inline int32_t sd_mount(int32_t doPin, int32_t clkPin, int32_t diPin, int32_t csPin) {
+  if (doPin != MISO || clkPin != SCK || diPin != MOSI || !Io(csPin).wired()) return 1;
+  return SD.begin((uint8_t)csPin) ? 0 : 1;
+}
+
 // ---------------------------------------------------------------- arithmetic
 
 //# constant PI

@@ -1,6 +1,7 @@
 //# header stdio.h
 // printf, scanf and single characters on the terminal. Read from propgcc b280e7a77, lib/stdio. What the functions of the target's own
-// library lack is here: 32 bits of integer for any argument, and floats. Files are not here.
+// library lack is here: 32 bits of integer for any argument, and floats. Files are on a card. The target's own fread, fwrite, fgets, fputs,
+// fgetc, fputc and feof work on them.
 
 //# helper FloatText
 //#   include: <math.h>
@@ -361,4 +362,136 @@ inline int32_t c_scanf(const char *fmt, Targets... targets) {
   char line[81];
   const ScanTarget variables[] = {ScanTarget(), targets...};
   return scanf_text(getStr(line, 80), fmt, variables + 1, sizeof...(targets));
+}
+
+// ---------------------------------------------------------------- files
+
+//# helper open_files
+//#   include: <SD.h> <stdio.h>
+//#   library: SD
+//#   fidelity: two files can be open at a time; each is a stream of the target's library
+struct OpenFile {
+  FILE stream;
+  File file;
+};
+static OpenFile open_files[2];
+
+//# helper file_of
+//#   needs: open_files
+//#   include: <SD.h> <stdio.h>
+inline File *file_of(FILE *stream) {
+  for (OpenFile &each : open_files)
+    if (&each.stream == stream && each.file) return &each.file;
+  return 0;
+}
+
+//# adapter fopen
+//#   for: FILE *fopen(const char *name, const char *mode)
+//#   kind: semantic
+//#   needs: open_files file_of
+//#   include: <SD.h> <stdio.h>
+//#   library: SD
+//#   fidelity: exact: 0 when the file cannot be opened; the modes r, w, a and each with +
+//#   limit: two files at a time, with names of 8 and 3 characters; 12 KB of program memory and 700 bytes of RAM
+inline FILE *fopen(const char *name, const char *mode) {
+  uint8_t how = O_READ;
+  if (*mode != 'r' || strchr(mode, '+')) how |= O_WRITE;
+  if (*mode != 'r') how |= *mode == 'w' ? O_CREAT | O_TRUNC : O_CREAT | O_APPEND;
+  for (OpenFile &each : open_files) {
+    if (each.file) continue;
+    each.file = SD.open(name, how);
+    if (!each.file) return 0;
+    if (*mode != 'a') each.file.seek(0);
+    fdev_setup_stream(
+        &each.stream, [](char c, FILE *stream) { return file_of(stream)->write((uint8_t)c) == 1 ? 0 : 1; },
+        [](FILE *stream) {
+          int c = file_of(stream)->read();
+          return c < 0 ? _FDEV_EOF : c;
+        },
+        _FDEV_SETUP_RW);
+    return &each.stream;
+  }
+  return 0;
+}
+
+//# adapter fclose
+//#   for: int fclose(FILE *fp)
+//#   kind: semantic
+//#   name: c_fclose
+//#   needs: file_of
+//#   include: <SD.h> <stdio.h>
+//#   library: SD
+//#   fidelity: exact: 0, or -1 when it is not open
+inline int32_t c_fclose(FILE *fp) {
+  File *file = file_of(fp);
+  if (!file) return -1;
+  file->close();
+  return 0;
+}
+
+//# adapter fseek
+//#   for: int fseek(FILE *fp, long offset, int whence)
+//#   kind: semantic
+//#   name: c_fseek
+//#   needs: file_of
+//#   include: <SD.h> <stdio.h>
+//#   library: SD
+//#   fidelity: exact: 0, or -1 when the file has no such place
+inline int32_t c_fseek(FILE *fp, int32_t offset, int32_t whence) {
+  File *file = file_of(fp);
+  if (!file) return -1;
+  int32_t to = offset + (whence == SEEK_SET ? 0 : whence == SEEK_CUR ? file->position() : file->size());
+  clearerr(fp);
+  return to >= 0 && file->seek(to) ? 0 : -1;
+}
+
+//# adapter ftell
+//#   for: long ftell(FILE *fp)
+//#   kind: semantic
+//#   name: c_ftell
+//#   needs: file_of
+//#   include: <SD.h> <stdio.h>
+//#   library: SD
+//#   fidelity: exact
+inline int32_t c_ftell(FILE *fp) {
+  File *file = file_of(fp);
+  return file ? (int32_t)file->position() : -1;
+}
+
+//# adapter rewind
+//#   for: void rewind(FILE *fp)
+//#   kind: oneToOne
+//#   name: c_rewind
+//#   needs: fseek
+//#   fidelity: exact
+inline void c_rewind(FILE *fp) {
+  c_fseek(fp, 0, SEEK_SET);
+}
+
+//# adapter fflush
+//#   for: int fflush(FILE *fp)
+//#   kind: semantic
+//#   name: c_fflush
+//#   needs: file_of
+//#   include: <SD.h> <stdio.h>
+//#   library: SD
+//#   fidelity: exact: what was written is on the card
+inline int32_t c_fflush(FILE *fp) {
+  File *file = file_of(fp);
+  if (file) file->flush();
+  return 0;
+}
+
+//# adapter fprintf
+//#   for: int fprintf(FILE *fp, const char *fmt, ...)
+//#   kind: semantic
+//#   name: c_fprintf
+//#   needs: file_of printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut simpletext.h/TextArgument
+//#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal
+//#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
+template <class... Arguments>
+inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
+  const TextArgument arguments[] = {TextArgument(), given...};
+  text_t device = {file_of(fp), 0, 0, 0, 0, 0};
+  return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, arguments + 1, sizeof...(given));
 }
