@@ -63,6 +63,7 @@ void loop() {{}}
     assert told[8:13] == [1, 29, -14, 32, 30]
     assert told[13:21] == [16, 10, 1, 125 * 48, -63 * 48, 216 * 48, 216, 31 * 192]
     assert told[21:] == [0, 1, (866 << 4) & 0xFF, 15, 0]
+    assert [event.value for event in trace.device_events][-2:] == [[0x20, 0], [0x27, 0]]
 
 
 @proves(*FOUR_WIRES)
@@ -75,7 +76,7 @@ void setup() {{ Serial.begin(115200); lis3dh_t *device = lis3dh_init4wire(6, 7, 
   say(lis3dh_tempRaw(device)); lis3dh_tempCal_C(device, 21); say(lis3dh_temp_C(device)); say(lis3dh_temp_F(device));
   lis3dh_tempCal_F(device, 86); say(lis3dh_temp_C(device));
   lis3dh_setADCmode(device, 0, 1); say(lis3dh_readByte(device, 0x1F)); say(lis3dh_getSPImode(device));
-  lis3dh_setSPImode(device, 3); say(lis3dh_getSPImode(device)); lis3dh_setBDUmode(device, 1);
+  lis3dh_setSPImode(device, 3); say(lis3dh_getSPImode(device)); say(lis3dh_readByte(device, 0x23)); lis3dh_setBDUmode(device, 1);
   say(lis3dh_readByte(device, 0x23)); }}
 void loop() {{}}
 """
@@ -85,4 +86,4 @@ void loop() {{}}
     assert told[:8] == [700, -1016, 40, -1016, first, 900 + 800 * 3048 // 4064, 900 + 800 * 1992 // 4064, first]
     assert told[8] == pytest.approx((first * calibrated - calibrated * 100) / 1000, abs=1)
     assert told[9:13] == [12, 21, 69, 31]  # tempCal_F rounds up too often, as there
-    assert told[13:] == [0x40, 4, 3, 0x09]
+    assert told[13:] == [0x40, 4, 3, 0x89, 0x09]

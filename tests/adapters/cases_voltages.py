@@ -46,7 +46,7 @@ def four_channels_of_the_activity_board_are_converted(uno: Uno) -> None:
 def mean_voltages_are_put_out(uno: Uno) -> None:
     used = [f"abvolts.h/da_{name}" for name in ("init", "res", "out", "volts")]
     program = """
-void setup() { da_out(0, 64); da_volts(1, 1.25); delay(20); da_init(5, 3); da_res(10); da_out(0, 256);
+void setup() { da_out(0, 64); da_volts(1, 1.25); delay(20); da_init(5, 3); da_res(10); da_out(0, 512);
   da_volts(1, 2.5); delay(20);
   da_volts(1, 5.0); delay(20); }
 void loop() {}
@@ -58,5 +58,6 @@ void loop() {}
 
     assert duties("D6", 0, 20_000) == pytest.approx(0.25, abs=0.01)
     assert duties("D5", 0, 20_000) == pytest.approx(0.25, abs=0.01)
+    assert duties("D5", 20_000, 40_000) == pytest.approx(0.5, abs=0.01)
     assert duties("D3", 20_000, 40_000) == pytest.approx(0.5, abs=0.01)
     assert duties("D3", 40_000, 70_000) == pytest.approx(0.66, abs=0.01)

@@ -13,6 +13,7 @@ const uint8_t adc_pins[4] = {adc_0, adc_1, adc_2, adc_3};
 //#   for: void adc_init(int csPin, int sclPin, int doPin, int diPin)
 //#   kind: semantic
 //#   needs: adc_pins simpletools.h/Io
+//#   symmetric: csPin sclPin doPin diPin
 //#   fidelity: the four channels become inputs; the pins given are those of the source board's converter, which is not there
 inline void adc_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin) {
   (void)csPin, (void)sclPin, (void)doPin, (void)diPin;

@@ -1,0 +1,129 @@
+//# header fdserial.h
+// Serial lines at any pins. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/TextDevices/libfdserial (fdserial.h, fdserial.c,
+// fdserial_utils.c). The library has a cog for each; here SoftwareSerial is one, and Serial is used at the pins of the console.
+
+//# type fdserial
+//#   needs: simpletext.h/text_t
+//#   fidelity: a device of text; there are no cogid and devst
+typedef text_t fdserial;
+
+//# adapter fdserial_open
+//#   for: fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate)
+//#   kind: oneToMany
+//#   needs: fdserial simpletext.h/text_t
+//#   include: <SoftwareSerial.h>
+//#   pin: rxpin interrupt in
+//#   pin: txpin digital out
+//#   fidelity: 64 bytes are kept, as there; it waits half a second, as there; of the mode, inversion of both lines and echo are obeyed
+//#   limit: up to 57,600 baud away from the console; what arrives while something is sent gets lost
+//#   limit: interrupts are off while a byte is sent or received, so that servos tremble
+//#   limit: of several lines only the one opened last receives
+//#   limit: one pin both ways, and open drain, are not served
+inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
+  fdserial *line = new fdserial();
+  line->terminalEcho = mode >> 4 & 1;
+  if (rxpin == 0 && txpin == 1) {
+    Serial.begin(baudrate);
+    line->port = &Serial;
+    line->ecA = line->ecsA = '\r';
+    line->ecB = '\n';
+  } else {
+    bool receives = rxpin >= 0 && rxpin < NUM_DIGITAL_PINS, sends = txpin >= 0 && txpin < NUM_DIGITAL_PINS;
+    if (receives || sends) {
+      uint8_t rx = receives ? rxpin : txpin, tx = sends ? txpin : rxpin;
+      SoftwareSerial *port = new SoftwareSerial(rx, tx, (mode & 3) == 3);
+      port->begin(baudrate);
+      line->port = port;
+    }
+  }
+  delay(500);
+  return line;
+}
+
+//# adapter fdserial_rxCount
+//#   for: int fdserial_rxCount(fdserial *term)
+//#   kind: oneToOne
+//#   needs: fdserial simpletext.h/text_t
+//#   fidelity: exact
+inline int32_t fdserial_rxCount(fdserial *term) {
+  return term->port ? term->port->available() : 0;
+}
+
+//# adapter fdserial_rxReady
+//#   for: int fdserial_rxReady(fdserial *term)
+//#   kind: oneToOne
+//#   needs: fdserial fdserial_rxCount
+//#   fidelity: exact
+inline int32_t fdserial_rxReady(fdserial *term) {
+  return fdserial_rxCount(term) != 0;
+}
+
+//# adapter fdserial_rxPeek
+//#   for: int fdserial_rxPeek(fdserial *term)
+//#   kind: oneToOne
+//#   needs: fdserial fdserial_rxCount simpletext.h/text_t
+//#   fidelity: exact: 0 without a byte
+inline int32_t fdserial_rxPeek(fdserial *term) {
+  return fdserial_rxCount(term) ? term->port->peek() : 0;
+}
+
+//# adapter fdserial_rxCheck
+//#   for: int fdserial_rxCheck(fdserial *term)
+//#   kind: oneToOne
+//#   needs: fdserial fdserial_rxCount simpletext.h/text_t
+//#   fidelity: exact: -1 without a byte
+inline int32_t fdserial_rxCheck(fdserial *term) {
+  return fdserial_rxCount(term) ? term->port->read() : -1;
+}
+
+//# adapter fdserial_rxChar
+//#   for: int fdserial_rxChar(fdserial *term)
+//#   kind: oneToMany
+//#   needs: fdserial fdserial_rxCheck simpletext.h/text_t
+//#   fidelity: exact: it waits for a byte
+//#   limit: 0 at once where the line is not wired
+inline int32_t fdserial_rxChar(fdserial *term) {
+  if (!term->port) return 0;
+  int32_t byte;
+  while ((byte = fdserial_rxCheck(term)) < 0) yield();
+  return byte;
+}
+
+//# adapter fdserial_rxTime
+//#   for: int fdserial_rxTime(fdserial *term, int ms)
+//#   kind: oneToMany
+//#   needs: fdserial fdserial_rxCheck
+//#   fidelity: exact: -1 when no byte comes in that time
+inline int32_t fdserial_rxTime(fdserial *term, int32_t ms) {
+  int32_t byte;
+  for (uint32_t begun = millis(); (byte = fdserial_rxCheck(term)) < 0 && (int32_t)(millis() - begun) <= ms;) yield();
+  return byte;
+}
+
+//# adapter fdserial_rxFlush
+//#   for: void fdserial_rxFlush(fdserial *term)
+//#   kind: oneToMany
+//#   needs: fdserial fdserial_rxCheck
+//#   fidelity: exact
+inline void fdserial_rxFlush(fdserial *term) {
+  while (fdserial_rxCheck(term) >= 0) {}
+}
+
+//# adapter fdserial_txChar
+//#   for: int fdserial_txChar(fdserial *term, int txbyte)
+//#   kind: oneToOne
+//#   needs: fdserial simpletext.h/text_t
+//#   fidelity: exact; the answer is -1, as there without echo
+inline int32_t fdserial_txChar(fdserial *term, int32_t txbyte) {
+  if (term->port) term->port->write((uint8_t)txbyte);
+  return -1;
+}
+
+//# adapter fdserial_txFlush
+//#   for: void fdserial_txFlush(fdserial *term)
+//#   kind: oneToOne
+//#   needs: fdserial simpletext.h/text_t
+//#   fidelity: exact: it waits until all is sent
+inline void fdserial_txFlush(fdserial *term) {
+  if (term->port) term->port->flush();
+}
