@@ -409,13 +409,11 @@ inline int32_t writeStr(text_t *device, const char *str) {
 
 //# adapter putStr
 //#   for: int putStr(const char *str)
-//#   kind: oneToMany
-//#   needs: dport_ptr TextOut
+//#   kind: oneToOne
+//#   needs: dport_ptr writeStr
 //#   fidelity: exact but for line ends
 inline int32_t putStr(const char *str) {
-  TextOut out(dport_ptr);
-  out.put(str);
-  return out.count;
+  return writeStr(dport_ptr, str);
 }
 
 //# adapter writeLine
@@ -432,14 +430,11 @@ inline int32_t writeLine(text_t *device, const char *str) {
 
 //# adapter putLine
 //#   for: int putLine(const char *str)
-//#   kind: oneToMany
-//#   needs: text_t dport_ptr TextOut writeChar
+//#   kind: oneToOne
+//#   needs: dport_ptr writeLine
 //#   fidelity: exact but for line ends
 inline int32_t putLine(const char *str) {
-  TextOut out(dport_ptr);
-  out.put(str);
-  if (dport_ptr) writeChar(dport_ptr, dport_ptr->ecA);
-  return out.count;
+  return writeLine(dport_ptr, str);
 }
 
 //# adapter putln
@@ -467,16 +462,11 @@ inline int32_t writeStrLen(text_t *device, const char *str, int32_t width) {
 
 //# adapter putStrLen
 //#   for: int putStrLen(char *str, int width)
-//#   kind: oneToMany
-//#   needs: dport_ptr TextOut
+//#   kind: oneToOne
+//#   needs: dport_ptr writeStrLen
 //#   fidelity: exact but for line ends: letters and digits count for the width, and no more than it are sent
 inline int32_t putStrLen(const char *str, int32_t width) {
-  TextOut out(dport_ptr);
-  int32_t letters = 0;
-  while (isalnum((uint8_t)str[letters])) letters++;
-  out.fill(width - letters, ' ');
-  for (int32_t left = width; *str && left > 0; left--) out.put(*str++);
-  return letters > width ? letters : width;
+  return writeStrLen(dport_ptr, str, width);
 }
 
 //# adapter writeDec
@@ -491,12 +481,11 @@ inline void writeDec(text_t *device, int32_t value) {
 
 //# adapter putDec
 //#   for: void putDec(int value)
-//#   kind: oneToMany
-//#   needs: dport_ptr writeChar printNumber
+//#   kind: oneToOne
+//#   needs: dport_ptr writeDec
 //#   fidelity: exact
 inline void putDec(int32_t value) {
-  if (value < 0) writeChar(dport_ptr, '-');
-  printNumber(dport_ptr, labs(value), 10, 0, ' ');
+  writeDec(dport_ptr, value);
 }
 
 //# adapter writeDecLen
@@ -530,11 +519,11 @@ inline void writeBin(text_t *device, int32_t value) {
 
 //# adapter putBin
 //#   for: void putBin(int value)
-//#   kind: oneToMany
-//#   needs: dport_ptr printNumber
+//#   kind: oneToOne
+//#   needs: dport_ptr writeBin
 //#   fidelity: exact
 inline void putBin(int32_t value) {
-  printNumber(dport_ptr, value, 2, 0, ' ');
+  writeBin(dport_ptr, value);
 }
 
 //# adapter writeBinLen
@@ -566,11 +555,11 @@ inline void writeHex(text_t *device, int32_t value) {
 
 //# adapter putHex
 //#   for: void putHex(int value)
-//#   kind: oneToMany
-//#   needs: dport_ptr printNumber
+//#   kind: oneToOne
+//#   needs: dport_ptr writeHex
 //#   fidelity: exact
 inline void putHex(int32_t value) {
-  printNumber(dport_ptr, value, 16, 0, ' ');
+  writeHex(dport_ptr, value);
 }
 
 //# adapter writeHexLen
@@ -620,11 +609,11 @@ inline void writeFloatPrecision(text_t *device, float value, int32_t width, int3
 
 //# adapter putFloatPrecision
 //#   for: void putFloatPrecision(float value, int width, int precision)
-//#   kind: oneToMany
-//#   needs: dport_ptr TextOut write_float
+//#   kind: oneToOne
+//#   needs: dport_ptr writeFloatPrecision
 //#   fidelity: exact up to a width of 20
 inline void putFloatPrecision(float value, int32_t width, int32_t precision) {
-  write_float(TextOut(dport_ptr), value, width, precision);
+  writeFloatPrecision(dport_ptr, value, width, precision);
 }
 
 //# adapter putStrWithNpcVals
