@@ -7,6 +7,8 @@ asked for is imported. With `--json`, stdout is exactly one document, also when 
 from __future__ import annotations
 
 import argparse
+import atexit
+import gc
 import importlib
 import os
 import sys
@@ -105,6 +107,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit code of the contract.
     """
     streams.prepare()
+    if arguments is None:
+        _collect_less()
     words = list(sys.argv[1:] if arguments is None else arguments)
     as_json, started = "--json" in words, time.perf_counter()
     name = next((w for w in words if not w.startswith("-")), "")
@@ -125,6 +129,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if os.environ.get("ROBOSMI_DEBUG") and not isinstance(error, RobosmiError):
             raise
         return _failed(as_error(error), name, as_json, started)
+
+
+def _collect_less() -> None:
+    """Look for garbage in circles less often, and not at the end: a command is over before it pays (a fifth of a migration).
+
+    What models refer to in circles lives as long as the command, so Python's default of a look after every 700 new objects
+    finds nothing, again and again; at its end the system takes all memory back.
+    """
+    gc.set_threshold(50_000, 20, 20)
+    atexit.register(gc.freeze)
 
 
 def _run(parsed: argparse.Namespace) -> int:

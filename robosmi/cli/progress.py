@@ -6,9 +6,11 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
-from robosmi.chain.run import Progress
-from robosmi.chain.steps import Step, StepResult
+if TYPE_CHECKING:  # a command that uses no chain does not wait for chains
+    from robosmi.chain.run import Progress
+    from robosmi.chain.steps import Step, StepResult
 
 QUIET = 1.0
 """Seconds in which nothing is said."""

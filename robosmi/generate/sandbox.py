@@ -5,13 +5,13 @@ The environment of `templates` asks here; its speed matters, so what is allowed 
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path, PurePath
 from types import CodeType, FrameType, FunctionType, MethodType, ModuleType, TracebackType
 from typing import Any
 
 from jinja2.sandbox import is_internal_attribute
 from pyecore.ecore import EObject
-from pyecore.resources import Resource, ResourceSet
 from pyecore.valuecontainer import ECollection
 
 from robosmi.errors import RuleError
@@ -31,7 +31,7 @@ _CHANGING = frozenset(
 _OF_MODELS = frozenset(
     ["all_contents", "all_of_kind", "all_of_type", "element", "find_type", "id_of", "name", "owns", "path", "types"]
 )
-_CLOSED = (Resource, ResourceSet, ModuleType, CodeType, FrameType, TracebackType)
+_CLOSED = (ModuleType, CodeType, FrameType, TracebackType)
 _WATCHED = (FunctionType, MethodType)
 _ALLOWED: dict[tuple[type, str], bool] = {}
 
@@ -46,7 +46,7 @@ def allowed(obj: Any, attribute: str) -> bool:
 
 
 def _judged(obj: Any, attribute: str) -> bool:
-    if attribute.startswith("_") or isinstance(obj, _CLOSED) or is_internal_attribute(obj, attribute):
+    if attribute.startswith("_") or isinstance(obj, _CLOSED) or _is_resource(obj) or is_internal_attribute(obj, attribute):
         return False
     if isinstance(obj, ECollection):
         return attribute not in _CHANGING
@@ -57,6 +57,12 @@ def _judged(obj: Any, attribute: str) -> bool:
     if isinstance(obj, Path):
         return hasattr(PurePath, attribute)
     return True
+
+
+def _is_resource(obj: Any) -> bool:
+    """Whether an object is one of pyecore's resources: there are none before their module is imported, which takes long."""
+    module = sys.modules.get("pyecore.resources")
+    return module is not None and isinstance(obj, (module.Resource, module.ResourceSet))
 
 
 def refused(obj: Any, attribute: str) -> RuleError:

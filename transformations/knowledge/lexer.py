@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import sys
+from functools import cache
 
 Token = tuple[str, int, int, str]
 """Kind (name, number, string, char, punct, comment, directive), start, end, text. One character is one byte."""
@@ -23,7 +24,6 @@ _DIRECTIVE = rf"(?:\#|%:)(?:\\\r?\n|{_BLOCK}|//[^\n]*|{_STRING}|[^\n\\/\"]|\\|/)
 _DIGRAPH = "<%|%>|<:(?!:[^:>])|:>"
 _BEHIND = rf">>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|{_DIGRAPH}|."
 _PIECES = re.compile(f"{_BEFORE}|{_DIRECTIVE}|{_BEHIND}", re.DOTALL | re.ASCII)
-_PIECES_OF_A_LINE = re.compile(f"{_BEFORE}|{_BEHIND}", re.DOTALL | re.ASCII)
 _KINDS = (
     dict.fromkeys("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_$", "name")
     | dict.fromkeys(map(chr, range(0x80, 0x100)), "name")
@@ -144,10 +144,15 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     return found
 
 
+@cache
+def _pieces_of_a_line() -> re.Pattern[str]:  # few programs have a hash within a line, and compiling takes milliseconds
+    return re.compile(f"{_BEFORE}|{_BEHIND}", re.DOTALL | re.ASCII)
+
+
 def _in_line(text: str, place: int) -> list[Token]:
     """The tokens from a hash within a line to the line's end."""
     found: list[Token] = []
-    for piece in _PIECES_OF_A_LINE.findall(text):
+    for piece in _pieces_of_a_line().findall(text):
         first = piece[0]
         kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
         if kind != "space":

@@ -6,7 +6,7 @@ is rarely asked for is read when it is asked for.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,9 @@ from robosmi import inputs, resources
 from robosmi.data_text import json_of, toml_of
 from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
+
+_KINDS = ("functions", "macros", "vars", "consts", "types")
+_BUILTIN = "builtin"
 
 
 class FolderFacts:
@@ -36,15 +39,9 @@ class FolderFacts:
         own: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
         inherited = self._standard.headers if self._standard is not None else {}
         self.headers: dict[str, dict[str, Any]] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
-        self.entries: dict[str, list[ApiEntry]] = {}
+        self.entries: Mapping[str, Sequence[ApiEntry]] = _Entries(self.headers, self.settings["parser"].get("builtins", {}))
         registers: set[str] = set(self.settings.get("registers", {}).get("names", ()))
-        for header, content in self.headers.items():
-            registers.update(content.get("registers", ()))
-            for name, entry in _entries(header, content):
-                self.entries.setdefault(name, []).append(entry)
-        for name, result in self.settings["parser"].get("builtins", {}).items():
-            self.entries[name] = [ApiEntry("", "function", result, "()")]
-        self.registers = frozenset(registers)
+        self.registers = frozenset(registers.union(*(content.get("registers", ()) for content in self.headers.values())))
 
     @cached_property
     def pins(self) -> Mapping[tuple[str, str], PinFacts]:
@@ -95,6 +92,50 @@ class FolderFacts:
         """A file of the platform's own folder, or of the platform that it is like; it need not exist."""
         path = self.folder / name
         return path if self._like is None or path.is_file() else self._like._file(name)
+
+
+class _Entries(Mapping[str, Sequence[ApiEntry]]):
+    """Name -> its declarations, made when a name is asked for: a program asks for a hundred of the thousands.
+
+    Args:
+        headers: the headers, as `api.json` has them.
+        builtins: function of the compiler itself -> its return type; it hides what headers say.
+    """
+
+    def __init__(self, headers: Mapping[str, Mapping[str, Any]], builtins: Mapping[str, str]) -> None:
+        self._headers, self._builtins = headers, builtins
+        self._where: dict[str, list[tuple[str, str]]] = {}
+        for header, content in headers.items():
+            for kind in _KINDS:
+                for name in content.get(kind, ()):
+                    self._where.setdefault(name, []).append((header, kind))
+        self._where.update((name, [("", _BUILTIN)]) for name in builtins)
+        self._made: dict[str, Sequence[ApiEntry]] = {}
+
+    def __getitem__(self, name: str) -> Sequence[ApiEntry]:
+        made = self._made.get(name)
+        if made is None:
+            made = self._made[name] = [self._entry(name, header, kind) for header, kind in self._where[name]]
+        return made
+
+    def _entry(self, name: str, header: str, kind: str) -> ApiEntry:
+        if kind == _BUILTIN:
+            return ApiEntry("", "function", self._builtins[name], "()")
+        if kind == "consts":
+            return ApiEntry(header, "constant")
+        said = self._headers[header][kind][name]
+        if kind == "functions":
+            result, parameters = said
+            return ApiEntry(header, "function", result, parameters)
+        if kind == "macros":
+            return ApiEntry(header, "function_macro" if said else "macro")
+        return ApiEntry(header, "variable" if kind == "vars" else "type", said)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._where)
+
+    def __len__(self) -> int:
+        return len(self._where)
 
 
 def facts_of(folder: str) -> FolderFacts:
@@ -153,19 +194,6 @@ def _toml(path: Path) -> dict[str, Any]:
         return toml_of(inputs.read_text(path, inputs.DATA))
     except (OSError, ValueError) as error:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
-
-
-def _entries(header: str, content: dict[str, Any]) -> Iterable[tuple[str, ApiEntry]]:
-    for name, (result, parameters) in content.get("functions", {}).items():
-        yield name, ApiEntry(header, "function", result, parameters)
-    for name, function_like in content.get("macros", {}).items():
-        yield name, ApiEntry(header, "function_macro" if function_like else "macro")
-    for name, of_type in content.get("vars", {}).items():
-        yield name, ApiEntry(header, "variable", of_type)
-    for name in content.get("consts", ()):
-        yield name, ApiEntry(header, "constant")
-    for name, form in content.get("types", {}).items():
-        yield name, ApiEntry(header, "type", form)
 
 
 def _pin_facts(fact: dict[str, Any]) -> PinFacts:
