@@ -15,7 +15,7 @@ from pyecore.ecore import EEnumLiteral
 
 from robosmi.errors import ModelError, UsageError
 from robosmi.model.driver import Model, TypeHandle, features_of, is_element, name_of, type_of
-from robosmi.query.lazy import Lazy
+from robosmi.query.collections import Lazy
 from robosmi.query.models import id_of
 from robosmi.query.types import EolType
 from robosmi.query.values import as_string, collection_kind

@@ -13,9 +13,12 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import Any, TypeVar
 
+from robosmi.model.structure import root_of
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
+from robosmi.query.extents import all_contents, contents
 from robosmi.query.operators import is_long, wrapped
 from robosmi.query.problems import OperandError
+from robosmi.query.properties import get
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string
 
 T = TypeVar("T")
@@ -270,15 +273,11 @@ def e_container(element: Any) -> Any:
 
 def e_contents(element: Any) -> Q[Any]:
     """What the element contains directly, features in Ecore's order."""
-    from robosmi.query.extents import contents
-
     return Q(contents(element))
 
 
 def e_all_contents(element: Any) -> Q[Any]:
     """What the element contains, in pre-order; without itself."""
-    from robosmi.query.extents import all_contents
-
     return Q(list(all_contents(element))[1:])
 
 
@@ -297,8 +296,6 @@ e_containment_feature = e_containing_feature
 
 def e_root_container(element: Any) -> Any:
     """The outermost container, or the element itself."""
-    from robosmi.model.structure import root_of
-
     return root_of(element)
 
 
@@ -309,8 +306,6 @@ def e_resource(element: Any) -> Any:
 
 def e_get(element: Any, feature: Any) -> Any:
     """The value of a feature, given by name or as a feature."""
-    from robosmi.query.properties import get
-
     return get(element, feature if isinstance(feature, str) else feature.name)
 
 

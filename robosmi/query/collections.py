@@ -1,43 +1,42 @@
-"""The four kinds of collection: `Q` (EOL's Sequence), `Bag`, `Set`, `OrderedSet`, with the operations that take no function.
+"""What holds values: the four kinds of collection, `Q` (EOL's Sequence), `Bag`, `Set`, `OrderedSet`, then `Map`, `Tuple`, `Lazy`.
 
 `Q(items)` takes any iterable and reads it once. `q.name` collects a property of every item (a Sequence, of a Set or Bag a Bag;
-not flattened). Operations that give a collection give a new one; those that change it itself are in `changes`. All is eager,
-`lazy()` gives the view that is not. The operations that take a function are in `first_order`.
+not flattened). Operations that give a collection give a new one; those that change it itself are in `changes`. All but `Lazy` is
+eager. Here are the classes, which make one another, and what makes them of each other; most operations are inherited: those that
+take a function are in `first_order`, the others in `items`, those on numbers in `totals`, those of maps in `maps`.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
 """
 
 from __future__ import annotations
 
 import builtins
-import random as _random
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
+from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
 
-from robosmi.query.changes import Changeable, several
+from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder
-from robosmi.query.problems import OperandError
+from robosmi.query.items import Items
+from robosmi.query.maps import Entries, Fields
 from robosmi.query.totals import Totals
-from robosmi.query.types import matching
-from robosmi.query.values import (
-    as_string,
-    collection_kind,
-    equal,
-    flattened,
-    key,
-    position,
-    unique,
-)
-
-if TYPE_CHECKING:
-    from robosmi.query.lazy import Lazy
+from robosmi.query.types import EolType, resolve
+from robosmi.query.values import collection_kind, equal, position, unique
 
 T = TypeVar("T")
 R = TypeVar("R")
+K = TypeVar("K")
+V = TypeVar("V")
 _MISSING: Any = object()
 
 
-class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
+class PropertiesReader(Protocol):
+    """What reads a property of every item, as `properties.get_all`."""
+
+    def __call__(self, items: Iterable[Any], name: str, default: Any = ..., /) -> builtins.list[Any]:
+        """The values, one for each item."""
+
+
+class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
     """A Sequence to be queried; the other kinds of collection inherit from it.
 
     Args:
@@ -48,8 +47,11 @@ class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
     """
 
     __slots__ = ("_items",)
-    _eol_kind = "Sequence"
-    _indexed = True
+    _eol_kind: ClassVar[str] = "Sequence"
+    _indexed: ClassVar[bool] = True
+    _read: ClassVar[PropertiesReader]
+    """Reads `q.name`. A property may be any operation without arguments, those of collections too, so that this comes with the
+    operations (`built_in`)."""
 
     def __init__(self, items: Iterable[T] = ()) -> None:
         self._items: builtins.list[T] = list(items)
@@ -71,6 +73,15 @@ class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
     def _made(self, items: builtins.list[Any]) -> Self:
         """A collection of the same kind, of any items."""
         return self._of(items)
+
+    def _sequence(self, items: builtins.list[Any]) -> Q[Any]:
+        return Q._of(items)
+
+    def _ordered(self, items: builtins.list[Any]) -> OrderedSet[Any]:
+        return OrderedSet._of(items)
+
+    def _map(self, entries: Iterable[tuple[Any, Any]]) -> Map[Any, Any]:
+        return Map(entries)
 
     def __len__(self) -> int:
         return len(self._items)
@@ -101,9 +112,7 @@ class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
             UndefinedError: an item is None.
             ModelError: an item has no such property.
         """
-        from robosmi.query.properties import get_all
-
-        return self._mapped(get_all(self._items, name) if default is _MISSING else get_all(self._items, name, default))
+        return self._mapped(self._read(self._items, name) if default is _MISSING else self._read(self._items, name, default))
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Q):
@@ -129,136 +138,6 @@ class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
 
     def __sub__(self, other: Iterable[Any]) -> Self:
         return self.excluding_all(other)
-
-    def of_kind(self, kind: Any) -> Self:
-        """The items that are instances of the type or of a subtype (EOL `selectByKind`)."""
-        return self._same(matching(self._items, kind))
-
-    def of_type(self, kind: Any) -> Self:
-        """The items that are instances of exactly that type (EOL `selectByType`)."""
-        return self._same(matching(self._items, kind, exact=True))
-
-    select_by_kind = of_kind
-    select_by_type = of_type
-
-    def size(self) -> int:
-        """How many items there are."""
-        return len(self._items)
-
-    def is_empty(self) -> bool:
-        """Whether there is no item."""
-        return not self._items
-
-    def not_empty(self) -> bool:
-        """Whether there is an item."""
-        return bool(self._items)
-
-    def includes(self, value: Any) -> bool:
-        """Whether the value is an item; unlike `=` and Python's `in`, 2 is not 2.0 here."""
-        return position(self._items, value) >= 0
-
-    def excludes(self, value: Any) -> bool:
-        """Whether the value is no item."""
-        return position(self._items, value) < 0
-
-    def includes_all(self, values: Iterable[Any]) -> bool:
-        """Whether all the values are items."""
-        return {key(v) for v in several(values)} <= set(map(key, self._items))
-
-    def excludes_all(self, values: Iterable[Any]) -> bool:
-        """Whether none of the values is an item."""
-        return set(map(key, self._items)).isdisjoint(key(v) for v in several(values))
-
-    def index_of(self, value: Any) -> int:
-        """The index of the first item that is the value, or -1."""
-        return position(self._items, value)
-
-    @overload
-    def first(self) -> T | None: ...
-    @overload
-    def first(self, n: int) -> Q[T]: ...
-    def first(self, n: int | None = None) -> T | Q[T] | None:
-        """The first item, or None when empty; with a number, a Sequence of so many first items, or fewer.
-
-        Raises:
-            OperandError: the number is negative.
-        """
-        if n is not None:
-            if n < 0:
-                raise OperandError(f"first({n}): there is no negative number of items")
-            return Q._of(self._items[:n])
-        return self._items[0] if self._items else None
-
-    def second(self) -> T | None:
-        """The second item; None when empty. A Sequence of one is too short: an error."""
-        return self.at(1) if self._items else None
-
-    def third(self) -> T | None:
-        """The third item; None when empty."""
-        return self.at(2) if self._items else None
-
-    def fourth(self) -> T | None:
-        """The fourth item; None when empty."""
-        return self.at(3) if self._items else None
-
-    def last(self) -> T | None:
-        """The last item, or None when empty."""
-        return self._items[-1] if self._items else None
-
-    def at(self, index: int) -> T | None:
-        """The item at an index from 0. Beyond the end a Sequence raises; the other kinds, which have no index in EOL, give None.
-
-        Raises:
-            OperandError: there is no such index.
-        """
-        if 0 <= index < len(self._items):
-            return self._items[index]
-        if not self._indexed:
-            return None
-        raise OperandError(f"at({index}) is outside a {self._eol_kind} of {len(self._items)}")
-
-    def random(self) -> T | None:
-        """Any item, or None when empty."""
-        return _random.choice(self._items) if self._items else None
-
-    def flatten(self) -> Q[Any]:
-        """The items of all nested collections, on all levels: a Sequence; without a nested collection the kind stays."""
-        flat = flattened(self._items)
-        return self._made(list(self._items)) if flat is None else Q._of(flat)
-
-    def distinct(self) -> Q[T]:
-        """A Sequence of each item once, in the order first seen (see `as_ordered_set`)."""
-        return Q._of(unique(self._items))
-
-    def including(self, value: Any) -> Self:
-        """This and one more item."""
-        return self._made([*self._items, value])
-
-    def including_all(self, values: Iterable[Any]) -> Self:
-        """This and more items (EOL also `+`)."""
-        return self._made([*self._items, *several(values)])
-
-    def excluding(self, value: Any) -> Self:
-        """This without the value, wherever it occurs."""
-        wanted = key(value)
-        return self._same([x for x in self._items if key(x) != wanted])
-
-    def excluding_all(self, values: Iterable[Any]) -> Self:
-        """This without the values, wherever they occur (EOL also `-`)."""
-        wanted = {key(v) for v in several(values)}
-        return self._same([x for x in self._items if key(x) not in wanted])
-
-    def invert(self) -> Q[T]:
-        """A Sequence from the last item to the first."""
-        return Q._of(self._items[::-1])
-
-    def clone(self) -> Self:
-        """A copy; the items are the same."""
-        return self._of(list(self._items))
-
-    def concat(self, separator: str = "") -> str:
-        """The items as texts in one text."""
-        return separator.join(map(as_string, self._items))
 
     def powerset(self) -> Set[Set[T]]:
         """A Set of all Sets of these items."""
@@ -287,13 +166,7 @@ class Q(FirstOrder[T], Changeable[T], Totals[T], Sequence[T]):
 
     def lazy(self) -> Lazy[T]:
         """A view whose operations look at an item only when it is asked for; `Lazy` says what that changes."""
-        from robosmi.query.lazy import Lazy
-
         return Lazy(self)
-
-    def create_collection(self) -> Self:
-        """An empty collection of the same kind."""
-        return self._of([])
 
 
 class Bag(Q[T]):
@@ -374,3 +247,137 @@ def collection(value: Any) -> Q[Any]:
         return Q([value])
     cls = _Feature if kind == "OrderedSet" else _CLASSES[kind]  # no class of Python's is an ordered set
     return cls._of(list(value))
+
+
+class Map(Entries[K, V]):
+    """A map in the order of insertion.
+
+    Args:
+        entries: a mapping or pairs; of a key given twice the last value counts, at the place of the first.
+
+    >>> m = Map([("k", 1), ("k", 2)])
+    >>> m, m.get("k"), m.get("x")
+    (Map({'k': 2}), 2, None)
+    """
+
+    __slots__ = ()
+    _eol_map = "Map"
+
+    def key_set(self) -> Set[K]:
+        """The keys, a Set in the order of insertion."""
+        return Set._of(list(self))
+
+    def value_bag(self) -> Bag[V]:
+        """The values, a Bag (EOL `values`; Python's `values()` stays what it is)."""
+        return Bag._of(list(self.values()))
+
+
+class Tuple(Fields, Map[str, Any]):
+    """Named values (EOL `Tuple{p = 1}`).
+
+    >>> t = Tuple(p=[1, 2], q="x")
+    >>> t.q
+    'x'
+    """
+
+    __slots__ = ()
+    _eol_map = "Tuple"
+
+
+def map_of(value: Any) -> Map[Any, Any]:
+    """A Python dict or a Map as a Map."""
+    return value if isinstance(value, Map) else Map(value)
+
+
+class Lazy(Generic[T]):
+    """A view of an iterable whose operations look at an item only when it is asked for; every loop asks the source again.
+
+    EOL's operations are eager: `select(f).first()` tests every item. A lazy chain gives the same answer as long as its functions
+    change nothing and fail for no item that is not reached; only the author can know that, so it is asked for: `q.lazy()`, or
+    `Lazy(all_contents(root))` for elements that are never all made. Ends with an answer, with a loop, or with `eager()`.
+
+    Args:
+        source: a collection, or any iterable.
+
+    >>> tested = []
+    >>> Q(range(1000)).lazy().select(lambda x: tested.append(x) or x > 1).first(), len(tested)
+    (2, 3)
+    """
+
+    def __init__(self, source: Iterable[T], kind: type[Q[Any]] | None = None) -> None:
+        self._source = source
+        self._kind = kind or (type(source) if isinstance(source, Q) else Q)
+
+    def __iter__(self) -> Iterator[T]:
+        return iter(self._source)
+
+    def _then(self, make: Callable[[], Iterator[R]], kind: type[Q[Any]]) -> Lazy[R]:
+        return Lazy(_Steps(make), kind)
+
+    def select(self, condition: Callable[[T], Any]) -> Lazy[T]:
+        """The items for which the condition holds."""
+        return self._then(lambda: (x for x in self._source if condition(x)), self._kind)
+
+    def reject(self, condition: Callable[[T], Any]) -> Lazy[T]:
+        """The items for which the condition does not hold."""
+        return self._then(lambda: (x for x in self._source if not condition(x)), self._kind)
+
+    def collect(self, body: Callable[[T], R]) -> Lazy[R]:
+        """The body's value for every item."""
+        return self._then(lambda: (body(x) for x in self._source), Bag if self._kind._eol_kind in ("Bag", "Set") else Q)
+
+    def of_kind(self, kind: Any) -> Lazy[Any]:
+        """The items of the type or a subtype."""
+        wanted = resolve(kind)
+        if isinstance(wanted, EolType):
+            return self.select(wanted.is_kind)
+        return self.select(lambda x: isinstance(x, wanted))
+
+    def of_type(self, kind: Any) -> Lazy[Any]:
+        """The items of exactly the type."""
+        wanted = resolve(kind)
+        if isinstance(wanted, EolType):
+            return self.select(wanted.is_type)
+        return self.select(lambda x: type(x) is wanted)
+
+    def first(self) -> T | None:
+        """The first item, or None."""
+        return next(iter(self._source), None)
+
+    def select_one(self, condition: Callable[[T], Any]) -> T | None:
+        """The first item for which the condition holds, or None."""
+        return self.select(condition).first()
+
+    def exists(self, condition: Callable[[T], Any]) -> bool:
+        """Whether the condition holds for at least one item."""
+        return any(condition(x) for x in self._source)
+
+    def for_all(self, condition: Callable[[T], Any]) -> bool:
+        """Whether the condition holds for every item."""
+        return all(condition(x) for x in self._source)
+
+    def is_empty(self) -> bool:
+        """Whether there is no item."""
+        return not any(True for _ in self._source)
+
+    def not_empty(self) -> bool:
+        """Whether there is an item."""
+        return not self.is_empty()
+
+    def eager(self) -> Q[T]:
+        """The collection, of the kind the eager operations would have given; every other operation is there."""
+        return self._kind(self._source)
+
+    def list(self) -> list[T]:
+        """The items as a Python list."""
+        return list(self._source)
+
+
+class _Steps(Generic[R]):
+    """An iterable that starts anew each time."""
+
+    def __init__(self, make: Callable[[], Iterator[R]]) -> None:
+        self._make = make
+
+    def __iter__(self) -> Iterator[R]:
+        return self._make()

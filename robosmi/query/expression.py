@@ -19,8 +19,8 @@ from pyecore.valuecontainer import ECollection
 
 from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean
 from robosmi.model.driver import Model, ModelElement, TypeHandle
-from robosmi.query import anything, collections, extents, maps, models, numbers, operations, operators, properties, strings, types
-from robosmi.query.lazy import Lazy
+from robosmi.query import anything, collections, extents, models, numbers, operations, operators, properties, strings, types
+from robosmi.query.collections import Lazy
 from robosmi.query.run import Extended, Run, ext
 from robosmi.query.values import Long, as_string, equal
 
@@ -49,9 +49,10 @@ def _functions(module: Any, *without: str) -> dict[str, Any]:
 
 
 NAMES: dict[str, Any] = {
-    "Q": collections.Q, "Bag": collections.Bag, "Set": collections.Set, "OrderedSet": collections.OrderedSet, "Map": maps.Map,
-    "Tuple": maps.Tuple, "Lazy": Lazy, "Long": Long, "None": None, "as_string": as_string, "equal": equal, "ext": ext,
-    "call": operations.call, "call_built_in": operations.call_built_in, "collection": collections.collection,
+    "Q": collections.Q, "Bag": collections.Bag, "Set": collections.Set, "OrderedSet": collections.OrderedSet,
+    "Map": collections.Map, "Tuple": collections.Tuple, "Lazy": Lazy, "Long": Long, "None": None, "as_string": as_string,
+    "equal": equal, "ext": ext, "call": operations.call, "call_built_in": operations.call_built_in,
+    "collection": collections.collection,
     **_functions(extents), **_functions(properties, "describe", "property_names"), **_functions(operators, "wrapped"),
     **_functions(types, "EolType", "resolve", "matching"), **_functions(numbers), **_functions(strings), **_functions(anything),
     "all_instances": models.all_instances, "id_of": models.id_of, "literal_named": models.literal_named,

@@ -1,8 +1,9 @@
 """The first-order operations of collections: those that take a function of one item.
 
-Written once for the four kinds of collection; what a result's kind is, the kinds say (`_same`, `_mapped`). Eager as EOL's are;
-`exists`, `for_all`, `one`, `none`, `select_one` and the `n_match` family stop as soon as the answer is known. Every operation
-takes `kind=T`, EOL's typed iterator `x : T`: items of other kinds are left out first. Not here: operations without a function.
+Written once for the four kinds of collection; what a result's kind is, the kinds say (`_same`, `_mapped`, `_sequence`). Eager as
+EOL's are; `exists`, `for_all`, `one`, `none`, `select_one` and the `n_match` family stop as soon as the answer is known. Every
+operation takes `kind=T`, EOL's typed iterator `x : T`: items of other kinds are left out first. Not here: operations without a
+function.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2.2; measured against Epsilon (docs/reference/eol.md).
 """
 
@@ -18,8 +19,7 @@ from robosmi.query.values import collection_kind, key, position
 if TYPE_CHECKING:
     from typing import Self
 
-    from robosmi.query.collections import OrderedSet, Q
-    from robosmi.query.maps import Map
+    from robosmi.query.collections import Map, OrderedSet, Q
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -62,6 +62,9 @@ class FirstOrder(Generic[T]):
 
         def _same(self, items: list[T]) -> Self: ...
         def _mapped(self, items: list[R]) -> Q[R]: ...
+        def _sequence(self, items: list[Any]) -> Q[Any]: ...
+        def _ordered(self, items: list[Any]) -> OrderedSet[Any]: ...
+        def _map(self, entries: Iterable[tuple[Any, Any]]) -> Map[Any, Any]: ...
 
     def _source(self, kind: Any) -> list[T]:
         return self._items if kind is None else matching(self._items, kind)
@@ -165,21 +168,17 @@ class FirstOrder(Generic[T]):
         Raises:
             OperandError: the values have no order between them, as a number and a text.
         """
-        from robosmi.query.collections import Q
         from robosmi.query.sorting import sorted_by
 
-        return Q._of(sorted_by(self._source(kind), body))
+        return self._sequence(sorted_by(self._source(kind), body))
 
     def map_by(self, body: Callable[[T], K], kind: Any = None) -> Map[K, Q[T]]:
         """A map from the body's values to the Sequences of items that have them, keys in the order they are first seen."""
-        from robosmi.query.collections import Q
-        from robosmi.query.maps import Map
-
         groups: dict[Any, tuple[K, Q[T]]] = {}
         for x in self._source(kind):
             value = body(x)
-            groups.setdefault(key(value), (value, Q._of([])))[1]._items.append(x)
-        return Map(groups.values())
+            groups.setdefault(key(value), (value, self._sequence([])))[1]._items.append(x)
+        return self._map(groups.values())
 
     def aggregate(
         self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Any = None, kind: Any = None
@@ -195,9 +194,7 @@ class FirstOrder(Generic[T]):
         >>> Q([1, 2, 3]).aggregate(lambda x: x % 2, lambda x, total: total + x, 0)
         Map({1: 4, 0: 2})
         """
-        from robosmi.query.maps import Map
-
-        totals: Map[K, Any] = Map()
+        totals: Map[K, Any] = self._map(())
         for x in self._source(kind):
             place = body(x)
             total = totals[place] if place in totals else initial(x) if callable(initial) else initial
@@ -210,8 +207,6 @@ class FirstOrder(Generic[T]):
         The body may give one item, a collection, or None. An item of the source is in the result only if it is reached. With a
         kind, items of other kinds are reached but not followed.
         """
-        from robosmi.query.collections import OrderedSet
-
         found: dict[Any, Any] = {}
         for start in self._source(kind):
             pending: list[Iterator[Any]] = [iter(_many(body(start)))]
@@ -223,7 +218,7 @@ class FirstOrder(Generic[T]):
                     found[place] = reached
                     if kind is None or matching([reached], kind):
                         pending.append(iter(_many(body(reached))))
-        return OrderedSet._of(list(found.values()))
+        return self._ordered(list(found.values()))
 
 
 def _integer(n: Any) -> int:

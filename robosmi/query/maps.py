@@ -1,38 +1,30 @@
-"""Map and Tuple: EOL's maps keep their order and take any value as a key, 1, 1.0 and true side by side.
+"""The entries of EOL's maps, which keep their order and take any value as a key, 1, 1.0 and true side by side.
 
-`Map` is a Python mapping (so `m[k]`, `in`, `for`), with EOL's operations beside; a key that is absent gives None only through
-`get`. `Tuple` gives its fields as attributes. Not here: `map_by` and `aggregate`, which make maps.
+`Entries` is a Python mapping (so `m[k]`, `in`, `for`), with EOL's operations beside; a key that is absent gives None only through
+`get`. What gives the keys and the values as collections, `Map` and `Tuple` themselves, is in `collections`.
 Source: EolMap and EolTuple of Epsilon.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, MutableMapping
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from robosmi.query.problems import unknown_property
 from robosmi.query.values import equal, key
-
-if TYPE_CHECKING:
-    from robosmi.query.collections import Bag, Set
 
 K = TypeVar("K")
 V = TypeVar("V")
 
 
-class Map(MutableMapping[K, V]):
-    """A map in the order of insertion.
+class Entries(MutableMapping[K, V]):
+    """The entries of a `Map`, in the order of insertion, and the operations that give no collection.
 
     Args:
         entries: a mapping or pairs; of a key given twice the last value counts, at the place of the first.
-
-    >>> m = Map([("k", 1), ("k", 2)])
-    >>> m, m.get("k"), m.get("x")
-    (Map({'k': 2}), 2, None)
     """
 
     __slots__ = ("_entries",)
-    _eol_map = "Map"
 
     def __init__(self, entries: Mapping[K, V] | Iterable[tuple[K, V]] = ()) -> None:
         self._entries: dict[Any, tuple[K, V]] = {}
@@ -65,7 +57,7 @@ class Map(MutableMapping[K, V]):
         return len(self._entries)
 
     def __eq__(self, other: object) -> bool:
-        if isinstance(other, Map):
+        if isinstance(other, Entries):
             return equal(self, other)
         if isinstance(other, dict):
             return dict(self.items()) == other
@@ -98,18 +90,6 @@ class Map(MutableMapping[K, V]):
         """Whether an entry has the value."""
         return key(value) in {key(v) for _, v in self._entries.values()}
 
-    def key_set(self) -> Set[K]:
-        """The keys, a Set in the order of insertion."""
-        from robosmi.query.collections import Set
-
-        return Set._of([k for k, _ in self._entries.values()])
-
-    def value_bag(self) -> Bag[V]:
-        """The values, a Bag (EOL `values`; Python's `values()` stays what it is)."""
-        from robosmi.query.collections import Bag
-
-        return Bag._of([v for _, v in self._entries.values()])
-
     def size(self) -> int:
         """How many entries there are."""
         return len(self._entries)
@@ -119,16 +99,10 @@ class Map(MutableMapping[K, V]):
         return not self._entries
 
 
-class Tuple(Map[str, Any]):
-    """Named values (EOL `Tuple{p = 1}`).
-
-    >>> t = Tuple(p=[1, 2], q="x")
-    >>> t.q
-    'x'
-    """
+class Fields(Entries[str, Any]):
+    """The entries of a `Tuple`, which are its attributes."""
 
     __slots__ = ()
-    _eol_map = "Tuple"
 
     def __init__(self, fields: Mapping[str, Any] | Iterable[tuple[str, Any]] = (), **more: Any) -> None:
         super().__init__(fields)
@@ -154,8 +128,3 @@ class Tuple(Map[str, Any]):
             object.__setattr__(self, name, value)
         else:
             self[name] = value
-
-
-def map_of(value: Any) -> Map[Any, Any]:
-    """A Python dict or a Map as a Map."""
-    return value if isinstance(value, Map) else Map(value)

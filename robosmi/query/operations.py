@@ -2,7 +2,7 @@
 
 A name is taken as EOL writes it or in Python's way (`sortBy`, `sort_by`). An operation of one's own comes before a built-in one;
 among several the one with the most specific context type counts. `@cached` ones keep their result per object for the run.
-The built-in functions themselves are in `anything`, `numbers`, `strings`, `operators`, and are methods of the collections.
+Here a name finds its operation; which built-in operations there are is `built_in`'s business, what they do theirs.
 """
 
 from __future__ import annotations
@@ -17,67 +17,25 @@ from pyecore.ecore import EClass, EEnumLiteral
 
 from robosmi.errors import RobosmiError
 from robosmi.model.driver import Model, TypeHandle, is_element
-from robosmi.query import anything, maps, model_level, models, numbers, operators, properties, strings, types
-from robosmi.query.collections import Q, collection
+from robosmi.query import types
+from robosmi.query.collections import Map, Q, collection
 from robosmi.query.first_order import FIRST_ORDER
-from robosmi.query.problems import OperandError, unknown_operation
+from robosmi.query.problems import OperandError, describe, unknown_operation
 from robosmi.query.run import current_run
-from robosmi.query.values import as_string, collection_kind, equal, key
+from robosmi.query.values import collection_kind, equal, key
 
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-def _public(module: Any, *without: str) -> dict[str, Callable[..., Any]]:
-    """The functions a module defines, by name, without a `_` at the end."""
-    found = {
-        n.rstrip("_"): f
-        for n, f in vars(module).items()
-        if n[0] != "_" and inspect.isfunction(f) and f.__module__ == module.__name__
-    }
-    return {n: f for n, f in found.items() if n not in without}
+Table = dict[str, Callable[..., Any]]
 
-
-_ELEMENT = {
-    **{n: f for n, f in _public(anything).items() if n.startswith("e_")},
-    "id": models.id_of,
-}
-_ANY: dict[str, Callable[..., Any]] = {
-    **{n: f for n, f in _public(anything).items() if not n.startswith("e_")},
-    "as_double": anything.as_real,
-    "as_float": anything.as_real,
-    "as_string": as_string,
-    "type": types.type_of,
-    "is_type_of": types.is_type_of,
-    "is_kind_of": types.is_kind_of,
-    "instance_of": types.is_kind_of,
-    "get_native_type": anything.native_type,
-    "has_property": properties.has_property,
-    "owning_model": models.owning_model,
-    "equals": lambda x, y: key(x) == key(y),
-}
-_BOOLEAN: dict[str, Callable[..., Any]] = {
-    "and": operators.both,
-    "or": operators.either,
-    "xor": operators.xor,
-    "not": operators.negated,
-}
-_NUMBER = {
-    **_public(numbers, "to", "iota", "to_binary", "to_hex", "mod", "integer_range"),
-    "as_double": numbers.as_real,
-    "as_float": numbers.as_real,
-    "ln": numbers.ln,
-}
-_INTEGER = {n: getattr(numbers, n) for n in ("to", "iota", "to_binary", "to_hex", "mod")}
-_STRING = _public(strings)
-_MAP: dict[str, Callable[..., Any]] = {
-    n: (lambda m, *a, _n=n: getattr(maps.map_of(m), _n)(*a))
-    for n in ("get", "put", "put_all", "remove", "contains_key", "contains_value", "key_set", "size", "is_empty", "clear")
-}
-_MAP["values"] = lambda m: maps.map_of(m).value_bag()
-_COLLECTION = {n: getattr(Q, n) for n in dir(Q) if n[0] != "_" and callable(getattr(Q, n))}
-for _name in ("get", "list", "lazy", "distinct", "index"):
-    _COLLECTION.pop(_name, None)
-_COLLECTION["equals"] = lambda c, other: equal(c, other)
+TABLES: dict[str, Table] = {
+    kind: {}
+    for kind in (
+        "Any", "Boolean", "Collection", "Element", "Integer", "Literal", "Map", "Model", "Number", "String", "Type",
+    )
+}  # fmt: skip
+"""Kind of target -> the built-in operations by name in Python's way, which take the target first; `built_in` puts them in."""
 
 
 @cache
@@ -90,25 +48,29 @@ def snake(name: str) -> str:
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower().rstrip("_")
 
 
-def _tables(target: Any) -> list[dict[str, Callable[..., Any]]]:
+def _tables(target: Any) -> list[Table]:
     """The tables of built-in operations that a target has, the first that knows the name counts."""
+    return [TABLES[kind] for kind in _kinds(target)]
+
+
+def _kinds(target: Any) -> tuple[str, ...]:
     if collection_kind(target) is not None:
-        return [_COLLECTION, _ANY]
+        return "Collection", "Any"
     if isinstance(target, str):
-        return [_STRING, _ANY]
+        return "String", "Any"
     if isinstance(target, bool):
-        return [_BOOLEAN, _ANY]
+        return "Boolean", "Any"
     if isinstance(target, (int, float)):
-        return [_INTEGER, _NUMBER, _ANY] if types.fits_integer(target) else [_NUMBER, _ANY]
-    if isinstance(target, (maps.Map, dict)):
-        return [_MAP, _ANY]
+        return ("Integer", "Number", "Any") if types.fits_integer(target) else ("Number", "Any")
+    if isinstance(target, (Map, dict)):
+        return "Map", "Any"
     if isinstance(target, Model):
-        return [model_level.MODELS, _ANY]
+        return "Model", "Any"
     if isinstance(target, (EClass, TypeHandle)):
-        return [model_level.TYPES, _ELEMENT, _ANY]
+        return "Type", "Element", "Any"
     if isinstance(target, EEnumLiteral):
-        return [model_level.LITERALS, _ANY]
-    return [_ELEMENT, _ANY] if is_element(target) else [_ANY]
+        return "Literal", "Any"
+    return ("Element", "Any") if is_element(target) else ("Any",)
 
 
 def _built_in(target: Any, name: str) -> Callable[..., Any] | None:
@@ -152,11 +114,10 @@ def call_built_in(target: Any, name: str, *arguments: Any, **options: Any) -> An
     function = _built_in(target, plain)
     if function is None:
         known = [n for table in [*_tables(target), *_registered_names(target)] for n in table]
-        raise unknown_operation("nothing" if target is None else properties.describe(target), plain, known)
-    receiver = (
-        collection(target) if plain in FIRST_ORDER or (collection_kind(target) is not None and plain in _COLLECTION) else target
-    )
-    if isinstance(receiver, Q) and plain in _COLLECTION:
+        raise unknown_operation("nothing" if target is None else describe(target), plain, known)
+    of_collections = plain in TABLES["Collection"]
+    receiver = collection(target) if plain in FIRST_ORDER or (of_collections and collection_kind(target) is not None) else target
+    if isinstance(receiver, Q) and of_collections:
         function = (lambda other: equal(receiver, other)) if plain == "equals" else getattr(receiver, plain, None)
         assert function is not None
         return _guarded(function, plain, arguments, options)
@@ -245,7 +206,7 @@ def operation(context: Any, *, name: str | None = None) -> Callable[[F], F]:
         def dispatched(target: Any, *arguments: Any) -> Any:
             own = _own(target, plain, len(arguments))
             if own is None:
-                raise unknown_operation("nothing" if target is None else properties.describe(target), plain, _REGISTERED)
+                raise unknown_operation("nothing" if target is None else describe(target), plain, _REGISTERED)
             return own(target, *arguments)
 
         return dispatched  # type: ignore[return-value]

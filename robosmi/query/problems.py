@@ -1,15 +1,19 @@
 """The errors of queries: a name that does not exist, a value that is not there, an operand of the wrong kind.
 
 All are `ModelError`s (exit code 3), with the nearest known name where there is one. What a lambda raises by itself is
-not caught here. Errors of elements' own features come from `robosmi.model.strict`, those of types from `robosmi.model.driver`.
+not caught here. Errors of elements' own features come from `robosmi.model.feature_errors`, those of types from `robosmi.model.driver`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
+
+from pyecore.ecore import EObject
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import UnknownTypeError, unknown_type
+from robosmi.query.values import collection_kind
 
 __all__ = [
     "OperandError",
@@ -17,6 +21,7 @@ __all__ = [
     "UnknownOperationError",
     "UnknownPropertyError",
     "UnknownTypeError",
+    "describe",
     "unknown_operation",
     "unknown_property",
     "unknown_type",
@@ -52,3 +57,11 @@ def unknown_operation(target: str, name: str, known: Iterable[str]) -> UnknownOp
         f"{target} has no operation '{name}'{did_you_mean(name, sorted(set(known)))}",
         fix="see docs/reference/eol.md for the operations, or register one with @operation",
     )
+
+
+def describe(target: Any) -> str:
+    """What a target is, for messages: `a Book`, `a Sequence`."""
+    kind = collection_kind(target)
+    if kind is None:
+        kind = target.eClass.name if isinstance(target, EObject) else type(target).__name__
+    return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"

@@ -15,9 +15,9 @@ from typing import Any
 from pyecore.ecore import EClass, EEnumLiteral, EObject
 
 from robosmi.model.driver import ModelElement
-from robosmi.query.collections import collection
-from robosmi.query.maps import Map, Tuple
-from robosmi.query.problems import UndefinedError, unknown_property
+from robosmi.query.collections import Map, Tuple, collection
+from robosmi.query.operations import has_plain_operation, plain_operation
+from robosmi.query.problems import UndefinedError, describe, unknown_property
 from robosmi.query.run import ext
 from robosmi.query.types import EolType
 from robosmi.query.values import collection_kind, compares_itself
@@ -35,8 +35,6 @@ def get(target: Any, name: str) -> Any:
     >>> get([[1, 2], [3]], "size"), get("robot", "length")
     (2, 5)
     """
-    from robosmi.query.operations import has_plain_operation, plain_operation
-
     if target is None:
         raise UndefinedError(f"the property '{name}' of nothing was asked for", fix="use get_safe, or a default")
     if name[:1] == "~":
@@ -72,8 +70,6 @@ def get_safe(target: Any, name: str) -> Any:
 
 def has_property(target: Any, name: str) -> bool:
     """Whether the target has the property (EOL `hasProperty`): a feature, a field, or an operation without arguments."""
-    from robosmi.query.operations import has_plain_operation
-
     if isinstance(target, Tuple):
         return name in target
     if target is None:
@@ -123,14 +119,6 @@ def _own(target: Any, name: str) -> Any:
     if value is None and name == "literal" and isinstance(target, EEnumLiteral):
         return target.name  # EMF: a literal without a text of its own is written by its name
     return _MISSING if isinstance(value, _METHODS) or (callable(value) and not isinstance(value, EObject)) else value
-
-
-def describe(target: Any) -> str:
-    """What a target is, for messages: `a Book`, `a Sequence`."""
-    kind = collection_kind(target)
-    if kind is None:
-        kind = target.eClass.name if isinstance(target, EObject) else type(target).__name__
-    return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"
 
 
 def property_names(target: Any) -> list[str]:

@@ -11,6 +11,7 @@ import re
 from typing import Any
 
 from robosmi.query.collections import Q
+from robosmi.query.models import literal_named
 from robosmi.query.problems import OperandError
 from robosmi.query.types import fits_integer
 
@@ -244,8 +245,6 @@ def to_enum(text: str) -> Any:
     Raises:
         UnknownTypeError: there is none.
     """
-    from robosmi.query.models import literal_named
-
     return literal_named(text)
 
 

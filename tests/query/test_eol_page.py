@@ -5,13 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from robosmi.query import model_level, operations
+from robosmi.query import operations
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "eol.md"
-TABLES = (
-    operations._ANY, operations._ELEMENT, operations._BOOLEAN, operations._NUMBER, operations._INTEGER, operations._STRING,
-    operations._MAP, operations._COLLECTION, model_level.TYPES, model_level.MODELS, model_level.LITERALS,
-)  # fmt: skip
+TABLES = tuple(operations.TABLES.values())
 OWN = {"of_kind", "of_type"}
 """Python's names of operations that have another one in EOL."""
 
