@@ -1,7 +1,8 @@
 """The errors of queries: a name that does not exist, a value that is not there, an operand of the wrong kind.
 
 All are `ModelError`s (exit code 3), with the nearest known name where there is one. What a lambda raises by itself is
-not caught here. Errors of elements' own features come from `robosmi.model.feature_errors`, those of types from `robosmi.model.driver`.
+not caught here. Errors of elements' own features come from `robosmi.model.feature_errors`, those of types from
+`robosmi.model.driver`.
 """
 
 from __future__ import annotations
