@@ -1,0 +1,23 @@
+"""dht22.h: humidity and temperature. Semantics of the library's source (libdht22, Simple-Libraries 1cc167c10)."""
+
+from __future__ import annotations
+
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import Uno, proves
+
+ALL = [f"dht22.h/dht22_{name}" for name in ("read", "getTemp", "getHumidity", "set_timeout_ignore")]
+
+
+@proves(*ALL)
+def humidity_and_temperature_are_read(uno: Uno) -> None:
+    program = """
+void say(int32_t number) { Serial.print(number); Serial.print(' '); }
+void setup() { Serial.begin(115200); delay(100); say(dht22_read(7)); say(dht22_getTemp(0)); say(dht22_getTemp(1));
+  say(dht22_getTemp(2)); say(dht22_getHumidity()); uint32_t begun = millis(); say(dht22_read(7)); say(millis() - begun > 490);
+  say(dht22_getTemp(CELSIUS)); dht22_set_timeout_ignore(7, 1); begun = millis(); dht22_read(7); say(millis() - begun > 490);
+  say(dht22_read(255)); }
+void loop() {}
+"""
+    settings = {"humidity": [[0, 65.2]], "celsius": [[0, 35.1], [400, -10.1]]}
+    trace = uno.run(program, [*ALL, "dht22.h/CELSIUS"], 900, [DeviceUse("dht22", {"signal": "D7"}, settings)])
+    assert [int(each) for each in trace.text.split()] == [1, 351, 951, 3083, 652, 0, 1, -101, 0, 0]
