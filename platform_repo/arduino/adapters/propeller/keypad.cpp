@@ -1,0 +1,65 @@
+//# header keypad.h
+// A matrix of keys. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Interface/libkeypad (keypad.h, keypad.c).
+
+//# helper Keypad
+struct Keypad {
+  uint8_t rows, columns;
+  int32_t pins[16];     // of the rows, then of the columns
+  int32_t *values;
+};
+static Keypad keypad;
+
+//# adapter keypad_setup
+//#   for: void keypad_setup(int rowCount, int columnCount, int *rowPinCons, int *columnPinCons, int *buttonValues)
+//#   kind: oneToMany
+//#   needs: Keypad simpletools.h/input
+//#   fidelity: the pins become inputs; pins and values are taken as they are at the call
+//#   limit: 8 rows and 8 columns
+template <class Pin, class Value>
+inline void keypad_setup(int32_t rowCount, int32_t columnCount, Pin *rowPinCons, Pin *columnPinCons, Value *buttonValues) {
+  keypad.rows = min(rowCount, 8);
+  keypad.columns = min(columnCount, 8);
+  for (uint8_t row = 0; row < keypad.rows; row++) input(keypad.pins[row] = rowPinCons[row]);
+  for (uint8_t column = 0; column < keypad.columns; column++) input(keypad.pins[8 + column] = columnPinCons[column]);
+  uint8_t keys = keypad.rows * keypad.columns;
+  delete[] keypad.values;
+  keypad.values = new int32_t[keys];
+  for (uint8_t key = 0; key < keys; key++) keypad.values[key] = buttonValues[key];
+}
+
+//# adapter keypad_readFrom
+//#   for: int keypad_readFrom(int button)
+//#   kind: oneToMany
+//#   needs: Keypad simpletools.h/input simpletools.h/high simpletools.h/low
+//#   fidelity: the first key held behind that one, -1 without one; in the first row looked at, columns behind it only, as there
+inline int32_t keypad_readFrom(int32_t button) {
+  uint8_t keys = keypad.rows * keypad.columns, key = 0;
+  if (button != -1) {
+    while (key < keys && keypad.values[key] != button) key++;
+    key += key < keys;
+  }
+  if (key == keys) return -1;
+  for (uint8_t column = 0; column < keypad.columns; column++) low(keypad.pins[8 + column]);
+  for (uint8_t row = 0; row < keypad.rows; row++) input(keypad.pins[row]);
+  for (bool held = false; key < keys && !held;) {
+    int32_t row = keypad.pins[key / keypad.columns];
+    do {
+      int32_t column = keypad.pins[8 + key % keypad.columns];
+      high(row);
+      held = input(column);
+      low(column);
+      if (held) break;
+    } while (++key % keypad.columns);
+    input(row);
+  }
+  return key < keys ? keypad.values[key] : -1;
+}
+
+//# adapter keypad_read
+//#   for: int keypad_read(void)
+//#   kind: oneToOne
+//#   needs: keypad_readFrom
+//#   fidelity: the first key held, -1 without one
+inline int32_t keypad_read() {
+  return keypad_readFrom(-1);
+}
