@@ -79,3 +79,37 @@ void loop() {{}}
     assert [width for _, width in widths[-4:-1]] == pytest.approx([1600] * 3, abs=10)
     assert trace.levels("D5")[-1][0] < trace.simulated_us - 150_000
     assert turned(trace, 1) == pytest.approx(-708, abs=40)
+
+
+SETTINGS = s(
+    "getAngle12Bit", "getAngleFixedOrigin", "getAngleCalc", "getAngleOffset", "getRampStep", "getAcceleration",
+    "getUnitsFullCircle", "getAngleCtrlSpeedMax", "setAngleCtrlSpeedMax",
+    "setAngleOffset", "setAngleCalc", "setTurns", "setControlSys",
+    "setTransferFunction", "setCoupleScale",
+)  # fmt: skip
+
+
+@proves(*SETTINGS)
+def servos_with_feedback_are_set_and_asked(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); servo360_connect(5, A0); servo360_connect(6, 255); say(servo360_getUnitsFullCircle(5));
+  say(servo360_getRampStep(5)); say(servo360_getAcceleration(5)); say(servo360_getAngleCtrlSpeedMax(5));
+  servo360_setAngleCtrlSpeedMax(5, 180); say(servo360_getAngleCtrlSpeedMax(5)); say(servo360_setAngleCtrlSpeedMax(5, 721));
+  say(servo360_setCoupleScale(6, 5, 1000)); say(servo360_getAngleFixedOrigin(5)); say(servo360_getAngleOffset(5));
+  servo360_angle(5, 45); delay(900); say(servo360_getAngle12Bit(5)); servo360_setAngleOffset(5, 45); delay(25);
+  servo360_setControlSys(5, S360_SETTING_KPA, 0); servo360_setControlSys(5, S360_SETTING_KIA, 0);
+  servo360_setControlSys(5, S360_SETTING_KDA, 0); delay(200); say(servo360_getAngle12Bit(5)); say(servo360_setTurns(5, 2));
+  say(servo360_getTurns(5)); servo360_setAngleCalc(5, 30); say(servo360_getAngleCalc(5));
+  servo360_setTransferFunction(6, S360_SETTING_VB_CCW, 1000); servo360_speed(6, 36); delay(200); }}
+void loop() {{}}
+"""
+    constants = [f"servo360.h/S360_SETTING_{name}" for name in ("KPA", "KIA", "KDA", "VB_CCW")]
+    used = [*SETTINGS, *s("connect", "angle", "getTurns", "speed"), *constants]
+    trace = uno.run(program, used, 2500, SERVOS[:1])
+    told = [int(each) for each in trace.text.split()]
+    assert told[:7] == [360, 819, 3599, 720, 180, -2, 1]
+    assert told[7:10] == pytest.approx([1024, 90, 512], abs=30)
+    assert told[10] > 700  # the offset was 90 degrees: the angle reads 45 more, and nothing holds it any longer
+    assert told[11:13] == [0, 2]
+    assert told[13] == pytest.approx(30, abs=1)
+    assert trace.pulses("D6")[-1][1] == pytest.approx(1500 + 100 + 7, abs=3)
