@@ -360,3 +360,18 @@ def test_the_python_interface_has_the_functions_of_the_contract_that_exist() -> 
 def test_an_unknown_public_name_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="has no attribute 'migrat'"):
         _ = robosmi.migrat
+
+
+def test_modules_about_one_platform_are_used_by_no_other() -> None:
+    """What makes the data of one platform is a tool of its own: whatever serves all platforms lies elsewhere."""
+    platforms = {path.parent.name.replace("-", "_") for path in (ROOT / "platform_repo").glob("*/platform.toml")}
+    named = {path.stem for path in modules("transformations") if path.stem.partition("_")[0] in platforms}
+    assert "propeller_facts" in named
+    imports = re.compile(r"^\s*(?:from|import)\s+robosmi\.transformations.*", re.MULTILINE)
+    users = [
+        f"{path.relative_to(ROOT)}: {line}"
+        for path in modules("transformations")
+        for line in imports.findall(path.read_text(encoding="utf-8"))
+        if named & set(re.findall(r"\w+", line))
+    ]
+    assert users == []

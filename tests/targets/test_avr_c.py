@@ -39,6 +39,21 @@ def test_main_and_the_text_of_the_program_stay(line_follower: Path) -> None:
     ]  # fmt: skip
 
 
+def test_nothing_that_is_made_speaks_of_a_sketch(line_follower: Path, tmp_path: Path) -> None:
+    """Of a program that reads wrong and leaves something out, too: the tasks say where to do what."""
+    program = tmp_path / "odd.c"
+    program.write_text(
+        '#include "simpletools.h"\n#include "missing.h"\ntypedef struct { int a; } pair;\nint broken( {\n'
+        "int main() { pair p; p.a = 1; pause(p.a); return 0; }\n"
+    )
+    robosmi.migrate([program], tmp_path / "odd", target="avr-c")
+    reports = [line_follower / "line_follower" / "MIGRATION.md", tmp_path / "odd" / "odd" / "MIGRATION.md"]
+    texts = [path.read_text() for path in reports]
+    assert "name in the program" in texts[0]
+    assert "or correct the program" in texts[1]
+    assert [text for text in texts if "sketch" in text] == []
+
+
 def test_the_makefile_builds_what_compile_builds(line_follower: Path) -> None:
     require_tools("avr-gcc", "avr-objcopy", "avr-size", "make")
     report = compile_sketch(line_follower)

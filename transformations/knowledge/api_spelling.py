@@ -21,6 +21,12 @@ _LITERAL = re.compile(
 )
 
 
+def tidy(text: str) -> str:
+    """A signature or type of `api.json` in its spelling: a blank behind a comma, none behind an asterisk; C alone, no tokens."""
+    text = re.sub(r"\s*,\s*", ", ", " ".join(text.split()))
+    return re.sub(r"\*\s+(?=[\w*,)])", "*", text).strip()
+
+
 def spelled(text: str) -> str:
     """A type, name or list of parameters in the one spelling; comments are left out."""
     return joined((kind, word) for kind, _, _, word in tokens(text.encode("utf-8")))

@@ -14,7 +14,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types
+from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.source_text import SourceText
 
 Task = migration.PlanTask
@@ -102,7 +102,7 @@ def _place(element: ccode.Located | None) -> dict[str, object]:
 def _where(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
     """Which file has the adapter."""
     beside = beside_its_declaration(adapter) or needs_own_types(adapter)
-    return "in the sketch" if beside else "in adapters.h"
+    return f"in the {called(plan)}" if beside else "in adapters.h"
 
 
 def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -176,13 +176,13 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
             yield Task(
                 rule="RS503", severity=Level.warning, effort="medium",
                 message=f"'{name}' was left out: {'; '.join(disposition.reasons)}",
-                fix="put what the program needs of it into the sketch", elements=[disposition],
+                fix=f"put what the program needs of it into the {called(plan)}", elements=[disposition],
                 **_place(disposition.element),  # type: ignore[arg-type]
             )  # fmt: skip
 
 
 def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Text that is no C: it is carried over as it is, so the sketch does not compile before a person has mended it."""
+    """Text that is no C: it is carried over as it is, so what is made does not compile before a person has mended it."""
     for finding in plan.findings:
         if finding.rule == "RS101":
             yield Task(
@@ -190,7 +190,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 severity=Level.error,
                 message=f"mend the source, which is no C here and was carried over as it is ({finding.message})",
                 effort="small",
-                fix="correct the source and migrate it again, or correct the sketch",
+                fix=f"correct the source and migrate it again, or correct the {called(plan)}",
                 path=finding.path,
                 line=finding.line,
                 column=finding.column,

@@ -10,7 +10,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
-from robosmi.transformations.queries.plan import call_sites, element_title, open_choices
+from robosmi.transformations.queries.plan import call_sites, called, element_title, open_choices
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
@@ -21,6 +21,7 @@ def report(plan: migration.MigrationPlan) -> dict[str, Any]:
     sites = call_sites(plan)
     return {
         "name": plan.name,
+        "called": called(plan),
         "source": plan.source.name if plan.source else "its platform",
         "board": plan.board.title if plan.board else "the target",
         "summary": (

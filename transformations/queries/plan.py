@@ -27,6 +27,12 @@ def keeps_main(plan: migration.MigrationPlan) -> bool:
     return target_of(plan).structure is platform.EntryStructure.mainFunction
 
 
+def called(plan: migration.MigrationPlan) -> str:
+    """What people call a program of the plan's target: a sketch where it begins with setup and loop, else a program."""
+    made_for = plan.targetDescription
+    return "program" if made_for is not None and made_for.structure is platform.EntryStructure.mainFunction else "sketch"
+
+
 def disposition_counts(plan: migration.MigrationPlan) -> dict[str, int]:
     """How many elements each action has; every action is named."""
     counts = Counter(d.action.name for d in plan.dispositions)

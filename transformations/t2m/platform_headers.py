@@ -18,10 +18,10 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.knowledge.lexer import definition_parts, directive_parts, tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
-from robosmi.transformations.t2m.propeller_facts import tidy
 
 ENDINGS = (".h", ".hh", ".hpp")
 LARGEST = 4_000_000

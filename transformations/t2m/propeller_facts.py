@@ -8,21 +8,15 @@ written by hand in `meanings.toml`. Run: `python -m robosmi.transformations.t2m.
 from __future__ import annotations
 
 import json
-import re
 import sys
 from pathlib import Path
 from typing import Any
 
 from robosmi import inputs, resources
 from robosmi.data_text import json_of
+from robosmi.transformations.knowledge.api_spelling import tidy
 
 PLATFORM = "propeller"
-
-
-def tidy(text: str) -> str:
-    """A signature or type in one spelling: a blank behind a comma, none behind an asterisk."""
-    text = re.sub(r"\s*,\s*", ", ", " ".join(text.split()))
-    return re.sub(r"\*\s+(?=[\w*,)])", "*", text).strip()
 
 
 def api_facts(database: dict[str, Any]) -> dict[str, Any]:

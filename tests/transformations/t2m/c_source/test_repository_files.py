@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from robosmi import resources
+from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.t2m import propeller_facts
 
 
@@ -15,5 +16,5 @@ def test_made_again_they_are_the_same(shared: Path, tmp_path: Path) -> None:
 
 
 def test_signatures_are_in_one_spelling() -> None:
-    assert propeller_facts.tidy("(void (* func)(void *),size_t  n,...)") == "(void (*func)(void *), size_t n, ...)"
-    assert propeller_facts.tidy("const char * ") == "const char *"
+    assert tidy("(void (* func)(void *),size_t  n,...)") == "(void (*func)(void *), size_t n, ...)"
+    assert tidy("const char * ") == "const char *"
