@@ -55,6 +55,9 @@ class _Environment(SandboxedEnvironment):
     def is_safe_attribute(self, obj: Any, attr: str, value: Any) -> bool:  # Jinja's own way to attributes, in `getitem` too
         return allowed(obj, attr)
 
+    def unsafe_undefined(self, obj: Any, attribute: str) -> jinja2.Undefined:
+        raise refused(obj, attribute)
+
     def region_id(self, element: Any, *purpose: str) -> str:
         """`region_id`, which is a look at the element too."""
         self.seen.append(element)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
+from contextlib import nullcontext
 from pathlib import Path
 
 from robosmi.generate.places import Places
-from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
+from robosmi.model.commit import at_work, look_only
+from robosmi.model.runs import alone
+from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.m2m.plan_tasks import settle
 
@@ -26,7 +29,23 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
     own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
-    seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")} if own else {}
-    models = load_models(Path(plan))
+    if not own:
+        models = _loaded(Path(plan), dry_run)
+        return produce(models, Path(output), dry_run=dry_run, strict=strict)
+    if dry_run:
+        look_only(Path(output))
+    with nullcontext() if dry_run else at_work(Path(output)):
+        seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")}
+        models = load_models(Path(plan))
+        settle(models.plan, models.files)
+        return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
+
+
+def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
+    """The models of a plan that lies elsewhere, read while no run is writing there; that folder is not written."""
+    place = plan.resolve().parent.parent
+    with nullcontext() if dry_run else alone(place):
+        look_only(place)
+        models = load_models(plan)
     settle(models.plan, models.files)
-    return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
+    return models
