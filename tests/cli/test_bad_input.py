@@ -24,7 +24,6 @@ def check_refused(outcome: Outcome, code: int, *said: str) -> None:
 
 SOURCES = [
     ("missing.c", "no such file"),
-    ("empty.c", "empty"),
     ("binary.c", "binary"),
     ("prose.c", "no C source"),
     ("two_boards.fz", "no program reader takes a '.fz' file"),
@@ -51,6 +50,11 @@ def test_a_source_that_cannot_be_read_is_refused(command: str, name: str, cause:
     outcome = run(command, cases / name, "-o", output)
     check_refused(outcome, 3, str(cases / name), cause)
     assert tree(tmp_path) == {}
+
+
+def test_an_empty_source_is_a_program_that_has_nothing_to_migrate(cases: Path, tmp_path: Path) -> None:
+    assert run("analyse", cases / "empty.c").code == 0
+    check_refused(run("migrate", cases / "empty.c", "-o", tmp_path / "out"), 3, "no function main")
 
 
 @pytest.mark.parametrize("command", ["hardware", "recommend", "migrate"])

@@ -343,6 +343,7 @@ class _Grammar:
                     b"",
                     b"/* \xff\xfe caf\xe9 */",
                     b"/* nul \0 */",
+                    b"\0\n",
                     b"// \xed\xa0\x80 half",
                     b"\n\n/* long " + b"x" * 70_000 + b" */",
                 )

@@ -22,7 +22,8 @@ from robosmi.transformations.knowledge.lexer import Token, tokens
 
 _LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000
-_MAY_HOLD_ZEROS = frozenset(["comment", "string", "char"])  # elsewhere a NUL tells a compiled program from a text
+_TEXTS = frozenset(["comment", "string", "char"])  # they may hold any byte; elsewhere compilers read NUL as a blank
+_STRAY = re.compile(rb"[\x01-\x08\x0e-\x1f\x7f]")
 CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
 _SPLIT = "give the program's own source files; leave generated data out"
 
@@ -90,7 +91,7 @@ def read_source(path: str | os.PathLike[str]) -> ReadSource:
     """Read and tokenise a file.
 
     Raises:
-        SourceError: it does not exist, cannot be read, is a folder, is empty, is no text or is too large.
+        SourceError: it does not exist, cannot be read, is a folder, is no text or is too large.
     """
     name = os.fspath(path)
     raw = _bytes(name)
@@ -103,16 +104,39 @@ def read_source(path: str | os.PathLike[str]) -> ReadSource:
         source.parsed = source.parsed.replace(b"\0", b"?")
     source._lines = [0, *(match.end() for match in _LINE_END.finditer(data))]
     source.tokens = tokens(source.parsed, MOST_TOKENS)
-    if (zeros := data.count(0)) and zeros != sum(data.count(0, t[1], t[2]) for t in source.tokens if t[0] in _MAY_HOLD_ZEROS):
-        raise SourceError("the file is binary, not text", location=place, fix="give the C source file, not a compiled program")
+    if b"\0" in data:
+        _zeros_as_blanks(source)
     if not source.parsed.isascii():
         source.tokens = [_spelt(token, source) for token in source.tokens]
     if len(source.tokens) > MOST_TOKENS:
         raise SourceError(f"the file has more than {MOST_TOKENS:,} tokens", location=place, fix=_SPLIT)
-    if all(token[0] == "comment" for token in source.tokens):
-        what = "holds nothing but comments" if source.tokens else "is empty"
-        raise SourceError(f"the file {what}", location=place, fix="give a C source file with declarations")
     return source
+
+
+def _zeros_as_blanks(source: ReadSource) -> None:
+    """Read each NUL outside of comments and literals as a blank, as compilers do.
+
+    Raises:
+        SourceError: other bytes are there that no text has: it is a compiled program, or other data.
+    """
+    outside = bytearray(source.data)
+    for kind, start, end, _ in source.tokens:
+        if kind in _TEXTS:
+            outside[start:end] = b" " * (end - start)
+    zeros = [match.start() for match in re.finditer(b"\0", outside)]
+    if not zeros:
+        return
+    for kind, start, end, _ in source.tokens:
+        if kind == "directive":  # its comments and literals may hold any byte, too
+            outside[start:end] = b" " * (end - start)
+    if _STRAY.search(outside) or not (outside.isascii() or source._codec == "utf-8"):
+        place = Location(source.path)
+        raise SourceError("the file is binary, not text", location=place, fix="give the C source file, not a compiled program")
+    parsed = bytearray(source.parsed)
+    for offset in zeros:
+        parsed[offset] = 32
+    source.parsed = bytes(parsed)
+    source.tokens = tokens(source.parsed, MOST_TOKENS)
 
 
 def _spelt(token: Token, source: ReadSource) -> Token:

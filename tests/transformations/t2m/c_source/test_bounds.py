@@ -198,15 +198,33 @@ def test_forms_of_text(tmp_path: Path, data: bytes, rules: set[str] | None) -> N
     assert rules is None or rules <= {f.rule for f in findings}
 
 
-@pytest.mark.parametrize(
-    "data", [b"int main() { high(1);\0 low(2); }\n", b"int main() { high(1); }\0", b"\0" * 100, b"\xff\xfe\0"]
-)
-def test_zero_bytes_are_a_clear_error(tmp_path: Path, data: bytes) -> None:
+@pytest.mark.parametrize("data", [b"\x7fELF\1\1\1\0\0", b"MZ\x90\0\3\0", b"int a;\0\1", b"\xff\xfe\0"])
+def test_bytes_of_a_compiled_program_are_a_clear_error(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "main.c"
     path.write_bytes(data)
     with pytest.raises(SourceError) as caught:
         read_program(path)
     assert caught.value.fix
+
+
+@pytest.mark.parametrize(
+    ("data", "calls"),
+    [
+        (b"int main() { high(1);\0 low(2); }\n", ["high", "low"]),
+        (b"int\0main() { high\0(1); }\0", ["high"]),
+        (b"#define A\0 1\nint main() { high(A); /* caf\xe9 */ }\0\n", ["high"]),
+        (b"\0" * 100, []),
+        (b"", []),
+        (b"\xef\xbb\xbf", []),
+        (b"// nothing yet\n/* at all */", []),
+    ],
+)
+def test_what_a_compiler_takes_of_zero_bytes_and_empty_files_is_read(tmp_path: Path, data: bytes, calls: list[str]) -> None:
+    """GCC warns of NUL outside of comments and literals, and takes it as a blank; nothing but comments is a program, too."""
+    path = tmp_path / "main.c"
+    path.write_bytes(data)
+    program, _ = read_program(path)
+    assert [str(c.calleeName) for c in all_of_kind(program, ccode.Call)] == calls
 
 
 def test_include_folders_that_cannot_be_used(tmp_path: Path) -> None:
