@@ -71,7 +71,7 @@ def at_work(folder: Path) -> Iterator[None]:
 
 
 def _has(path: Path, data: bytes) -> bool:
-    return path.is_file() and path.read_bytes() == data
+    return path.is_file() and path.stat().st_size == len(data) and read_bytes(path, OUTPUT) == data
 
 
 def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = (), seen: Seen | None = None) -> None:

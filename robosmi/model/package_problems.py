@@ -11,8 +11,11 @@ from robosmi.model.ecore_description import ECORE, ECORE_URI, Class, DataType, D
 from robosmi.model.ecore_loader import Problem
 from robosmi.model.linearise import topological
 from robosmi.model.package_types import MAP_ENTRY
+from robosmi.model.python_names import python_name
 
 _REPAIR = "correct it in the .ecore file"
+_LONGEST = 200
+"""Bytes of a package's name, which is that of a folder; file systems take 255."""
 
 
 def problems_of(packages: Sequence[Package]) -> list[Problem]:
@@ -25,6 +28,13 @@ def problems_of(packages: Sequence[Package]) -> list[Problem]:
     classes = []
     for root in packages:
         for package in root.walk():
+            if len(python_name(package.name or "_").encode("utf-8", "replace")) > _LONGEST:
+                found.append(
+                    Problem(
+                        "a name is too long", package.location, f"a package has a name of more than {_LONGEST} bytes: "
+                        f"'{package.name[:40]}...'", f"shorten it: {_REPAIR}",
+                    )
+                )  # fmt: skip
             found += _twice("package", "sub-package", package.subpackages)
             found += _twice("package", "classifier", package.classifiers)
             for classifier in package.classifiers:

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.errors import ModelError
+from robosmi.generate.packages import generate_packages
 from robosmi.model import Metamodel
 from robosmi.model.codegen import render
 from robosmi.model.python_names import python_name
@@ -57,6 +59,13 @@ def test_a_default_value_of_thousands_of_digits_is_left_out(tmp_path: Path) -> N
         f'eType="{kind}" defaultValueLiteral="{"9" * 5000}"/></eClassifiers></ecore:EPackage>'
     )
     assert [finding.rule for finding in render([path]).findings] == ["RS603"]
+
+
+def test_a_package_whose_name_no_folder_can_have_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "p.ecore"
+    path.write_text(HEAD.replace('name="p"', f'name="{"p" * 5000}"') + "</ecore:EPackage>")
+    with pytest.raises(ModelError, match="more than 200 bytes"):
+        generate_packages([path], tmp_path / "out")
 
 
 def test_a_type_that_is_named_like_a_member_is_the_type_of_an_operation(tmp_path: Path) -> None:
