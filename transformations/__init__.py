@@ -65,10 +65,11 @@ _DRIVERS = {
     **dict.fromkeys(
         (".c", ".cc", ".cpp", ".cxx", ".h", ".hpp", ".ino"), "robosmi.transformations.t2m.c_source.on_demand:open_program"
     ),
+    **dict.fromkeys(("platform", "/platform.toml"), "robosmi.transformations.knowledge.platform_driver:open_platform"),
     **dict.fromkeys((".fz", ".fzp"), "robosmi.model.plain_xml:open_xml"),
     **dict.fromkeys(("fritzing", ".fzz"), "robosmi.transformations.t2m.fritzing.drawing_model:open_drawing"),
 }
-"""Drivers of models by name, and by the endings of the files that they open."""
+"""Drivers of models by name, by the endings of the files that they open, and by the file that marks a folder."""
 
 
 def registry(target: Registry) -> None:

@@ -1,7 +1,8 @@
 """Any model file by its ending: `open_model("x.xmi")`, `open_model("parts.csv")`, `open_model("robot.c")`.
 
 Drivers of the framework are listed here; others are offered through the registry (`robosmi.plugins`) as kind "driver", under a
-name and under each ending they take (`.c`): a function of a path and a name that gives a `Model`. The registry's come first.
+name, under each ending they take (`.c`), and under a slash with the name of the file that marks the folders they take: a function
+of a path and a name that gives a `Model`. The registry's come first.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ _ENDINGS = {".xmi": "emf", ".ecore": "emf", ".xml": "xml", ".csv": "rows", ".tsv
 
 def drivers() -> list[str]:
     """The names of all drivers, sorted."""
-    return sorted({*_DRIVERS, *(name for name in registry().names("driver") if not name.startswith("."))})
+    return sorted({*_DRIVERS, *(name for name in registry().names("driver") if not name.startswith((".", "/")))})
 
 
 def endings() -> dict[str, str]:
@@ -58,13 +59,14 @@ def _driver(file: Path, driver: str | None) -> Callable[..., Model]:
     offered = registry().entries.get("driver", {})
     if driver is not None:
         target = offered.get(driver) or _DRIVERS.get(driver)
-        if target is None or driver.startswith("."):
+        if target is None or driver.startswith((".", "/")):
             raise UsageError(
                 f"no driver is called '{driver}'{did_you_mean(driver, drivers())}", fix=f"use one of: {', '.join(drivers())}"
             )
         return load(target)  # type: ignore[no-any-return]
     if file.is_dir():
-        return load(_DRIVERS["rows"])  # type: ignore[no-any-return]
+        marked = (place for key, place in offered.items() if key.startswith("/") and (file / key[1:]).is_file())
+        return load(next(marked, _DRIVERS["rows"]))  # type: ignore[no-any-return]
     known = endings()
     target = known.get(file.suffix.lower()) or _by_content(file)
     if target is None:

@@ -253,6 +253,15 @@ def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:
                     yield path.parent.name, path
 
 
+def target_platform(name: str, project: Path | None = None) -> platform.Platform:
+    """A platform that programs are moved to, as a new element without its boards.
+
+    Raises:
+        PlatformDataError: its data is missing or damaged.
+    """
+    return _platform(table_of(resources.find(KIND, f"{name}/platform.toml", project)), name, project)
+
+
 def _platform(table: DataTable, folder: str, project: Path | None) -> platform.Platform:
     try:
         data = table.values
