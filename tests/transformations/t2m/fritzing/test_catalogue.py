@@ -337,3 +337,38 @@ def test_damaged_rules_for_roles_are_told(entry: str, tmp_path: Path) -> None:
     (folder / "roles.toml").write_text(f"[[rule]]\n{entry}\n")
     with pytest.raises(PlatformDataError, match="an entry has the role"):
         classify(Part("x", "Thing"), tmp_path)
+
+
+def own_rules(folder: Path, text: str) -> Path:
+    """A project with a `roles.toml` of its own."""
+    place = folder / ".robosmi" / "platform_repo" / "parts"
+    place.mkdir(parents=True)
+    (place / "roles.toml").write_text(text)
+    return folder
+
+
+def test_own_rules_for_roles_go_before_the_built_in_ones_and_leave_them(tmp_path: Path) -> None:
+    project = own_rules(tmp_path, '[[rule]]\nrole = "Input"\nwhy = "ours"\nwords = ["gizmo"]\n')
+    servo, gizmo = Part("s", "Basic Servo"), Part("g", "Red LED", description="with a gizmo")
+    assert classify(servo, project).role == classify(servo).role == "Output"
+    assert (classify(gizmo).role, classify(gizmo, project).role) == ("Output", "Input")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ('[[rule]]\nrole = "Input"\nwhy = "x"\nword = ["a"]', "'word' is no key \\(did you mean 'words'\\?\\)"),
+        ('[[rules]]\nrole = "Input"\nwhy = "x"', "'rules' means nothing here \\(did you mean 'rule'\\?\\)"),
+        ('[rule]\nrole = "Input"', "'rule' is no list of tables"),
+        ('[[rule]]\nrole = "Input"\nwhy = "x"\nfamilies.fritzin = ["a"]', "families.fritzin.*did you mean 'fritzing'"),
+        ('[[rule]]\nrole = "Input"\nwhy = "x"\ndriver = "yes"', "'driver' has the value 'yes'"),
+        ('[[rule]]\nrole = "Input"\nwhy = "x"\nwords = "a"', "'words' has the value 'a'"),
+        ('[[rule]]\nrole = "Input"\nwhy = "x"\nnamed = ["suply"]', "did you mean 'supply'"),
+    ],
+)
+def test_what_means_nothing_in_rules_for_roles_is_refused(text: str, said: str, tmp_path: Path) -> None:
+    project = own_rules(tmp_path, text)
+    with pytest.raises(PlatformDataError, match=said) as caught:
+        classify(Part("x", "Thing"), project)
+    assert caught.value.location is not None
+    assert caught.value.fix

@@ -1,0 +1,177 @@
+"""The files that give parts their roles: `parts/roles.toml` (rules) and `parts/curated.toml` (entries for single ids).
+
+All folders of the platform repository count, the user's before the built-in one: a file of one's own adds to the built-in rules
+and goes before them. What is in a file is held against its keys here; which rule fits a part is `part_roles`' business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.plugins import registry
+from robosmi.resources import built_in, folders
+from robosmi.transformations.knowledge.part import ROLES
+from robosmi.transformations.knowledge.part_names import Phrases, read_toml
+
+_FLAGS = ("driver", "first", "weak", "tags")
+_LISTS = ("words", "not", "named")
+_BY_TOOL = ("ids", "families")
+_RULE_KEYS = ("role", "why", "connectors", *_FLAGS, *_LISTS, *_BY_TOOL)
+_CURATED_KEYS = ("role", "why", "driver", "ids")
+_NAMED = ("supply", "ground")
+
+
+@dataclass(frozen=True, slots=True)
+class RoleRules:
+    """The rules of one `roles.toml` in their order, ready for looking up."""
+
+    rules: tuple[Mapping[str, Any], ...]
+    words: Phrases
+    tags: Phrases
+    weak: frozenset[int]
+    forbidden: tuple[Phrases | None, ...]
+    named: tuple[tuple[str, int], ...]
+    families: tuple[tuple[str, str, int], ...]
+    connectors: tuple[tuple[frozenset[str], int], ...]
+
+
+def role_rules(project: Path | None) -> list[RoleRules]:
+    """The rules of each file, the user's before the built-in ones: the first file with a rule that fits decides.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: a file is damaged, or there is none.
+    """
+    found = [_rules(str(path), path.stat().st_mtime_ns) for path in _files("roles.toml", project)]
+    if not found:
+        raise PlatformDataError("there is no parts/roles.toml in the platform repository", fix="install robosmi again")
+    return found
+
+
+def curated_entries(project: Path | None) -> dict[tuple[str, str], Mapping[str, Any]]:
+    """The entries of all files by tool (empty for every tool) and id; the first file that has one counts.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: a file is damaged.
+    """
+    result: dict[tuple[str, str], Mapping[str, Any]] = {}
+    for path in _files("curated.toml", project):
+        for key, entry in _curated(str(path), path.stat().st_mtime_ns).items():
+            result.setdefault(key, entry)
+    return result
+
+
+def _files(name: str, project: Path | None) -> Iterator[Path]:
+    return (path for folder in folders("platform_repo", project) if (path := folder / "parts" / name).is_file())
+
+
+@cache
+def _rules(path: str, changed: int) -> RoleRules:
+    rules = _entries(path, "rule", _RULE_KEYS)
+    words = [(word, number) for number, rule in enumerate(rules) for word in rule.get("words", ())]
+    return RoleRules(
+        rules=tuple(rules),
+        words=Phrases(words),
+        tags=Phrases((word, number) for word, number in words if rules[number].get("tags", True)),
+        forbidden=tuple(Phrases((word, 0) for word in rule["not"]) if rule.get("not") else None for rule in rules),
+        weak=frozenset(number for number, rule in enumerate(rules) if rule.get("weak")),
+        named=tuple((kind, number) for number, rule in enumerate(rules) for kind in rule.get("named", ())),
+        families=tuple((tool, family, n) for n, rule in enumerate(rules) for tool, family in _by_tool(rule.get("families", ()))),
+        connectors=tuple((frozenset(wanted), number) for number, r in enumerate(rules) for wanted in r.get("connectors", ())),
+    )
+
+
+@cache
+def _curated(path: str, changed: int) -> dict[tuple[str, str], Mapping[str, Any]]:
+    return {key: entry for entry in _entries(path, "part", _CURATED_KEYS) for key in _by_tool(entry.get("ids", ()))}
+
+
+def _by_tool(listed: Any) -> Iterator[tuple[str, str]]:
+    """Tool (empty for all) and text of each entry of such a list."""
+    if isinstance(listed, Mapping):
+        yield from ((tool, text) for tool, texts in listed.items() for text in texts)
+    else:
+        yield from (("", text) for text in listed)
+
+
+def _entries(path: str, key: str, keys: Sequence[str]) -> Sequence[Mapping[str, Any]]:
+    """The tables `[[key]]` of a file, each with keys and values that mean something.
+
+    Raises:
+        PlatformDataError: one has a key or a value that means nothing.
+    """
+    table = read_toml(path)
+    odd = next((name for name in table if name != key), None)
+    entries = table.get(key, [])
+    if odd is not None or not isinstance(entries, list) or not all(isinstance(entry, Mapping) for entry in entries):
+        what = f"'{odd}' means nothing here{did_you_mean(odd, [key])}" if odd is not None else f"'{key}' is no list of tables"
+        raise PlatformDataError(what, location=Location(path), fix=f"begin each entry with [[{key}]]")
+    tools = None if Path(path).is_relative_to(built_in("platform_repo")) else _tools()
+    for entry in entries:
+        _check_role(entry, path)
+        if problem := _problem(entry, keys, tools):
+            raise PlatformDataError(
+                f"the entry for {entry['role']} ({entry['why']}) cannot be used: {problem}",
+                location=Location(path),
+                fix="the head of the built-in parts/roles.toml says what the keys mean",
+            )
+    return entries
+
+
+def _check_role(entry: Mapping[str, Any], path: str) -> None:
+    if entry.get("role") not in ROLES or not entry.get("why"):
+        raise PlatformDataError(
+            f"an entry has the role '{entry.get('role', '')}' and the reason '{entry.get('why', '')}'",
+            location=Location(path),
+            fix=f"give it a why, and as role one of: {', '.join(ROLES)}",
+        )
+
+
+def _problem(entry: Mapping[str, Any], keys: Sequence[str], tools: Collection[str] | None) -> str:
+    """What is wrong with an entry, or an empty text; `tools` are those it may name, None for any."""
+    for key, value in entry.items():
+        if key not in keys:
+            return f"'{key}' is no key{did_you_mean(key, keys)}"
+        by_tool = key in _BY_TOOL and isinstance(value, Mapping)
+        if by_tool and (odd := next((tool for tool in value if tools is not None and tool not in tools), None)) is not None:
+            return f"'{key}.{odd}' names a drawing tool that no reader reads{did_you_mean(odd, tools or ())}"
+        if not _fits(key, value):
+            return f"'{key}' has the value {value!r}"
+        if key == "named" and (odd := next((kind for kind in value if kind not in _NAMED), None)) is not None:
+            return f"'named' has '{odd}'{did_you_mean(odd, _NAMED)}; there are: {', '.join(_NAMED)}"
+    return ""
+
+
+def _fits(key: str, value: Any) -> bool:
+    if key in _FLAGS:
+        return isinstance(value, bool)
+    if key in ("role", "why"):
+        return isinstance(value, str)
+    if key == "connectors":
+        return isinstance(value, list) and all(map(_texts, value))
+    if key in _BY_TOOL and isinstance(value, Mapping):
+        return all(map(_texts, value.values()))
+    return _texts(value)
+
+
+def _texts(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(text, str) for text in value)
+
+
+def _tools() -> set[str]:
+    """The drawing tools that an entry may name: those with a reader, and those that the built-in rules know."""
+    named = {name for kind in ("drawing reader", "parts reader") for name in registry().names(kind)}
+    for rule in read_toml(str(built_in("platform_repo") / "parts" / "roles.toml")).get("rule", ()):
+        named |= {tool for key in _BY_TOOL if isinstance(rule.get(key), Mapping) for tool in rule[key]}
+    return named
