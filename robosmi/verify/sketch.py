@@ -76,7 +76,7 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
         suffix = toolchain.sketch.text("suffix")
         if path.is_file() and path.suffix == suffix:
             return _sketch(path, toolchain), toolchain
-        if path.is_dir() and (main := _main(path, suffix)):
+        if path.is_dir() and (main := _main(path, toolchain.sketch)):
             return _sketch(main, toolchain), toolchain
     found: list[tuple[Path, Toolchain]] = []
     if path.is_dir():
@@ -96,12 +96,20 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
     return _sketch(found[0][0], found[0][1]), found[0][1]
 
 
-def _main(folder: Path, suffix: str) -> Path | None:
+def _main(folder: Path, data: DataTable) -> Path | None:
+    """The main file of a sketch's folder: the one that bears its name, else the only one.
+
+    Raises:
+        UsageError: there are several, which together would be a sketch if one bore the folder's name.
+    """
+    suffix = data.text("suffix")
     named = folder / f"{folder.resolve().name}{suffix}"
     if named.is_file():
         return named
     found = sorted(path for path in folder.glob(f"*{suffix}") if path.is_file())
     if len(found) > 1:
+        if not data.flag("parts", True):
+            return None
         raise UsageError(
             f"none of the {len(found)} files *{suffix} bears the folder's name",
             location=Location(str(folder)),

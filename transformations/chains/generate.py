@@ -43,7 +43,7 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
 
 def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
     """The models of a plan that lies elsewhere, read while no run is writing there; that folder is not written."""
-    place = plan.resolve().parent.parent
+    place = Path(os.path.realpath(plan)).parent.parent  # which no link that leads to itself stops
     with nullcontext() if dry_run else alone(place):
         look_only(place)
         models = load_models(plan)
