@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+import networkx as nx
 import pytest
 
 import robosmi
@@ -79,14 +80,31 @@ def tree_of(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
-def imported(path: Path) -> Iterator[tuple[int, str]]:
-    """Line and full name of everything that a module imports, wherever in it."""
+def nodes_of(node: ast.AST, run: bool = False) -> Iterator[ast.AST]:
+    """Everything within a node; if only what runs is asked for, without what stands under `if TYPE_CHECKING`."""
+    for child in ast.iter_child_nodes(node):
+        if run and isinstance(child, ast.If) and ast.unparse(child.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING"):
+            for other in child.orelse:
+                yield other
+                yield from nodes_of(other, run)
+        else:
+            yield child
+            yield from nodes_of(child, run)
+
+
+def imported(path: Path, run: bool = False) -> Iterator[tuple[int, str]]:
+    """Line and full name of everything that a module imports, wherever in it; with `run` without what only type checkers see."""
     package = (
         ["robosmi", *path.relative_to(ROOT).parts[:-1]]
         if path.relative_to(ROOT).parts[0] in CONTENT
         else list(path.relative_to(ROOT).parts[:-1])
     )
-    for node in ast.walk(tree_of(path)):
+    yield from names_imported(tree_of(path), package, run)
+
+
+def names_imported(tree: ast.AST, package: list[str], run: bool) -> Iterator[tuple[int, str]]:
+    """Line and full name of everything that a tree of this package imports."""
+    for node in nodes_of(tree, run):
         if isinstance(node, ast.Import):
             yield from ((node.lineno, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -136,6 +154,52 @@ def test_a_room_of_the_content_imports_only_rooms_below_it(room: str) -> None:
         if other not in allowed
     ]
     assert wrong == []
+
+
+def module_name(path: Path) -> str:
+    """The name by which a module is imported."""
+    parts = [*path.relative_to(ROOT).with_suffix("").parts]
+    names = parts if parts[0] == "robosmi" else ["robosmi", *parts]
+    return ".".join(names[:-1] if names[-1] == "__init__" else names)
+
+
+def circles(imports: dict[str, list[tuple[int, str]]]) -> list[list[str]]:
+    """The groups of modules that import one another, each as the lines of its imports.
+
+    Args:
+        imports: module -> line and full name of what it imports, a module or a name in one.
+    """
+    graph: nx.MultiDiGraph[str] = nx.MultiDiGraph()
+    for module, names in imports.items():
+        for line, name in names:
+            while name not in imports and "." in name:
+                name = name.rpartition(".")[0]
+            if name in imports and name != module:
+                graph.add_edge(module, name, line=line)
+    found = [graph.subgraph(part) for part in nx.strongly_connected_components(graph) if len(part) > 1]
+    return [sorted({f"{a}:{line} imports {b}" for a, b, line in part.edges(data="line")}) for part in found]
+
+
+def test_no_modules_import_one_another() -> None:
+    """Imports inside functions count, those for type checkers alone do not, nor what a package runs for its modules."""
+    paths = modules("robosmi", "transformations", "metamodels")
+    found = circles({module_name(path): list(imported(path, run=True)) for path in paths})
+    assert found == [], "\n\n".join("\n".join(lines) for lines in found)
+
+
+def test_the_search_for_circles_finds_them() -> None:
+    inside = ast.parse("def f():\n    from p.b import x")
+    for_types = ast.parse("if TYPE_CHECKING:\n    from p import a\nelse:\n    import p.c")
+    back = ast.parse("from . import a")
+    imports = {
+        "p.a": list(names_imported(inside, ["p"], run=True)),
+        "p.b": list(names_imported(for_types, ["p"], run=True)),
+        "p.c": [],
+    }
+    assert circles(imports) == []
+    assert circles({**imports, "p.c": list(names_imported(back, ["p"], run=True))}) == [
+        ["p.a:2 imports p.b", "p.b:4 imports p.c", "p.c:1 imports p.a"]
+    ]
 
 
 def test_every_room_of_the_content_has_its_arrows() -> None:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
@@ -24,10 +25,35 @@ from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 MAX_DEPTH = 150
 
 
+ExpressionBuilder = Callable[["UnitContext", Node], "ccode.Expression | None"]
+StatementBuilder = Callable[["UnitContext", Node], ccode.Statement]
+DeclarationBuilder = Callable[["UnitContext", Node], ccode.Declaration]
+
+
+@dataclass(frozen=True)
+class Builders:
+    """What makes the elements for cursors: tables from CXCursorKind to a function of the context and the cursor.
+
+    Builders ask one another through these tables, since declarations hold statements and statements declarations.
+
+    Attributes:
+        expressions: give None for a cursor that they cannot take apart.
+        statements: of all kinds but expression statements.
+        declarations: at file scope and in blocks.
+        block: builds the body of a function.
+    """
+
+    expressions: Mapping[int, ExpressionBuilder]
+    statements: Mapping[int, StatementBuilder]
+    declarations: Mapping[int, DeclarationBuilder]
+    block: Callable[[UnitContext, Node], ccode.Block]
+
+
 class UnitContext:
     """State of building one unit.
 
     Attributes:
+        builders: of the elements (see `grammar`).
         api: the source platform.
         lib: libclang.
         tokens: without comments and directives.
@@ -38,8 +64,9 @@ class UnitContext:
         user_macros: names of macros that the file defines.
     """
 
-    def __init__(self, parsed: Parsed, api: ApiIndex, include_dirs: Sequence[str] = ()) -> None:
+    def __init__(self, parsed: Parsed, api: ApiIndex, builders: Builders, include_dirs: Sequence[str] = ()) -> None:
         self.parsed = parsed
+        self.builders = builders
         self.api = api
         self.include_dirs = sorted((os.path.abspath(d) for d in include_dirs), key=len, reverse=True)
         self.lib = clang.library()

@@ -8,12 +8,13 @@ What has no form in the metamodel (a lambda, a structured binding) stays text, a
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import declarations, expressions, statements, types
-from robosmi.transformations.t2m.c_source.context import UnitContext
-from robosmi.transformations.t2m.c_source.expressions import expression, operands
+from robosmi.transformations.t2m.c_source import declarations, statements, types
+from robosmi.transformations.t2m.c_source.context import ExpressionBuilder, StatementBuilder, UnitContext
+from robosmi.transformations.t2m.c_source.expressions import CALL, call, expression, operands
 from robosmi.transformations.t2m.c_source.statements import statement
 from robosmi.transformations.t2m.c_source.tree import Node
 
@@ -31,7 +32,7 @@ def _named_cast(context: UnitContext, node: Node) -> ccode.Expression | None:
     return ccode.Cast(operand=expression(context, children[-1]), **context.source.place(node.start, node.end))
 
 
-def _word(operator: str) -> expressions.Builder:
+def _word(operator: str) -> ExpressionBuilder:
     """A builder for an operator that is a word before its operand."""
 
     def build(context: UnitContext, node: Node) -> ccode.Expression | None:
@@ -47,7 +48,23 @@ def _word(operator: str) -> expressions.Builder:
     return build
 
 
-def overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
+def _call(context: UnitContext, node: Node) -> ccode.Expression:
+    children = operands(node)
+    if context.source.language == "C++":
+        if len(children) == 1 and (children[0].start, children[0].end) == (node.start, node.end):
+            return expression(context, children[0])  # a constructor that the text does not name
+        children = [c for c in children if not _is_call_operator(context, c)]
+        if (operation := _overloaded(context, node)) is not None:
+            return operation
+    return call(context, node, children)
+
+
+def _is_call_operator(context: UnitContext, node: Node) -> bool:
+    """Whether this is what the parser names between an object that is called as a function and its arguments."""
+    return context.text(node)[:1] == "(" and context.spelling(node.cursor) == "operator()"
+
+
+def _overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
     """The operation that a call of an overloaded operator is in the text; None for any other call."""
     match = _OPERATOR.match(context.spelling(node.cursor))
     if match is None or context.text(node).startswith("operator"):
@@ -99,8 +116,14 @@ def _for_range(context: UnitContext, node: Node) -> ccode.Statement:
     )
 
 
-def enable() -> None:
-    """Add these builders to those of C."""
-    expressions.BUILDERS.update(dict.fromkeys((124, 125, 126, 127, 128), _named_cast))
-    expressions.BUILDERS.update({133: _word("throw"), 134: _word("new"), 135: _word("delete")})
-    statements.BUILDERS.update({TRY: _try, 225: _for_range})
+EXPRESSIONS: Mapping[int, ExpressionBuilder] = {
+    CALL: _call,
+    **dict.fromkeys((124, 125, 126, 127, 128), _named_cast),
+    133: _word("throw"),
+    134: _word("new"),
+    135: _word("delete"),
+}
+"""CXCursorKind -> builder, of what C has not or has otherwise."""
+
+STATEMENTS: Mapping[int, StatementBuilder] = {TRY: _try, 225: _for_range}
+"""CXCursorKind -> builder, of what C has not."""

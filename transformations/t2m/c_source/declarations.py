@@ -7,12 +7,12 @@ Names, storage and constants come from the parser, types and declarators from th
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import types
-from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.context import DeclarationBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
@@ -30,7 +30,7 @@ def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None)
     starts = Counter(n.start for n in nodes if n.kind == 9)
     made: list[ccode.Declaration] = []
     for node in _without_linkage(nodes):
-        builder = BUILDERS.get(node.kind)
+        builder = context.builders.declarations.get(node.kind)
         if builder is not None and not (node.kind in (2, 3, 4, 5) and _only_named(context, node)):
             element = _variable(context, node, start) if node.kind == 9 else builder(context, node)
             if starts[node.start] > 1 and isinstance(element, ccode.Variable):
@@ -59,8 +59,6 @@ def _only_named(context: UnitContext, node: Node) -> bool:
 
 
 def _function(context: UnitContext, node: Node) -> ccode.Declaration:
-    from robosmi.transformations.t2m.c_source.statements import block
-
     at = context.name_offset(node.cursor)
     name = context.spelling(node.cursor)
     context.declarators.add(at)
@@ -97,7 +95,7 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
         definition=body is not None or None,
         returnType=result,
         parameters=parameters,
-        body=block(context, body) if body is not None else None,
+        body=context.builders.block(context, body) if body is not None else None,
         **context.source.place(node.start, node.end),
     )
     context.register(node.cursor, element)
@@ -256,7 +254,7 @@ def _namespace(context: UnitContext, node: Node) -> ccode.Declaration:
     )
 
 
-BUILDERS: dict[int, Callable[[UnitContext, Node], ccode.Declaration]] = {
+BUILDERS: Mapping[int, DeclarationBuilder] = {
     2: _record,
     3: _record,
     4: _record,

@@ -7,12 +7,12 @@ reference to that macro's name, as the text says; what comes out of a function-l
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import literals, macros, types
-from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, UnitContext
+from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
 UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = (
@@ -37,9 +37,6 @@ BINARY_OPERATORS = (
 )  # fmt: skip
 
 
-Builder = Callable[["UnitContext", "Node"], "ccode.Expression | None"]
-
-
 def expression(context: UnitContext, node: Node) -> ccode.Expression:
     """The element for an expression's cursor."""
     if (waiting := context.later(ccode.UnknownExpression, expression, node)) is not None:
@@ -54,7 +51,7 @@ def expression(context: UnitContext, node: Node) -> ccode.Expression:
             if node.kind not in (UNEXPOSED, PAREN) or len(node.children) != 1:
                 break
             node = node.children[0]
-        builder = BUILDERS.get(node.kind)
+        builder = context.builders.expressions.get(node.kind)
         return (builder and builder(context, node)) or unknown(context, node)
     finally:
         context.depth -= 1
@@ -84,16 +81,14 @@ def _name(context: UnitContext, node: Node) -> ccode.Expression:
     return element
 
 
-def _call(context: UnitContext, node: Node) -> ccode.Expression:
-    children = operands(node)
-    if context.source.language == "C++":
-        from robosmi.transformations.t2m.c_source.cplusplus import overloaded
+def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Expression:
+    """A call.
 
-        if len(children) == 1 and (children[0].start, children[0].end) == (node.start, node.end):
-            return expression(context, children[0])  # a constructor that the text does not name
-        children = [c for c in children if not _is_call_operator(context, c)]
-        if (operation := overloaded(context, node)) is not None:
-            return operation
+    Args:
+        context: of the unit.
+        node: the call's cursor.
+        children: the cursors of what is called and of the arguments.
+    """
     callee = children[0] if children else None
     while callee is not None and callee.kind in (UNEXPOSED, PAREN) and len(callee.children) == 1:
         callee = callee.children[0]
@@ -120,11 +115,6 @@ def _call(context: UnitContext, node: Node) -> ccode.Expression:
         context.covered.add(before[1])
     context.call_nodes.append((element, node, callee))
     return element
-
-
-def _is_call_operator(context: UnitContext, node: Node) -> bool:
-    """Whether this is what the parser names between an object that is called as a function and its arguments."""
-    return context.text(node)[:1] == "(" and context.spelling(node.cursor) == "operator()"
 
 
 def _called(context: UnitContext, callee: Node) -> Any:
@@ -255,10 +245,10 @@ def _element(context: UnitContext, node: Node) -> ccode.Expression:
     return ccode.Assignment(operator="=", left=left, right=value, **context.source.place(node.start, node.end))
 
 
-BUILDERS: dict[int, Builder] = {
+BUILDERS: Mapping[int, ExpressionBuilder] = {
     DECL_REF: _name,
     MEMBER: _member,
-    CALL: _call,
+    CALL: lambda context, node: call(context, node, operands(node)),
     106: literals.integer,
     107: literals.floating,
     109: literals.string,
@@ -273,4 +263,4 @@ BUILDERS: dict[int, Builder] = {
     119: _initializer_list,
     136: _size_of,
 }
-"""CXCursorKind -> builder; what is not here becomes an `UnknownExpression`."""
+"""CXCursorKind -> builder, of C; what no builder is for becomes an `UnknownExpression`."""

@@ -19,20 +19,19 @@ from robosmi.model.on_demand import Promise, settle, stand_in
 from robosmi.model.ordering import post_order
 from robosmi.model.structure import contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
+from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.grammar import BUILDERS
 from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
 from robosmi.transformations.t2m.c_source.source import read_source
 from robosmi.transformations.t2m.c_source.tree import Node
-
-cplusplus.enable()
 
 
 class WaitingContext(UnitContext):
     """A context whose builders leave parts for later; what a macro with arguments gives is built at once, in order."""
 
     def __init__(self, unit: Unit, parsed: Parsed, api: ApiIndex, folders: Sequence[str]) -> None:
-        super().__init__(parsed, api, folders)
+        super().__init__(parsed, api, BUILDERS, folders)
         self._unit = unit
         self._now = False
 

@@ -17,14 +17,14 @@ from robosmi.model.construct import connect
 from robosmi.model.lean import collector_at_rest
 from robosmi.project import defaults
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import checks, coverage, cplusplus, declarations, macros, preprocessor
+from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.grammar import BUILDERS
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import parse
 from robosmi.transformations.t2m.c_source.source import read_source
 from robosmi.transformations.t2m.c_source.sources import Compiled, source_files
 
-cplusplus.enable()
 PathLike = str | os.PathLike[str]
 
 
@@ -132,7 +132,7 @@ def _unit(
         raise SourceError(
             "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"
         )
-    context = UnitContext(parsed, api, folders)
+    context = UnitContext(parsed, api, BUILDERS, folders)
     contexts.append(context)
     checks.refuse_other_languages(parsed)
     includes, own_macros, conditionals, comments = preprocessor.read(context)

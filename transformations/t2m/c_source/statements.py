@@ -6,13 +6,13 @@ semicolon. Forms that are not taken apart (assembler, statements out of a header
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import declarations, macros
-from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, UnitContext
+from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, StatementBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
@@ -38,7 +38,7 @@ def statement(context: UnitContext, node: Node) -> ccode.Statement:
                 return whole
         if 100 <= node.kind < 200:
             return _expression_statement(context, node)
-        builder = BUILDERS.get(node.kind)
+        builder = context.builders.statements.get(node.kind)
         return builder(context, node) if builder else _unknown(context, node)
     finally:
         context.depth -= 1
@@ -49,7 +49,7 @@ def block(context: UnitContext, node: Node) -> ccode.Block:
     if (waiting := context.later(ccode.Block, block, node)) is not None:
         return waiting  # type: ignore[no-any-return]
     if node.kind != COMPOUND:
-        return BUILDERS[node.kind](context, node)  # type: ignore[return-value]
+        return context.builders.statements[node.kind](context, node)  # type: ignore[return-value]
     return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
 
 
@@ -261,7 +261,7 @@ def _plain(kind: type[ccode.Statement]) -> Callable[[UnitContext, Node], ccode.S
     return lambda context, node: kind(**_place(context, node))
 
 
-BUILDERS: dict[int, Callable[[UnitContext, Node], ccode.Statement]] = {
+BUILDERS: Mapping[int, StatementBuilder] = {
     201: _label,
     COMPOUND: block,
     203: _case,
@@ -278,4 +278,4 @@ BUILDERS: dict[int, Callable[[UnitContext, Node], ccode.Statement]] = {
     230: _plain(ccode.EmptyStatement),
     _DECLARATION: _declaration,
 }
-"""CXCursorKind -> builder; what is not here becomes an `UnknownStatement`."""
+"""CXCursorKind -> builder, of C; what no builder is for becomes an `UnknownStatement`."""
