@@ -177,7 +177,7 @@ def circles(imports: dict[str, list[tuple[int, str]]]) -> list[list[str]]:
             if name in imports and name != module:
                 graph.add_edge(module, name, line=line)
     found = [graph.subgraph(part) for part in nx.strongly_connected_components(graph) if len(part) > 1]
-    return [sorted({f"{a}:{line} imports {b}" for a, b, line in part.edges(data="line")}) for part in found]
+    return [sorted({f"{a}:{data['line']} imports {b}" for a, b, data in part.edges(data=True)}) for part in found]
 
 
 def test_no_modules_import_one_another() -> None:
