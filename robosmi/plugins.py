@@ -13,10 +13,34 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from robosmi.errors import InternalError, UsageError, did_you_mean
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import InternalError, MissingToolError, UsageError, did_you_mean
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
+
+ADDING = ("constraints",)
+"""The kinds of which everything that is offered under one name counts, and not only what was offered last."""
+
+
+@dataclass(frozen=True, slots=True)
+class BrokenPlugin:
+    """A plug-in that cannot be loaded, so that what it offers is not there.
+
+    Attributes:
+        distribution: the installed package, with its version.
+        entry_point: the entry point's value, `module:function`.
+        cause: what was raised.
+    """
+
+    distribution: str
+    entry_point: str
+    cause: str
+
+    @property
+    def fix(self) -> str:
+        """What to do about it."""
+        return f"mend, update or uninstall {self.distribution.partition(' ')[0]}"
 
 
 @dataclass
@@ -28,22 +52,32 @@ class Registry:
 
     Attributes:
         entries: kind -> name -> `module:attribute`.
+        more: kind and name -> what was offered under it later, for the kinds `ADDING`.
         data: folders that hold data as a project's folder `.robosmi` does (`platform_repo/...`): a plug-in's boards, targets,
             parts, and its `defaults.toml`, which says which endings its readers take.
+        broken: plug-ins that cannot be loaded.
+        providers: `module:attribute` -> the plug-in's distribution; what is built in has none.
     """
 
     entries: dict[str, dict[str, str]] = field(default_factory=dict)
+    more: dict[tuple[str, str], list[str]] = field(default_factory=dict)
     data: list[str] = field(default_factory=list)
+    broken: list[BrokenPlugin] = field(default_factory=list)
+    providers: dict[str, str] = field(default_factory=dict)
 
     def add(self, kind: str, name: str, target: str) -> None:
-        """Offer content. A later entry of the same kind and name replaces an earlier one.
+        """Offer content. A later entry of the same kind and name replaces an earlier one; constraints add up.
 
         Args:
             kind: what it is.
             name: how it is asked for.
             target: `module:attribute`, imported only when asked for.
         """
-        self.entries.setdefault(kind, {})[name] = target
+        known = self.entries.setdefault(kind, {})
+        if kind in ADDING and known.setdefault(name, target) != target:
+            self.more.setdefault((kind, name), []).append(target)
+        else:
+            known[name] = target
 
     def add_data(self, folder: str) -> None:
         """Offer a folder of data; it counts before the built-in data and behind the user's own.
@@ -58,19 +92,69 @@ class Registry:
         return sorted(self.entries.get(kind, {}))
 
     def get(self, kind: str, name: str) -> Any:
-        """Import and return the content of that kind and name.
+        """Import and return the content of that kind and name; of several the first.
 
         Raises:
             UsageError: nothing of that name is registered.
-            InternalError: it is registered but cannot be imported.
+            MissingToolError: it is a plug-in's and cannot be imported.
+            InternalError: it is built in and cannot be imported.
         """
         known = self.entries.get(kind, {})
         if name not in known:
+            broken = f"; not loaded: {', '.join(p.distribution for p in self.broken)} (robosmi doctor)" if self.broken else ""
             raise UsageError(
-                f"no {kind} is called '{name}'{did_you_mean(name, known)}",
+                f"no {kind} is called '{name}'{did_you_mean(name, known)}{broken}",
                 fix=f"use one of: {', '.join(sorted(known)) or 'none is installed'}",
             )
-        return load(known[name])
+        return self._load(known[name])
+
+    def all(self, kind: str, name: str) -> list[tuple[Any, str]]:
+        """Everything of that kind and name, each with the distribution that offers it (empty for what is built in).
+
+        Raises:
+            MissingToolError: something is a plug-in's and cannot be imported.
+            InternalError: something is built in and cannot be imported.
+        """
+        return [(self._load(target), self.providers.get(target, "")) for target in self.targets(kind, name)]
+
+    def targets(self, kind: str, name: str) -> list[str]:
+        """`module:attribute` of everything of that kind and name, in the order in which it was offered."""
+        first = self.entries.get(kind, {}).get(name)
+        return [] if first is None else list(dict.fromkeys([first, *self.more.get((kind, name), ())]))
+
+    def provider(self, module: str) -> str:
+        """The distribution whose plug-in has that module (`package.module`); empty for what is built in."""
+        package = module.partition(".")[0]
+        mine = (name for target, name in self.providers.items() if target.partition(":")[0].partition(".")[0] == package)
+        return next(mine, "")
+
+    def take(self, other: Registry, distribution: str) -> None:
+        """Take over what a plug-in offers.
+
+        Args:
+            other: filled by the plug-in.
+            distribution: its name, or empty for what is built in.
+        """
+        for kind, names in other.entries.items():
+            for name in names:
+                for target in other.targets(kind, name):
+                    self.add(kind, name, target)
+                    if distribution:
+                        self.providers[target] = distribution
+        self.data += other.data
+
+    def _load(self, target: str) -> Any:
+        distribution = self.providers.get(target, "")
+        if not distribution:
+            return load(target)
+        module, _, attribute = target.partition(":")
+        try:
+            return getattr(importlib.import_module(module), attribute)
+        except Exception as error:
+            raise MissingToolError(
+                f"'{target}' of the plug-in {distribution} cannot be loaded: {type(error).__name__}: {error}",
+                fix=f"mend, update or uninstall {distribution.partition(' ')[0]}",
+            ) from error
 
 
 def load(target: str) -> Any:
@@ -88,15 +172,40 @@ def load(target: str) -> Any:
 
 @cache
 def registry() -> Registry:
-    """The registry of this process, filled from the entry points at the first call."""
+    """The registry of this process, filled from the entry points at the first call; damaged plug-ins are in its `broken`."""
     from importlib.metadata import entry_points
 
     result = Registry()
-    targets = {BUILT_IN: None} | {point.value: None for point in entry_points(group=ENTRY_POINTS)}
-    for target in targets:
-        fill: Callable[[Registry], None] = load(target)
-        fill(result)
+    load(BUILT_IN)(result)
+    points = {point.value: point for point in entry_points(group=ENTRY_POINTS)}
+    for value, point in points.items():
+        if value == BUILT_IN:
+            continue
+        distribution = f"{point.dist.name} {point.dist.version}" if point.dist is not None else point.name
+        offered = Registry()  # apart, so that of a plug-in that fails half-way nothing counts
+        try:
+            fill: Callable[[Registry], None] = point.load()
+            fill(offered)
+        except Exception as error:
+            result.broken.append(BrokenPlugin(distribution, value, f"{type(error).__name__}: {error}"))
+        else:
+            result.take(offered, distribution)
     return result
+
+
+def broken_findings() -> list[Finding]:
+    """A warning for each plug-in that could not be loaded; none before anything asked the registry."""
+    if not registry.cache_info().currsize:
+        return []
+    return [
+        Finding(
+            "RS908",
+            Severity.warning,
+            f"the plug-in {plugin.distribution} ('{plugin.entry_point}') cannot be loaded: {plugin.cause}",
+            fix=plugin.fix,
+        )
+        for plugin in registry().broken
+    ]
 
 
 def content(kind: str, name: str) -> Any:

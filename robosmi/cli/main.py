@@ -142,9 +142,11 @@ def _collect_less() -> None:
 
 
 def _run(parsed: argparse.Namespace) -> int:
+    from robosmi.plugins import broken_findings
     from robosmi.report import terminal_text
 
     report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
+    report.findings += broken_findings()
     if parsed.json:
         _print_json(report.to_json())
     elif text := terminal_text(report):

@@ -6,13 +6,13 @@ can be written without any model (contexts about classes or names) and run over 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, overload
 
 from robosmi.model.driver import Model
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleBlocks, as_model, run_over
-from robosmi.validate.constraint import Context, F
+from robosmi.validate.constraint import Constraint, Context, F
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
 
@@ -79,6 +79,12 @@ class EVL:
     def modules(self) -> list[EVL]:
         """The included modules, those that they include before them, and this one last; each once."""
         return list(post_order([self], lambda module: module._included))
+
+    def declared(self) -> Iterator[Constraint]:
+        """The constraints and critiques of this module and of those that it includes, with and without context."""
+        for module in self.modules():
+            for context in (*module.contexts, module._constraints, module._critiques):
+                yield from context.constraints
 
     def run(self, *models: Any, fix: str | Callable[[Unsatisfied], OfferedFix | None] | None = None) -> Validation:
         """Validate: pre blocks, all checks, fixes if wanted, post blocks.

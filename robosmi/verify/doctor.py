@@ -12,7 +12,7 @@ from importlib import metadata
 from pathlib import Path
 
 from robosmi.errors import MissingToolError
-from robosmi.plugins import content
+from robosmi.plugins import content, registry
 from robosmi.trust import acting
 from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
@@ -72,7 +72,17 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         for toolchain in load_toolchains(project):
             result += _programs(toolchain)
             result.append(_core(toolchain))
-    return [*result, *map(_engine, engine_names())]
+    return [*result, *map(_engine, engine_names()), *_plugins()]
+
+
+def _plugins() -> Iterator[ToolStatus]:
+    """Those that cannot be loaded are missing, others are there."""
+    known = registry()
+    for name in sorted({*known.providers.values()}):
+        distribution, _, version = name.partition(" ")
+        yield ToolStatus(distribution, "plug-in", distribution, version or "unknown", None)
+    for plugin in known.broken:
+        yield ToolStatus(plugin.distribution, f"plug-in '{plugin.entry_point}': {plugin.cause}", None, None, plugin.fix)
 
 
 def _engine(name: str) -> ToolStatus:

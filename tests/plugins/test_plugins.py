@@ -8,21 +8,81 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 PROGRAM = HERE.parent / "targets" / "program" / "beacon.c"
 
 
-def command(*words: str | Path, path: Path) -> dict[str, object]:
-    """The document of a command in a process that has a plug-in on its path."""
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(path), str(ROOT)])}
+def command(*words: str | Path, path: Path, code: int | None = None, **variables: str) -> dict[str, Any]:
+    """The document of a command in a process that has plug-ins on its path; `code` is its exit code, 0 or 1 if None."""
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(path), str(ROOT)])} | variables
     done = subprocess.run(
         [sys.executable, "-m", "robosmi", *map(str, words), "--json"], capture_output=True, text=True, env=environment, cwd=path
     )
-    assert done.returncode in (0, 1), done.stderr
-    document: dict[str, object] = json.loads(done.stdout)
+    assert done.returncode in ((0, 1) if code is None else (code,)), done.stderr
+    document: dict[str, Any] = json.loads(done.stdout)
     return document
+
+
+def installed(folder: Path, *names: str) -> Path:
+    """A folder with these plug-ins, to be on the path."""
+    place = folder / "plugin"
+    for name in names:
+        shutil.copytree(HERE / name, place, dirs_exist_ok=True)
+    return place
+
+
+def stored_plan(folder: Path, path: Path) -> tuple[Path, list[dict[str, Any]]]:
+    """The plan of a migration in a process with plug-ins, and the findings of the migration."""
+    (folder / "wired.csv").write_text("pin,part\nD3,Red LED\nD5,Pushbutton\n")
+    shutil.copy(PROGRAM, folder / "beacon.c")
+    document = command("migrate", folder / "beacon.c", "--hardware", folder / "wired.csv", "-o", folder / "out", path=path)
+    return next((folder / "out").rglob("plan.xmi")), document["findings"]
+
+
+def test_constraints_of_a_plug_in_add_to_the_built_in_ones(tmp_path: Path) -> None:
+    path = installed(tmp_path, "checks")
+    plan, findings = stored_plan(tmp_path, path)
+    built_in = command("check", plan, path=tmp_path)
+    added = command("check", plan, path=path)
+    assert added["result"]["models"][0]["constraints"] == built_in["result"]["models"][0]["constraints"] + 1
+    found = [finding["message"] for finding in added["findings"] if finding["rule"] == "CH001"]
+    assert found
+    assert [finding["message"] for finding in findings if finding["rule"] == "CH001"] == found
+    assert not any(finding["rule"] == "CH001" for finding in built_in["findings"])
+
+
+def test_a_constraint_whose_id_is_taken_is_refused_with_its_plug_in(tmp_path: Path) -> None:
+    path = installed(tmp_path, "checks")
+    plan, _ = stored_plan(tmp_path, path)
+    (finding,) = command("check", plan, path=path, code=3, CHECKS_PLUGIN="taken")["findings"]
+    assert finding["message"] == "the id 'RS702' of a constraint of checks 2.1 is taken by one of robosmi"
+    assert finding["fix"] == "give it an id of your own"
+
+
+def test_a_plug_in_that_cannot_be_loaded_is_named_and_the_others_work(tmp_path: Path) -> None:
+    path = installed(tmp_path, "broken", "beacon")
+    (tmp_path / "wired.beacon").write_text("D3 Red LED\n")
+    document = command("hardware", tmp_path / "wired.beacon", path=path)
+    (finding,) = [finding for finding in document["findings"] if finding["rule"] == "RS908"]
+    assert finding["severity"] == "warning"
+    for word in ("broken 0.3", "broken_plugin:register", "a_package_that_nobody_has"):
+        assert word in finding["message"]
+    assert finding["fix"] == "mend, update or uninstall broken"
+    tools = {tool["name"]: tool for tool in command("doctor", path=path)["result"]["tools"]}
+    assert tools["beacon"]["version"] == "1.0"
+    assert tools["broken 0.3"]["found"] is None
+    assert tools["broken 0.3"]["fix"]
+
+
+def test_an_exception_out_of_a_plug_in_names_the_plug_in(tmp_path: Path) -> None:
+    (tmp_path / "robot.failing").write_text("x")
+    (finding,) = command("hardware", tmp_path / "robot.failing", path=installed(tmp_path, "checks"), code=3)["findings"]
+    assert finding["message"] == "the plug-in checks 2.1 raised KeyError: 'wiring'"
+    assert finding["location"]["path"].endswith("checks_plugin.py")
+    assert "bug of robosmi" not in finding["fix"]
 
 
 def test_a_plug_in_brings_a_reader_with_its_ending_and_a_target(tmp_path: Path) -> None:

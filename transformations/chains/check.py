@@ -13,15 +13,13 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration
 from robosmi.model import EmfModel, Model, load_model, open_model
-from robosmi.plugins import content, registry
+from robosmi.plugins import registry
 from robosmi.project import project_of
 from robosmi.query import root_of
+from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
-
-KIND = "constraints"
-"""The registry's kind of constraints; the name is a metamodel's."""
 
 
 @dataclass
@@ -78,7 +76,7 @@ def check(path: str | Path) -> Checked:
 
 def _validated(done: Checked, models: list[Any]) -> Checked:
     for model in models:
-        sets = [content(KIND, name) for name in _metamodels(model) if name in registry().names(KIND)]
+        sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
             done.findings += one.run(model, *_referred(model, models)).findings()
         counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)

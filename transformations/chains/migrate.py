@@ -24,6 +24,7 @@ from robosmi.project import Project, defaults, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
+from robosmi.transformations.chains.constraint_sets import added_findings
 from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.models import MigrationModels
@@ -37,6 +38,7 @@ from robosmi.transformations.knowledge.target_platform import TargetFacts, targe
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
+from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.queries.plan import library_json
@@ -228,6 +230,7 @@ def models(
     )  # fmt: skip
     plan, repository = put_together(decided, plan_faults)
     plan.findings.extend(move_findings(plan, program.views))
+    plan.findings.extend(plan_findings(plan, added_findings(plan), places))
     circuit = drawing.hardware.circuit if drawing is not None else None
     return MigrationModels(plan, program.program, circuit, repository, files, {v: k for k, v in places.items()})
 

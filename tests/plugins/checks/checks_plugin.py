@@ -1,0 +1,41 @@
+"""A plug-in for tests: constraints on plans, and a drawing reader that ends with an exception of its own."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from robosmi.metamodels import migration
+from robosmi.plugins import Registry
+from robosmi.validate import EVL
+
+plan = EVL()
+plans = plan.context(migration.MigrationPlan)
+taken = EVL()
+
+
+def register(registry: Registry) -> None:
+    """The value of the entry point."""
+    registry.add("constraints", "migration", "checks_plugin:plan")
+    registry.add("drawing reader", "failing", "checks_plugin:read_circuit")
+    registry.add_data(str(Path(__file__).parent / "data"))
+    if os.environ.get("CHECKS_PLUGIN") == "taken":
+        registry.add("constraints", "migration", "checks_plugin:taken")
+
+
+@plans.critique(id="CH001", advice="call it otherwise")
+def is_not_called_beacon(plan: migration.MigrationPlan) -> bool:
+    """A plan that is called beacon."""
+    return bool(plan.name != "beacon")
+
+
+@taken.context(migration.PortBinding).constraint(id="RS702")
+def has_our_id(binding: migration.PortBinding) -> bool:
+    """A constraint whose id is another's."""
+    return True
+
+
+def read_circuit(path: Path, project: Any = None, roles: Any = None, board: Any = None) -> Any:
+    """Ends with an exception whatever it is given."""
+    return {}["wiring"]
