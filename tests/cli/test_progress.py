@@ -23,7 +23,12 @@ def slow(seconds: float) -> Chain:
     """Two steps, the second of which takes that long."""
     chain = Chain(None)
     chain.call(lambda: 1, makes="one", step="first step")
-    chain.call(lambda one: time.sleep(seconds) or one, makes="two", step="second step")
+
+    def second(one: int) -> int:
+        time.sleep(seconds)
+        return one
+
+    chain.call(second, makes="two", step="second step")
     return chain
 
 
@@ -56,7 +61,12 @@ def test_an_error_leaves_no_line_behind(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     monkeypatch.setattr(module, "QUIET", 0.02)
     chain = Chain(None)
-    chain.call(lambda: time.sleep(0.3) or 1 / 0, makes="one", step="divide")
+
+    def divide() -> float:
+        time.sleep(0.3)
+        return 1 / 0
+
+    chain.call(divide, makes="one", step="divide")
     with pytest.raises(ZeroDivisionError), module.progress() as told:
         chain.start(progress=told).value("one")
     assert terminal.getvalue() == "\r\x1b[Kdivide ...\r\x1b[K"

@@ -12,6 +12,7 @@ import sys
 import tempfile
 from collections import Counter
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 from tests.hostile_world import BAD_TEXTS, EXPRESSIONS, SETTINGS, World, commands, prepared, run, worlds, wrong
@@ -82,6 +83,21 @@ def put(path: Path, kind: str) -> None:
         path.write_bytes(BAD_TEXTS[kind])
 
 
+def _set(folder: Path, text: str) -> None:
+    """Write a project file."""
+    (folder / "in" / "robosmi.toml").write_text(text)
+
+
+def _put(folder: Path, file: str, kind: str) -> None:
+    """Put what is no proper file in a file's place."""
+    put(folder / file, kind)
+
+
+def _named(folder: Path, odd: str) -> None:
+    """Copy the program under an odd name."""
+    shutil.copy(folder / "in" / "line_follower.c", folder / odd)
+
+
 def cases(place: Path) -> Iterator[tuple[str, list[str], World, bool, bool]]:
     """Name, words, world, whether output is JSON that can be read, whether errors can be read."""
     known = commands(place) | {
@@ -96,7 +112,7 @@ def cases(place: Path) -> Iterator[tuple[str, list[str], World, bool, bool]]:
                 yield f"{world.name}: {name} {' '.join(flags)}", [*known[name], *flags], world, bool(flags) and not deaf, not mute
     for text in SETTINGS:
         for name in ("analyse", "migrate"):
-            world = World("settings", before=lambda p, text=text: (p / "in" / "robosmi.toml").write_text(text))
+            world = World("settings", before=partial(_set, text=text))
             yield f"robosmi.toml {text[:40]!r}: {name}", [*known[name], "--json"], world, True, True
     for expression in EXPRESSIONS:
         if len(expression) < 100_000 and "\x00" not in expression and "\ud800" not in expression:
@@ -109,12 +125,12 @@ def cases(place: Path) -> Iterator[tuple[str, list[str], World, bool, bool]]:
             )
     for file in PLACES:
         for kind in (*BAD_TEXTS, *KINDS):
-            world = World("input", before=lambda p, file=file, kind=kind: put(p / file, kind))
+            world = World("input", before=partial(_put, file=file, kind=kind))
             for name in readers_of(file):
                 yield f"{file} is {kind}: {name}", [*known[name], "--json"], world, True, True
     for odd in ("\udcff.c", "a\nb.c", "-x.c", "x" * 250 + ".c", "\u202e.c", "é.c", "a;b.c", '"'):
         for command in ("analyse", "migrate"):
-            world = World("name", before=lambda p, odd=odd: shutil.copy(p / "in" / "line_follower.c", p / odd))
+            world = World("name", before=partial(_named, odd=odd))
             words = [
                 command,
                 str(place / odd),

@@ -54,7 +54,7 @@ def with_texts(models: Any, text: Callable[[], str]) -> None:
 
 def texts_of(models: Any) -> dict[str, str]:
     """The files of the sketch, by their names without the folder."""
-    return {f.name.rpartition("/")[2]: f.after for f in generate(models.plan, models.files).files}
+    return {f.name.rpartition("/")[2]: f.after or "" for f in generate(models.plan, models.files).files}
 
 
 def shape_of(texts: dict[str, str]) -> dict[str, list[str]]:
