@@ -4,6 +4,7 @@
 # make bench  the figures of the README, measured
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
+# make adapters  each adapter compiled alone for every microcontroller, and each one broken on purpose, by hand (not in CI)
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
@@ -12,7 +13,7 @@ BIN := $(VENV)/bin
 # Nothing here reads or writes the data of the person who runs it: history, imported libraries, parts and platforms.
 export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
-.PHONY: demo test lint bench evaluate fuzz wheel readme metamodels system-packages npm-packages clean
+.PHONY: demo test lint bench evaluate fuzz adapters wheel readme metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -62,6 +63,10 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.growth
 	$(BIN)/python -m tests.fuzz.environments
 	$(BIN)/python -m tests.fuzz.runs
+
+adapters: $(VENV)/.ready system-packages
+	$(BIN)/python -m tests.adapters.alone
+	$(BIN)/python -m tests.adapters.mutants
 
 wheel:
 	@sh .ci/wheel

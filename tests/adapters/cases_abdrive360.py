@@ -19,7 +19,7 @@ def d(*names: str) -> list[str]:
     return [f"abdrive360.h/drive_{name}" for name in names]
 
 
-@proves(*d("goto", "getTicks", "speed", "ramp", "setMaxVelocity", "setAcceleration", "encoderPins", "gotoStatus", "gotoMode"))
+@proves(*d("goto", "getTicks", "speed", "ramp", "setMaxVelocity", "encoderPins", "gotoStatus", "gotoMode"))
 def drives_with_feedback_go_ticks_and_speeds(uno: Uno) -> None:
     used = d("goto", "getTicks", "speed", "ramp", "setMaxVelocity", "setAcceleration", "encoderPins", "gotoStatus", "gotoMode")
     program = f"""{SAY}
@@ -65,3 +65,18 @@ void loop() {{}}
     assert left[2] == pytest.approx(10, abs=2)
     assert left[3:] == [0, 0]
     assert max(width for _, width in trace.pulses("D9")) == pytest.approx(1520 + 64 * 64 * 0.018, abs=4)
+
+
+@proves(*d("setAcceleration"))
+def drives_speed_up_as_asked(uno: Uno) -> None:
+    used = d("setAcceleration", "speed", "getTicksCalc")
+    program = f"""{SAY}
+void ticks() {{ int left, right; drive_getTicksCalc(&left, &right); say(left); say(right); }}
+void setup() {{ Serial.begin(115200); drive_setAcceleration(0, 100); drive_setAcceleration(1, 3000); drive_speed(64, -64);
+  delay(410); ticks(); drive_setAcceleration(0, 1000); delay(100); ticks(); delay(200); ticks(); }}
+void loop() {{}}
+"""
+    ports = {**PORTS, "abdrive360.left_encoder": "255", "abdrive360.right_encoder": "255"}
+    told = [int(each) for each in replace(uno, ports=ports).run(program, used, 1600).text.split()]
+    assert told[:2] == pytest.approx([0.02 * 2 * 20 * 21 / 2] * 2, abs=1)  # 20 frames, 2 ticks/s faster in each of them
+    assert told[4:] == pytest.approx([told[2] + 0.2 * 64] * 2, abs=2)  # 20 ticks/s in each frame: the ramp has ended

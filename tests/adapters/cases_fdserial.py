@@ -44,3 +44,23 @@ void loop() {}
     trace = uno.run(program, used, 560)
     assert trace.text == "abcdefghij"
     assert trace.levels("D8")[0][0] == pytest.approx(500_000 + 10 * 10 / 9600 * 1e6, abs=3000)
+
+
+@proves("fdserial.h/fdserial_close", "fdserial.h/fdserial_txEmpty")
+def lines_are_closed_when_all_is_sent(uno: Uno) -> None:
+    names = ("open", "close", "txChar", "txEmpty")
+    program = """
+void setup() { fdserial *line = fdserial_open(10, 11, FDSERIAL_MODE_NONE, 9600), *console = fdserial_open(0, 1, 0, 9600);
+  fdserial_txChar(line, 'A'); fdserial_txChar(console, '0' + fdserial_txEmpty(line));
+  for (int turn = 0; turn < 3; turn++) fdserial_txChar(console, 'x');
+  fdserial_txChar(console, '0' + fdserial_txEmpty(console)); delay(8); fdserial_txChar(console, '0' + fdserial_txEmpty(console));
+  fdserial_close(line); fdserial_close(console); pinMode(1, OUTPUT); digitalWrite(1, LOW); }
+void loop() {}
+"""
+    pins = {"receive": "D10", "transmit": "D11"}
+    used = [*[f"fdserial.h/fdserial_{name}" for name in names], "fdserial.h/FDSERIAL_MODE_NONE"]
+    trace = uno.run(program, used, 1020, [DeviceUse("serial_line", pins, {})])
+    assert trace.text == "1xxx01"
+    assert [event.value for event in trace.device_events] == [ord("A")]
+    assert trace.levels("D11")[-1][1] == "z"
+    assert trace.levels("D1")[-1][1] == 0

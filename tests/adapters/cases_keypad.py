@@ -23,3 +23,18 @@ void loop() {}
     told = [int(each) for each in trace.text.split()]
     assert told == [-1, -1, -1, 2, -1, -1, ord("C"), ord("C"), ord("C"), 3, 3, -1]
     assert trace.levels("D4")[-1][1] == "z"
+
+
+@proves("keypad.h/keypad_getNumber", "keypad.h/keypad_getNumberEndKey")
+def numbers_are_keyed_in(uno: Uno) -> None:
+    used = ["keypad.h/keypad_setup", "keypad.h/keypad_getNumber", "keypad.h/keypad_getNumberEndKey", "simpletext.h/putDec"]
+    program = """
+int rows[2] = {4, 5}, columns[3] = {6, 7, 8}, values[6] = {1, 2, 3, 'A', 'B', 'C'};
+void setup() { keypad_setup(2, 3, rows, columns, values); int32_t number = keypad_getNumber(); putDec(number);
+  putDec(keypad_getNumberEndKey()); }
+void loop() {}
+"""
+    pins = {"row0": "D4", "row1": "D5", "column0": "D6", "column1": "D7", "column2": "D8"}
+    points = [[0, None], [10, [0, 1]], [30, None], [40, [0, 1]], [60, None], [70, [0, 0]], [90, None], [100, [1, 1]], [120, None]]
+    trace = uno.run(program, used, 150, [DeviceUse("keypad", pins, {"points": points})])
+    assert trace.text == f"221 B 221{ord('B')}"

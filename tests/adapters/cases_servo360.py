@@ -84,8 +84,7 @@ void loop() {{}}
 SETTINGS = s(
     "getAngle12Bit", "getAngleFixedOrigin", "getAngleCalc", "getAngleOffset", "getRampStep", "getAcceleration",
     "getUnitsFullCircle", "getAngleCtrlSpeedMax", "setAngleCtrlSpeedMax",
-    "setAngleOffset", "setAngleCalc", "setTurns", "setControlSys",
-    "setTransferFunction", "setCoupleScale",
+    "setAngleOffset", "setAngleCalc", "setTurns", "setTransferFunction", "setCoupleScale",
 )  # fmt: skip
 
 
@@ -104,7 +103,7 @@ void setup() {{ Serial.begin(115200); servo360_connect(5, A0); servo360_connect(
 void loop() {{}}
 """
     constants = [f"servo360.h/S360_SETTING_{name}" for name in ("KPA", "KIA", "KDA", "VB_CCW")]
-    used = [*SETTINGS, *s("connect", "angle", "getTurns", "speed"), *constants]
+    used = [*SETTINGS, *s("connect", "angle", "getTurns", "speed", "setControlSys"), *constants]
     trace = uno.run(program, used, 2500, SERVOS[:1])
     told = [int(each) for each in trace.text.split()]
     assert told[:7] == [360, 819, 3599, 720, 180, -2, 1]
@@ -113,3 +112,27 @@ void loop() {{}}
     assert told[11:13] == [0, 2]
     assert told[13] == pytest.approx(30, abs=1)
     assert trace.pulses("D6")[-1][1] == pytest.approx(1500 + 100 + 7, abs=3)
+
+
+@proves(*s("setControlSys", "getControlSys", "getAngleLimits", "unitsAngleToEncoder", "unitsEncoderToAngle"))
+def settings_are_those_of_the_servo_asked(uno: Uno) -> None:
+    names = ("KPV", "KIV", "KDV", "IV_MAX", "KPA", "KIA", "KDA", "IA_MAX")
+    asked = "".join(f"say(servo360_getControlSys(5, S360_SETTING_{name})); " for name in names)
+    changed = "".join(f"say(servo360_setControlSys(5, S360_SETTING_{name}, {at + 11})); " for at, name in enumerate(names))
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); int most, least; servo360_connect(6, 255); servo360_connect(5, 255);
+  {asked}{changed}{asked} say(servo360_getControlSys(6, S360_SETTING_KIA)); say(servo360_getControlSys(9, 1));
+  say(servo360_getAngleLimits(5, &most, &least)); servo360_setAngleLimits(5, 90, -45);
+  say(servo360_getAngleLimits(5, &most, &least)); say(most); say(least); say(servo360_getAngleLimits(9, &most, &least));
+  say(servo360_unitsAngleToEncoder(90, 360)); say(servo360_unitsAngleToEncoder(-64, 64));
+  say(servo360_unitsEncoderToAngle(1024, 360)); say(servo360_unitsEncoderToAngle(-4096, 64)); }}
+void loop() {{}}
+"""
+    constants = [f"servo360.h/S360_SETTING_{name}" for name in names]
+    functions = s("connect", "setControlSys", "getControlSys", "setAngleLimits", "getAngleLimits")
+    used = [*functions, *s("unitsAngleToEncoder", "unitsEncoderToAngle"), *constants]
+    told = [int(each) for each in uno.run(program, used, 650).text.split()]
+    assert told[:8] == [500, 0, 0, 0, 12000, 600, 6000, 600]
+    assert told[8:16] == [1] * 8
+    assert told[16:24] == list(range(11, 19))
+    assert told[24:] == [600, -1, 1, 1, 90, -45, -1, 1024, -4096, 90, -64]

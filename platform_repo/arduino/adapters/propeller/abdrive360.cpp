@@ -227,11 +227,15 @@ inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
 //# adapter drive_setAcceleration
 //#   for: void drive_setAcceleration(int forGotoOrSpeed, int ticksPerSecSq)
 //#   kind: oneToOne
-//#   needs: Drive360 drive_init FOR_GOTO FOR_SPEED
-//#   fidelity: exact
+//#   needs: Drive360 drive_init FOR_GOTO FOR_SPEED servo360.h/servo360_setAcceleration
+//#   fidelity: exact; that for speeds holds for a ramp that goes on, too, as there
 inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq) {
   drive_init();
-  if (forGotoOrSpeed == FOR_SPEED) drive360.step = ticksPerSecSq / 50;
+  if (forGotoOrSpeed == FOR_SPEED) {
+    drive360.step = ticksPerSecSq / 50;
+    servo360_setAcceleration(drive360.left, ticksPerSecSq);
+    servo360_setAcceleration(drive360.right, ticksPerSecSq);
+  }
   if (forGotoOrSpeed == FOR_GOTO) drive360.goto_step = ticksPerSecSq / 50;
 }
 

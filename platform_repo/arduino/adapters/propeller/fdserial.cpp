@@ -7,11 +7,53 @@
 //#   fidelity: a device of text; there are no cogid and devst
 typedef text_t fdserial;
 
+//# constant FDSERIAL_BUFF_MASK
+//#   fidelity: exact
+#define FDSERIAL_BUFF_MASK 0x3f
+
+//# constant FDSERIAL_MODE_NONE
+//#   fidelity: exact
+#define FDSERIAL_MODE_NONE 0
+
+//# constant FDSERIAL_MODE_INVERT_RX
+//#   fidelity: exact
+#define FDSERIAL_MODE_INVERT_RX 1
+
+//# constant FDSERIAL_MODE_INVERT_TX
+//#   fidelity: exact
+#define FDSERIAL_MODE_INVERT_TX 2
+
+//# constant FDSERIAL_MODE_OPENDRAIN_TX
+//#   fidelity: exact
+#define FDSERIAL_MODE_OPENDRAIN_TX 4
+
+//# constant FDSERIAL_MODE_IGNORE_TX_ECHO
+//#   fidelity: exact
+#define FDSERIAL_MODE_IGNORE_TX_ECHO 8
+
+//# constant FDSERIAL_MODE_RX_ONLY
+//#   fidelity: exact
+#define FDSERIAL_MODE_RX_ONLY 16
+
+//# constant FDSERIAL_MODE_ECHO_RX_TO_TX
+//#   fidelity: exact
+#define FDSERIAL_MODE_ECHO_RX_TO_TX 32
+
+//# helper SerialLine
+//#   include: <SoftwareSerial.h>
+struct SerialLine : SoftwareSerial {
+  int16_t sends;  // pin, -1 without one
+  SerialLine(uint8_t receives, uint8_t sends_at, int16_t sends, bool inverted)
+      : SoftwareSerial(receives, sends_at, inverted), sends(sends) {}
+  virtual ~SerialLine() {
+    if (sends >= 0) pinMode(sends, INPUT);
+  }
+};
+
 //# adapter fdserial_open
 //#   for: fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate)
 //#   kind: oneToMany
-//#   needs: fdserial simpletext.h/text_t
-//#   include: <SoftwareSerial.h>
+//#   needs: fdserial SerialLine simpletext.h/text_t
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
 //#   fidelity: 64 bytes are kept, as there; it waits half a second, as there; of the mode, inversion of both lines and echo are obeyed
@@ -31,7 +73,7 @@ inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32
     bool receives = rxpin >= 0 && rxpin < NUM_DIGITAL_PINS, sends = txpin >= 0 && txpin < NUM_DIGITAL_PINS;
     if (receives || sends) {
       uint8_t rx = receives ? rxpin : txpin, tx = sends ? txpin : rxpin;
-      SoftwareSerial *port = new SoftwareSerial(rx, tx, (mode & 3) == 3);
+      SerialLine *port = new SerialLine(rx, tx, sends ? tx : -1, (mode & 3) == 3);
       port->begin(baudrate);
       line->port = port;
     }
@@ -126,4 +168,26 @@ inline int32_t fdserial_txChar(fdserial *term, int32_t txbyte) {
 //#   fidelity: exact: it waits until all is sent
 inline void fdserial_txFlush(fdserial *term) {
   if (term->port) term->port->flush();
+}
+
+//# adapter fdserial_txEmpty
+//#   for: int fdserial_txEmpty(fdserial *term)
+//#   kind: oneToOne
+//#   needs: fdserial simpletext.h/text_t
+//#   fidelity: exact; away from the console nothing ever waits, as bytes are sent at once
+inline int32_t fdserial_txEmpty(fdserial *term) {
+  return term->port != &Serial || Serial.availableForWrite() == SERIAL_TX_BUFFER_SIZE - 1;
+}
+
+//# adapter fdserial_close
+//#   for: void fdserial_close(fdserial *term)
+//#   kind: oneToMany
+//#   needs: fdserial SerialLine fdserial_rxFlush fdserial_txFlush simpletext.h/text_t
+//#   fidelity: what was to be sent is sent, then the pins are inputs and nothing more is received
+inline void fdserial_close(fdserial *term) {
+  fdserial_rxFlush(term);
+  fdserial_txFlush(term);
+  if (term->port == &Serial) Serial.end();
+  else delete static_cast<SerialLine *>(term->port);
+  delete term;
 }

@@ -63,3 +63,40 @@ inline int32_t keypad_readFrom(int32_t button) {
 inline int32_t keypad_read() {
   return keypad_readFrom(-1);
 }
+
+//# helper keypad_end_key
+static int32_t keypad_end_key;
+
+//# adapter keypad_getNumber
+//#   for: int keypad_getNumber(void)
+//#   kind: oneToMany
+//#   needs: keypad_end_key keypad_read simpletext.h/putChar simpletext.h/putDec
+//#   fidelity: the digits until a key above 9 is held and let go; it prints the keys, as there
+inline int32_t keypad_getNumber() {
+  int32_t number = 0;
+  keypad_end_key = -1;
+  while (keypad_end_key <= 9) {
+    int32_t key = keypad_read();
+    if (key >= 0 && key <= 9) {
+      number = number * 10 + key;
+      putDec(key);
+    } else if (key > 9) {
+      putChar(' ');
+      putChar(key);
+      putChar(' ');
+      keypad_end_key = key;
+    }
+    for (; key != -1; key = keypad_read()) yield();
+    yield();
+  }
+  return number;
+}
+
+//# adapter keypad_getNumberEndKey
+//#   for: int keypad_getNumberEndKey(void)
+//#   kind: oneToOne
+//#   needs: keypad_end_key
+//#   fidelity: exact: the key that ended the last number
+inline int32_t keypad_getNumberEndKey() {
+  return keypad_end_key;
+}

@@ -68,6 +68,10 @@
 //#   fidelity: exact
 #define S360_SETTING_VM_CW 12
 
+//# constant S360_UNITS_ENCODER
+//#   fidelity: exact
+#define S360_UNITS_ENCODER 4096
+
 //# helper Uninterrupted
 struct Uninterrupted {  // interrupts are off as long as it lives
   uint8_t before;
@@ -859,4 +863,60 @@ inline int32_t servo360_setCoupleScale(int32_t pinA, int32_t pinB, int32_t scale
   if (b < 0) return -2;
   servos360[a]->write(servos360[a]->couple_scale, scale);
   return a;
+}
+
+//# adapter servo360_getControlSys
+//#   for: int servo360_getControlSys(int pin, int constant)
+//#   kind: oneToOne
+//#   needs: S360_SETTING_KPV S360_SETTING_KIV S360_SETTING_KDV S360_SETTING_IV_MAX S360_SETTING_KPA S360_SETTING_KIA S360_SETTING_KDA S360_SETTING_IA_MAX Servo360 servo360_run
+//#   pin: pin digital out servo
+//#   fidelity: exact; -1 for a pin without such a servo; 0 for any other setting, where the library returns anything
+inline int32_t servo360_getControlSys(int32_t pin, int32_t constant) {
+  int8_t place = servo360_place(pin);
+  if (place < 0) return -1;
+  Servo360 *servo = servos360[place];
+  switch (constant) {
+    case S360_SETTING_KPV: return servo->of_speed.proportional;
+    case S360_SETTING_KIV: return servo->of_speed.integral;
+    case S360_SETTING_KDV: return servo->of_speed.derivative;
+    case S360_SETTING_IV_MAX: return servo->of_speed.most;
+    case S360_SETTING_KPA: return servo->of_position.proportional;
+    case S360_SETTING_KIA: return servo->of_position.integral;
+    case S360_SETTING_KDA: return servo->of_position.derivative;
+    case S360_SETTING_IA_MAX: return servo->of_position.most;
+  }
+  return 0;
+}
+
+//# adapter servo360_getAngleLimits
+//#   for: int servo360_getAngleLimits(int pin, int *ccwMax, int *cwMax)
+//#   kind: oneToOne
+//#   needs: Servo360 servo360_run
+//#   pin: pin digital out servo
+//#   fidelity: exact; -1 for a pin without such a servo
+template <class Int> inline int32_t servo360_getAngleLimits(int32_t pin, Int *ccwMax, Int *cwMax) {
+  int8_t place = servo360_place(pin);
+  if (place < 0) return -1;
+  *ccwMax = servos360[place]->angle_most;
+  *cwMax = servos360[place]->angle_least;
+  return place;
+}
+
+//# adapter servo360_unitsAngleToEncoder
+//#   for: int servo360_unitsAngleToEncoder(int value, int unitsRev)
+//#   kind: oneToOne
+//#   needs: S360_UNITS_ENCODER
+//#   fidelity: exact, rounded towards 0
+inline int32_t servo360_unitsAngleToEncoder(int32_t value, int32_t unitsRev) {
+  return value * S360_UNITS_ENCODER / unitsRev;
+}
+
+//# adapter servo360_unitsEncoderToAngle
+//#   for: int servo360_unitsEncoderToAngle(int value, int unitsRev)
+//#   kind: oneToOne
+//#   needs: S360_UNITS_ENCODER
+//#   symmetric: value unitsRev
+//#   fidelity: exact, rounded towards 0
+inline int32_t servo360_unitsEncoderToAngle(int32_t value, int32_t unitsRev) {
+  return value * unitsRev / S360_UNITS_ENCODER;
 }

@@ -1,0 +1,32 @@
+"""Compiles every adapter alone, with just what it declares, for every microcontroller, and prints what the compiler says.
+
+`python -m tests.adapters.alone [TEXT]` takes the adapters whose `header/name` contains that text.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from pathlib import Path
+
+from tests.adapters.test_files import KEYS, VARIANTS, alone
+
+
+def main(only: str = "") -> int:
+    """Compile the adapters whose names contain a text; 1 if the compiler says something of one."""
+    tried = wrong = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for mcu in VARIANTS:
+            for key in KEYS:
+                if only not in "/".join(key):
+                    continue
+                tried += 1
+                if said := alone(key, mcu, Path(folder)):
+                    wrong += 1
+                    print(f"{'/'.join(key)} for {mcu}:\n{said}", flush=True)
+    print(f"{tried} adapters compiled alone, {wrong} with a warning or an error")
+    return int(bool(wrong))
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
