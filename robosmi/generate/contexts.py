@@ -17,6 +17,7 @@ from jinja2.parser import Parser
 from markupsafe import Markup
 
 from robosmi.errors import did_you_mean
+from robosmi.generate.borders import VALUE, fault
 from robosmi.generate.languages import LANGUAGES, NOWHERE, QUOTING, Language
 from robosmi.query.values import as_string
 from robosmi.quoting import Quoted
@@ -103,6 +104,7 @@ class _Walk:
 
     def __init__(self, language: Language, macros: set[str], name: str | None, filename: str | None) -> None:
         self.language, self.macros, self.name, self.filename = language, macros | {"caller", "super"}, name, filename
+        self.last, self.before = "", ""  # place of the last value, and the template's text up to what comes next
 
     def through(self, body: Iterable[nodes.Node], state: Any) -> Any:
         """Quote what these nodes print; the state behind them."""
@@ -114,9 +116,14 @@ class _Walk:
         if isinstance(node, nodes.Output):
             for place, child in enumerate(node.nodes):
                 if isinstance(child, nodes.TemplateData):
+                    self._border(child, self.last, child.data)
+                    self.before += child.data
                     state = self.language.advance(state, child.data)
                 else:
                     node.nodes[place] = self._expression(child, state)
+                    self.last = self.language.place(state)
+                    self._border(child, self.last, VALUE)
+                    self.before += VALUE
                     state = self.language.advance(state, "x")
         elif isinstance(node, nodes.If):
             behind = self._branch(node, node.body, state)
@@ -135,6 +142,11 @@ class _Walk:
         elif hasattr(node, "body"):
             return self.through(node.body, state)
         return state
+
+    def _border(self, node: nodes.Node, place: str, text: str) -> None:
+        """Refuse a value beside characters of the template that it could make something else of."""
+        if problem := fault(place, self.before, text):
+            raise self._error(node, problem)
 
     def _branch(self, node: nodes.Node, body: list[nodes.Node], state: Any) -> Any:
         """The state behind a part that is printed or not, which must leave the place as it was."""

@@ -64,7 +64,10 @@ class Language:
     comment: str = "terminal"
 
 
-_C_OPENS = re.compile(r'(?P<line>//)|(?P<block>/\*)|(?P<header>#[ \t]*include[ \t]*[<"])|(?P<string>")|(?P<char>\')')
+_C_OPENS = re.compile(
+    r'(?P<raw>\b(?:u8|[uUL])?R"[^()\\\s]{0,16}\()|'
+    r'(?P<line>//)|(?P<block>/\*)|(?P<header>#[ \t]*include[ \t]*[<"])|(?P<string>")|(?P<char>\')'
+)
 _C_CLOSES = {
     "c_comment": re.compile(r"\n"),
     "c_block_comment": re.compile(r"\*/"),
@@ -73,6 +76,8 @@ _C_CLOSES = {
     "c_char": re.compile(r"(?:\\.|[^'\\\n])*(?P<end>['\n])"),
 }
 _C_PLACES = {"line": "c_comment", "block": "c_block_comment", "header": "c_header", "string": "c_string", "char": "c_char"}
+_C_RAW = "raw "
+"""Before what ends a raw string, in which nothing can be quoted."""
 
 
 def _c(state: str, text: str) -> str:
@@ -82,7 +87,18 @@ def _c(state: str, text: str) -> str:
             found = _C_OPENS.search(text, position)
             if found is None:
                 return state
-            state = _C_PLACES[str(found.lastgroup)]
+            if found["raw"]:
+                delimiter = found["raw"].partition('"')[2][:-1]
+                state = f'{_C_RAW}){delimiter}"'
+            else:
+                state = _C_PLACES[str(found.lastgroup)]
+        elif state.startswith(_C_RAW):
+            end = text.find(state[len(_C_RAW) :], position)
+            if end < 0:
+                return state
+            position = end + len(state) - len(_C_RAW)
+            state = "c_word"
+            continue
         else:
             closes = _C_CLOSES[state]
             found = closes.match(text, position) if "end" in closes.groupindex else closes.search(text, position)
@@ -119,6 +135,11 @@ def _markdown_place(state: tuple[str, bool]) -> str:
 _TAG = re.compile(r"<(?P<comment>!--)|<(?P<name>/?(?:[A-Za-z?!][^\s>]*|\Z))")
 _IN_TAG = re.compile(r"(?P<name>[^\s=\"'>]+)\s*=\s*(?P<quote>[\"'])|(?P<end>>)")
 _URLS = frozenset({"href", "src", "action", "formaction", "cite", "poster", "data", "background", "xlink:href"})
+_NOT_TEXT = ("style", "srcdoc", "srcset", "imagesrcset", "ping", "http-equiv")
+_NOT_TEXT_IN = {"meta": ("content",), "script": ("src", "href", "xlink:href"), "base": ("href",)} | dict.fromkeys(
+    ("animate", "set", "animatetransform", "animatemotion"), ("to", "from", "by", "values", "attributename")
+)
+"""Attributes whose text is a list of addresses, or runs."""
 _RAW = ("script", "style")
 
 
@@ -150,9 +171,10 @@ def _html_place(state: tuple[str, str]) -> str:
     where, name = state
     if where in ('"', "'"):
         attribute = name.rpartition(" ")[2].lower()
-        if attribute.startswith("on") or attribute in ("style", "srcdoc"):
+        tag = name.partition(" ")[0].lower()
+        if attribute.startswith("on") or attribute in _NOT_TEXT or attribute in _NOT_TEXT_IN.get(tag, ()):
             return NOWHERE
-        return "html_url" if attribute in _URLS else "html_attribute"
+        return "html_url" if attribute in _URLS or attribute.endswith(":href") else "html_attribute"
     return {"text": "html", "comment": "html_comment"}.get(where, NOWHERE)
 
 
@@ -182,7 +204,7 @@ def _commented(value: str) -> Callable[[str], str]:
 
 
 LANGUAGES = {
-    "c": Language("c_word", _c, lambda state: str(state), comment="c_block_comment"),
+    "c": Language("c_word", _c, lambda state: NOWHERE if state.startswith(_C_RAW) else str(state), comment="c_block_comment"),
     "markdown": Language(("", False), _markdown, _markdown_place, comment="html_comment"),
     "html": Language(("text", ""), _html, _html_place, comment="html_comment"),
     "xml": Language(("text", ""), _html, _html_place, comment="html_comment"),

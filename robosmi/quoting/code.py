@@ -35,17 +35,22 @@ def c_comment(text: str) -> str:
     ('LED int evil=42; //', 'a * / b', 'C:\\ .')
     """
     line = visible(one_line(text)).replace("*/", "* /").replace("/*", "/ *").replace("??/", "? ?/")
-    return f"{line.rstrip()} ." if line.rstrip().endswith(("\\", "?/")) else line
+    if line.rstrip().endswith(("\\", "?/")):
+        return f"{line.rstrip()} ."
+    if line == "/":  # could end a trigraph that others begin
+        return " /"
+    return f"{line} " if line.endswith("??") or (line and not line.strip("?")) else line
 
 
 def c_block_comment(text: str) -> str:
-    """As `c_comment`, where a `*` may stand before the text.
+    """As `c_comment`, where a `*` may stand before the text and a `/` behind it.
 
-    >>> c_block_comment("/ evil")
-    ' / evil'
+    >>> c_block_comment("/ evil"), c_block_comment("*")
+    (' / evil', '* ')
     """
     line = c_comment(text)
-    return f" {line}" if line.startswith("/") else line
+    line = f" {line}" if line.startswith("/") else line
+    return f"{line} " if line.endswith("*") else line
 
 
 def c_string(text: str) -> str:
@@ -54,7 +59,7 @@ def c_string(text: str) -> str:
     >>> c_string('say "hi"\n??/'), c_string("\x1b1")
     ('say \\"hi\\"\\n?\\?/', '\\0331')
     """
-    return re.sub(r"\?(?=\?)", r"?\\", "".join(map(_string_letter, text)))
+    return re.sub(r"\?(?=\?)|^(?=\?)", lambda found: f"{found[0]}\\", "".join(map(_string_letter, text)))
 
 
 def _string_letter(letter: str) -> str:
