@@ -159,7 +159,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
             )
         drawn = [c for c in connectors if c.net is not None]
         for one in sorted(reached, key=lambda r: natural_key(r.component.elementId)):
-            yield _Mapped(board, label, place, pin, drawn, one, _signal(one, label, pin, state.known))
+            yield _Mapped(board, label, place, pin, drawn, one, _signal(one, label, state.known))
             if one.component.role is Role.Unknown:
                 state.report(
                     "RS220",
@@ -205,7 +205,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             )
 
 
-def _signal(reached: ReachedComponent, label: str, pin: platform.Pin | None, known: PartNames) -> str:
+def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
     """The direction on a pin: what the connector's name tells, else what the role and the place of the part tell."""
     component = reached.component
     ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
@@ -216,7 +216,7 @@ def _signal(reached: ReachedComponent, label: str, pin: platform.Pin | None, kno
     if component.driver:
         return told if told is not None and component.role is not Role.Both else _driver_signal(component, default, known)
     about = f"{component.family} / {component.partTitle}"
-    analog = "analog_in" in pin.abilities if pin is not None else label[0] == "A" and label[1:].isdecimal()
+    analog = label[0] == "A" and label[1:].isdecimal()  # not any pin that can: on some boards D4 can, and is used as D4
     if default == "write" and analog and about in known.read_on_analog and about not in known.not_read_on_analog:
         return "read"
     return told if told is not None and default != "write" else default

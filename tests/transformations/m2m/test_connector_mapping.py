@@ -19,6 +19,7 @@ from robosmi.transformations.knowledge.board_models import load_board, load_mapp
 from robosmi.transformations.m2m.connector_mapping import algorithm_1_as_printed, identifier, map_connectors
 from robosmi.transformations.queries.circuit import boards, component_named, hardware_report, port_interfaces, the_board
 from robosmi.transformations.t2m.fritzing import read_circuit
+from robosmi.transformations.t2m.pin_table import read_circuit as read_table
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, LABELS, SHARED, zipped
 
 UNO = load_mapping("arduino", load_board("uno"))
@@ -191,6 +192,25 @@ def test_a_part_that_can_be_either_is_what_its_pin_makes_it(
     (mapping,) = report(path)[0]["mappings"]
     assert (mapping["signal"], mapping["role"]) == (signal, role)
     assert mapping["name"] == f"Thing{signal.title()}P1"
+
+
+@pytest.mark.parametrize(
+    ("board", "pin", "part", "signal"),
+    [
+        ("uno", "A0", "Piezo", "read"),  # a knock sensor
+        ("leonardo", "D4", "Piezo", "write"),  # which is A6, too, and not used as that
+        ("leonardo", "D4", "Piezo Speaker", "write"),
+        ("uno", "A0", "Piezo Buzzer", "write"),
+    ],
+)
+def test_a_piezo_is_read_on_a_pin_labelled_analog_unless_it_is_a_buzzer(
+    board: str, pin: str, part: str, signal: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "table.csv"
+    path.write_text(f"pin,part,title,board\n{pin},{part},thing,{board}\n")
+    circuit, _ = read_table(path)
+    connections, _ = map_connectors(circuit, {the_board(circuit).elementId: load_board(board)})
+    assert [connection.signal.name for connection in connections] == [signal]
 
 
 @pytest.mark.parametrize(
