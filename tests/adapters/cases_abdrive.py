@@ -77,7 +77,7 @@ void loop() {{}}
 """
     used = d("goto", "getTicks", "gotoMode", "gotoStatus", "encoderPins")
     ports = {**PORTS, "abdrive.left_encoder": "255", "abdrive.right_encoder": "255"}
-    trace = replace(uno, ports=ports).run(program, used, 12_000, WHEELS)
+    trace = replace(uno, ports=ports).run(program, used, 7500, WHEELS)
     told = [int(each) for each in trace.text.split()]
     assert told[:6] == pytest.approx([64, 32, 48, 48, 49, 48], abs=1)
     assert told[7:10] == [1, 1, 0]

@@ -33,7 +33,7 @@ void setup() {{ Serial.begin(115200); drive_encoderPins(A0, A1);
 void loop() {{}}
 """
     ports = {**PORTS, "abdrive360.left_encoder": "255", "abdrive360.right_encoder": "255"}
-    trace = replace(uno, ports=ports).run(program, used, 13_500, SERVOS)
+    trace = replace(uno, ports=ports).run(program, used, 10_000, SERVOS)
     told = [int(each) for each in trace.text.split()]
     assert told[:2] == pytest.approx([64, -32], abs=2)
     assert told[2:5] == [2, 1, 0]
@@ -57,7 +57,7 @@ void setup() {{ Serial.begin(115200); drive_servoPins(9, 10);
 void loop() {{}}
 """
     ports = {**PORTS, "abdrive360.left_encoder": "255", "abdrive360.right_encoder": "255"}
-    trace = replace(uno, ports=ports).run(program, used, 5500)
+    trace = replace(uno, ports=ports).run(program, used, 4900)
     told = [int(each) for each in trace.text.split()]
     left = [late - early for early, late in pairwise(told[::2])]
     assert told[:2] == pytest.approx([64 * 0.68, -32 * 0.84], abs=3)  # the ramps take 640 and 320 ms

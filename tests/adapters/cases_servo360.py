@@ -37,7 +37,7 @@ void setup() {{ Serial.begin(115200); say(servo360_connect(5, 4)); say(servo360_
   say(servo360_getCsop(5)); say(servo360_getTurns(5)); say(servo360_getAngle(5)); }}
 void loop() {{}}
 """
-    trace = uno.run(program, used, 7400, [*SERVOS, DeviceUse("levels", {"pin": "D4"}, {"points": [[0, 0]]})])
+    trace = uno.run(program, used, 6600, [*SERVOS, DeviceUse("levels", {"pin": "D4"}, {"points": [[0, 0]]})])
     told = [int(each) for each in trace.text.split()]
     assert told[:6] == [-8, 0, -4, 1, -1, 0]
     assert told[6:8] == pytest.approx([120, -45], abs=3)
@@ -66,7 +66,7 @@ void setup() {{ Serial.begin(115200); servo360_connect(5, A0); servo360_connect(
   servo360_feedback(5, 0); say(servo360_set(5, 1600)); delay(200); servo360_enable(5, 0); delay(200); }}
 void loop() {{}}
 """
-    trace = uno.run(program, [*used, "servo360.h/servo360_connect"], 4600, SERVOS)
+    trace = uno.run(program, [*used, "servo360.h/servo360_connect"], 4100, SERVOS)
     told = [int(each) for each in trace.text.split()]
     assert told.pop(0) == -2
     assert told[:4] == [1, 720, 1, 0]
@@ -104,7 +104,7 @@ void loop() {{}}
 """
     constants = [f"servo360.h/S360_SETTING_{name}" for name in ("KPA", "KIA", "KDA", "VB_CCW")]
     used = [*SETTINGS, *s("connect", "angle", "getTurns", "speed", "setControlSys"), *constants]
-    trace = uno.run(program, used, 2500, SERVOS[:1])
+    trace = uno.run(program, used, 1950, SERVOS[:1])
     told = [int(each) for each in trace.text.split()]
     assert told[:7] == [360, 819, 3599, 720, 180, -2, 1]
     assert told[7:10] == pytest.approx([1024, 90, 512], abs=30)
