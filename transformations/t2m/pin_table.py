@@ -264,8 +264,30 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
     return found
 
 
+_CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
+_CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
+"""A line at whose end no cell between quotation marks is open."""
+
+
+def _records(text: str) -> list[tuple[int, str]]:
+    """The rows with the number of their first line; a cell between quotation marks may go over several lines."""
+    found: list[tuple[int, str]] = []
+    parts: list[str] = []
+    begun = 0
+    for number, line in enumerate(text.splitlines(keepends=True), 1):
+        if not parts and (not line.strip() or line.startswith("#")):
+            continue
+        begun = begun if parts else number
+        parts.append(line)
+        if not _CLOSED.fullmatch(('"' if len(parts) > 1 else "") + line.rstrip("\r\n")):
+            continue
+        found.append((begun, "".join(parts).rstrip("\r\n")))
+        parts = []
+    return [*found, *([(begun, "".join(parts))] if parts else [])]
+
+
 def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
-    lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
+    lines = _records(text)
     sample = lines[0][1] if lines else ""
     separator = max(",;\t", key=sample.count)
     header = [cell.strip().lower() for cell in next(csv.reader([sample], delimiter=separator), [])]
@@ -273,7 +295,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     rows: list[_Row] = []
     for number, line in lines[1:]:
         try:
-            cells = next(csv.reader([line], delimiter=separator, strict=True))
+            cells = next(csv.reader(line.splitlines(keepends=True), delimiter=separator, strict=True))
         except csv.Error as error:
             raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
         if len(cells) > len(header):

@@ -144,3 +144,14 @@ def test_a_pin_that_the_board_has_not(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("pin,part\nD99,LED\n")
     assert [f.rule for f in hardware(path).findings] == ["RS223"]
+
+
+def test_a_cell_between_quotation_marks_may_go_over_lines(tmp_path: Path) -> None:
+    table = tmp_path / "t.csv"
+    table.write_text('pin,part,title\n# note\nD3,Red LED,"the ""left""\n# lamp"\nD5,Pushbutton,start\n')
+    assert [found["pin"] for found in mappings(table)] == ["D3", "D5"]
+    table.write_text('pin,part\nD5,Pushbutton\n\nD3,"Red LED\nD4,Green LED\n')
+    with pytest.raises(SourceError, match="unexpected end of data") as caught:
+        mappings(table)
+    assert caught.value.location is not None
+    assert caught.value.location.line == 4
