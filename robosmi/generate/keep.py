@@ -114,12 +114,15 @@ class _Merge:
         returning = {i for i in old if i in new and i not in before}
         theirs = Parts([self._their(piece, old, before) for piece in self.theirs.pieces])
         behind = _behind(self.before) if self.before is not None else {}
-        own = {i for i, text in _behind(self.ours).items() if i in gone and text.strip() and text != behind.get(i)}
-        ours, orphans = _without(self.ours, gone | returning, own)
+        blank = {i for i, text in behind.items() if not text.strip()}
+        own = {i for i, text in _behind(self.ours).items() if i in gone and (not text.strip() or text != behind.get(i))}
+        ahead = _ahead(self.before) if self.before is not None else {}
+        led = {i for i, text in _ahead(self.ours).items() if i in gone and text.strip() and text != ahead.get(i)}
+        ours, orphans = _without(self.ours, gone | returning, own, led)
         ours_lines, theirs_lines = _lines(ours), _lines(theirs.text())
         if self.before is not None:
             base = Parts([self._base(piece, old) for piece in self.before.pieces])
-            base_lines = _lines(_without(base, {i for i in before if i not in new})[0])
+            base_lines = _lines(_without(base, {i for i in before if i not in new}, blank)[0])
         else:
             base_lines = [
                 ours_lines[c.ours[0] + k] for c in _common(ours_lines, theirs_lines) for k in range(c.ours[1] - c.ours[0])
@@ -247,15 +250,32 @@ def _behind(parts: Parts) -> dict[str, str]:
     return {one.identity: next_.partition("\n")[0] for one, next_ in pairs if isinstance(one, Region) and isinstance(next_, str)}
 
 
-def _without(parts: Parts, identities: set[str], with_line: Collection[str] = ()) -> tuple[str, list[tuple[int, Region, str]]]:
+def _ahead(parts: Parts) -> dict[str, str]:
+    """Id of a region -> what stands before its first marker in the same line, where no other region does."""
+    found: dict[str, str] = {}
+    text = "\n"
+    for piece in parts.pieces:
+        if isinstance(piece, str):
+            text += piece
+            continue
+        if "\n" in text:
+            found[piece.identity] = text.rpartition("\n")[2]
+        text = ""
+    return found
+
+
+def _without(
+    parts: Parts, identities: set[str], with_line: Collection[str] = (), with_lead: Collection[str] = ()
+) -> tuple[str, list[tuple[int, Region, str]]]:
     """The text without some regions, and these: behind how many lines each stood, and its text in whole lines.
 
     Args:
         parts: the text.
         identities: the ids of these regions.
         with_line: those of them that take along what stands behind their last marker in the same line.
+        with_lead: those of them that take along what stands before their first marker in the same line; blanks always go along.
     """
-    kept: list[str] = []
+    kept = ""
     taken: list[tuple[int, Region, str]] = []
     behind = _behind(parts) if with_line else {}
     rest = ""  # what a region that was taken out takes along of the text behind it
@@ -264,14 +284,14 @@ def _without(parts: Parts, identities: set[str], with_line: Collection[str] = ()
         text = piece if isinstance(piece, str) else piece.text()
         text, rest = text.removeprefix(rest), ""
         if isinstance(piece, Region) and piece.identity in identities:
-            before, _, margin = kept[-1].rpartition("\n") if kept else ("", "", "")
-            alone = not margin.strip(" \t") and (bool(_) or len(kept) < 2)
-            if alone and kept:
-                kept[-1] = before + _
+            margin = kept[kept.rfind("\n") + 1 :]
+            alone = not margin.strip(" \t") or piece.identity in with_lead
+            if alone:
+                kept = kept.removesuffix(margin)
             rest = behind[piece.identity] if alone and piece.identity in with_line else ""
-            taken.append((sum(part.count("\n") for part in kept), piece, f"{margin if alone else ''}{text}{rest}\n"))
+            taken.append((kept.count("\n"), piece, f"{margin if alone else ''}{text}{rest}\n"))
             swallow = alone
         else:
-            kept.append(text.removeprefix("\n") if swallow else text)
+            kept += text.removeprefix("\n") if swallow else text
             swallow = False
-    return "".join(kept), taken
+    return kept, taken

@@ -42,6 +42,13 @@ FOLLOWED = SWAPPED.replace(b"region r on begin\n  // TODO", b"region r on begin\
 INSIDE = Round("o", REGIONS, IN_R, SWAPPED, FOLLOWED, {"RS512"})
 IN_THE_OTHER = SWAPPED.replace(b"region s on begin\n  // TODO", b"region s on begin\n  EDIT")
 SWITCHED = REGIONS.replace(b"r on begin", b"r off begin")
+SAME_HEADS = replace(
+    ONE,
+    base=BASE.replace(b"two", b"one"),
+    edited=EDITED.replace(b"two", b"one"),
+    made=MADE.replace(b"one", b"three").replace(b"two", b"one"),
+    after=GOOD.replace(b"one", b"three").replace(b"two", b"one"),
+)
 OFF = replace(INSIDE, edited=SWITCHED, made=REGIONS, after=REGIONS, rules={"RS518"})
 
 
@@ -66,6 +73,7 @@ def test_no_edit_is_lost_in_sixty_regenerations() -> None:
         replace(ONE, edited=None, after=MADE, rules={"RS517"}),
         INSIDE,
         OFF,
+        SAME_HEADS,
         replace(ONE, edited=EDITED[:-1], after=b"<<<<<<< yours\n" + GOOD, rules={"RS511"}, old=[EDITED[:-1]]),
     ],
 )

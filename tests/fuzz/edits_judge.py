@@ -132,17 +132,21 @@ def _switched_off(one: Round) -> set[str]:
 def _misplaced(one: Round) -> Iterator[str]:
     """Lines of a person that stand in another region or function than the one they were written into.
 
-    A region follows its id: where the function around it has another name now, its text is right there.
+    A region follows its id: where the function around it has another name now, its text is right there. Where several functions
+    have the same head, nothing but their order tells them apart, and the head says nothing of the place.
     """
     assert one.base is not None
     assert one.edited is not None
     assert one.after is not None
     there, then = _functions(lines(one.edited)), _functions(lines(one.after))
     known = set(lines(one.base))
+    often = {line for data in (one.base, one.edited) for line, count in Counter(lines(data)).items() if count > 1}
     for line, heads in there.items():
         if line in known or len(heads) != 1 or len(then.get(line, ())) != 1:
             continue
         (head,), (now,) = heads, then[line]
+        if head and head in often:
+            continue
         if head != now and _stands(head, known) and _stands(head, lines(one.after)):
             yield f"misplaced: {line!r} stood in {head!r} and stands in {now!r}"
 
