@@ -127,7 +127,7 @@ def _module_of_file(path: Path, place: Location) -> Any:
     except SyntaxError as error:
         where = Location(error.filename or str(path), error.lineno)
         raise RuleError(f"the code does not parse: {error.msg}", location=where, fix="correct it") from error
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         step = error.__traceback__
         line = None
         while step is not None:

@@ -180,7 +180,7 @@ class ChainRun:
                 self.state.save()  # who is killed now must not find his own file changed
             if self.progress is not None:
                 self.progress(step, None)
-            result = self.do(step)
+            result = self._done(step)
             if self.progress is not None:
                 self.progress(step, result)
             self.remember(step, inputs, result)
@@ -218,6 +218,15 @@ class ChainRun:
                     location=Location(str(path)),
                     fix="move it away, or let another step read it",
                 )
+
+    def _done(self, step: Step) -> StepResult:
+        """Do a step; that its code ends the program is an error of the step, whatever exit code it names."""
+        try:
+            return self.do(step)
+        except SystemExit as error:
+            from robosmi.query.erl import failed
+
+            raise failed(error, f"the step '{step.name}'", step.function or self._done) from error
 
     def do(self, step: Step) -> StepResult:
         """Do a step, with the models that it needs."""

@@ -2,26 +2,33 @@
 
 `evaluate` takes expressions only, with lambdas and comprehensions. Names are the types, the models and `NAMES`; there are no
 builtins. No attribute starts with an underscore, and attributes are read from values of queries alone: elements, collections,
-texts, numbers, models (to look, not to change or store). So no function, frame, module, class or file is within reach, by format
-strings neither. It keeps nobody from asking for much time or memory. How a value is shown is `answers`' business.
+texts, numbers, models (to look, not to change or store). No type is called. So no frame, module, class or file
+is within reach; what may be read and called is `reachable`'s business, and how a value is shown is `answers`'.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterable, Mapping, Set
-from datetime import date
-from decimal import Decimal
+from collections.abc import Callable, Iterable
 from typing import Any
 
-from pyecore.ecore import EObject
-from pyecore.valuecontainer import ECollection
-
 from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean
-from robosmi.model.driver import Model, ModelElement, TypeHandle
-from robosmi.query import anything, collections, extents, models, numbers, operations, operators, properties, strings, types
+from robosmi.model.driver import Model, TypeHandle
+from robosmi.query import (
+    anything,
+    collections,
+    extents,
+    models,
+    numbers,
+    operations,
+    operators,
+    properties,
+    reachable,
+    strings,
+    types,
+)
 from robosmi.query.collections import Lazy
-from robosmi.query.run import Extended, Run, ext
+from robosmi.query.run import Run, ext
 from robosmi.query.values import Long, as_string, equal
 
 _ALLOWED: tuple[type[ast.AST], ...] = (
@@ -30,17 +37,6 @@ _ALLOWED: tuple[type[ast.AST], ...] = (
     ast.arguments, ast.arg, ast.List, ast.Tuple, ast.Set, ast.Dict, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp,
     ast.comprehension, ast.Store, ast.JoinedStr, ast.FormattedValue,
 )  # fmt: skip
-_READABLE = (
-    str, int, float, list, tuple, dict, date, Decimal, Mapping, Set, collections.Q, Lazy, EObject, ModelElement, ECollection,
-    Extended, TypeHandle, types.EolType,
-)  # fmt: skip
-_OF_MODELS = frozenset(
-    {"all", "all_contents", "all_of_kind", "all_of_type", "element", "id_of", "literal", "name", "owns", "type_names"}
-)
-_HIDDEN = frozenset(
-    {"dyn_inst", "eResource", "format", "format_map", "listeners", "maketrans", "model", "notify", "python_class"}
-)
-_NAMED = frozenset({"as_string", "equal"})
 
 
 def _functions(module: Any, *without: str) -> dict[str, Any]:
@@ -54,7 +50,8 @@ NAMES: dict[str, Any] = {
     "equal": equal, "ext": ext, "call": operations.call, "call_built_in": operations.call_built_in,
     "collection": collections.collection,
     **_functions(extents), **_functions(properties, "describe", "property_names"), **_functions(operators, "wrapped"),
-    **_functions(types, "EolType", "resolve", "matching"), **_functions(numbers), **_functions(strings), **_functions(anything),
+    **_functions(types, "EolType", "resolve", "matching"), **_functions(numbers), **_functions(strings),
+    **_functions(anything, "e_resource", "native_type"),
     "all_instances": models.all_instances, "id_of": models.id_of, "literal_named": models.literal_named,
 }  # fmt: skip
 """What an expression may call besides the types of its models."""
@@ -73,7 +70,9 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
         UsageError: it is no expression, uses what is not allowed, or fails.
         ModelError: it names a type, property or operation that there is not.
     """
-    views = [model if isinstance(model, models.ModelView) else models.ModelView(model) for model in given]
+    views = [
+        reachable.LookedAt(model.model if isinstance(model, models.ModelView) else model, name=model.name) for model in given
+    ]
     tree = _checked(expression)
     known = NAMES | {view.name: view for view in views}
     bound = {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)} | {
@@ -94,7 +93,7 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
     code = compile(_guarded(tree), "<expression>", "eval")
     try:
         with Run(*views):
-            return then(eval(code, {"__builtins__": {}, _GET: _attribute, **known}))
+            return then(eval(code, {"__builtins__": {}, **_GUARDS, _CALL: reachable.Caller(NAMES, code), **known}))
     except RobosmiError:
         raise
     except RecursionError as error:
@@ -114,8 +113,13 @@ def _type(view: models.ModelView, name: str) -> TypeHandle | None:
         return None
 
 
-_GET = "an attribute"
-"""The name of the function that reads attributes; no expression can say it."""
+_GET, _CALL, _FORMAT = "an attribute", "a call", "a format"
+"""The names of the functions that read attributes, call, and look at formats; no expression can say them."""
+_GUARDS: dict[str, Any] = {
+    _GET: reachable.attribute,
+    _FORMAT: reachable.check_format,
+    **{f"a {n}": f for n, f in reachable.OPERATORS.items()},
+}
 
 
 def _checked(expression: str) -> ast.Expression:
@@ -141,12 +145,32 @@ def _check(node: ast.AST) -> None:
 
 
 class _Guard(ast.NodeTransformer):
-    """Turns `a.b` into a call of `_attribute`."""
+    """Turns `a.b`, `f(x)` and `a ** b` into calls of the functions of `reachable`."""
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
         self.generic_visit(node)
-        read = ast.Call(ast.Name(_GET, ast.Load()), [node.value, ast.Constant(node.attr)], [])
-        return ast.copy_location(read, node)
+        return _asked(node, _GET, node.value, ast.Constant(node.attr))
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        call = ast.Call(ast.Name(_CALL, ast.Load()), [node.func, *node.args], node.keywords)
+        return ast.copy_location(call, node)
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        operator = type(node.op).__name__
+        return _asked(node, f"a {operator}", node.left, node.right) if operator in reachable.OPERATORS else node
+
+    def visit_FormattedValue(self, node: ast.FormattedValue) -> ast.AST:
+        self.generic_visit(node)
+        if node.format_spec is not None:
+            checked = ast.FormattedValue(_asked(node, _FORMAT, node.format_spec), -1, None)
+            node.format_spec = ast.JoinedStr([ast.copy_location(checked, node)])
+        return node
+
+
+def _asked(node: ast.expr, name: str, *arguments: ast.expr) -> ast.expr:
+    return ast.copy_location(ast.Call(ast.Name(name, ast.Load()), [*arguments], []), node)
 
 
 def _guarded(tree: ast.Expression) -> ast.Expression:
@@ -155,16 +179,3 @@ def _guarded(tree: ast.Expression) -> ast.Expression:
         return ast.fix_missing_locations(guarded)
     except RecursionError as error:
         raise UsageError("the expression is nested too deep", fix="shorten it") from error
-
-
-def _attribute(target: Any, name: str) -> Any:
-    """What `target.name` means in an expression."""
-    if isinstance(target, Model):
-        if name in _OF_MODELS:
-            return getattr(target, name)
-        return target[name]
-    if target is not None and not isinstance(target, _READABLE):
-        raise UsageError(f"an expression may not look into a {type(target).__name__}", fix="use the functions of robosmi.query")
-    if name in _HIDDEN and not isinstance(target, (collections.Q, Extended)):
-        raise UsageError(f"an expression may not use '{name}'", fix="use the functions of robosmi.query")
-    return getattr(target, name)

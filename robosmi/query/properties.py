@@ -15,6 +15,7 @@ from typing import Any
 from pyecore.ecore import EClass, EEnumLiteral, EObject
 
 from robosmi.model.driver import ModelElement
+from robosmi.model.reachable import of_models
 from robosmi.query.collections import Map, Tuple, collection
 from robosmi.query.operations import has_plain_operation, plain_operation
 from robosmi.query.problems import UndefinedError, describe, unknown_property
@@ -89,9 +90,7 @@ def get_all(items: Iterable[Any], name: str, default: Any = _MISSING) -> list[An
     classes = set(map(type, found))
     if default is not _MISSING and type(None) in classes:
         return [default if x is None else _of(x, name) for x in found]
-    if type(None) not in classes and not any(
-        compares_itself(cls) or not issubclass(cls, (EObject, ModelElement)) for cls in classes
-    ):
+    if type(None) not in classes and all(_has_feature(cls, name) for cls in classes):
         try:
             values = list(map(attrgetter(name), found))
         except AttributeError:
@@ -101,9 +100,20 @@ def get_all(items: Iterable[Any], name: str, default: Any = _MISSING) -> list[An
     return [_of(x, name) for x in found]
 
 
+def _has_feature(cls: type, name: str) -> bool:
+    """Whether elements of a class can be asked for a name at once, since it is a feature of theirs and nothing else of Python."""
+    if not name.isidentifier() or name[0] == "_" or compares_itself(cls):
+        return False
+    if issubclass(cls, EObject):
+        kind = getattr(cls, "eClass", None)
+        return isinstance(kind, EClass) and kind.findEStructuralFeature(name) is not None
+    return issubclass(cls, ModelElement)
+
+
 _METHODS = (FunctionType, MethodType)
 _CLOSED = (
     str, int, float, FunctionType, MethodType, BuiltinFunctionType, GeneratorType, FrameType, CodeType, TracebackType, ModuleType,
+    type,
 )  # fmt: skip
 
 
@@ -113,7 +123,7 @@ def _of(target: Any, name: str) -> Any:
 
 def _own(target: Any, name: str) -> Any:
     """An attribute of a plain Python object; texts and numbers have methods only, and no method is a property."""
-    if name[:1] in ("_", "") or isinstance(target, _CLOSED):
+    if name[:1] in ("_", "") or isinstance(target, _CLOSED) or of_models(target, name) is False:
         return _MISSING
     value = getattr(target, name, _MISSING)
     if value is None and name == "literal" and isinstance(target, EEnumLiteral):

@@ -102,7 +102,7 @@ class Evaluation:
         for element in elements:
             try:
                 included = context.guard(element)
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 raise failed(error, f"the guard of the context {context.name}", context.guard, element, self.models) from error
             if included:
                 yield element
@@ -123,7 +123,7 @@ class Evaluation:
                         verdict = state.check(element)
                 except RuleError:
                     raise  # of a constraint that was asked for
-                except Exception as error:
+                except (Exception, SystemExit) as error:
                     raise self._failed(error, state, element) from error
                 if not verdict:
                     state.failed.add(element)
@@ -133,7 +133,7 @@ class Evaluation:
             if ended:
                 states = [s for s in states if not (s.constraint.terminate and s.failed)]
 
-    def _failed(self, error: Exception, state: _State, element: Any) -> Exception:
+    def _failed(self, error: BaseException, state: _State, element: Any) -> Exception:
         constraint, raised = state.constraint, error.__traceback__ and error.__traceback__.tb_next
         guard = getattr(constraint.guard, "__code__", None)
         frames = []
@@ -163,7 +163,7 @@ class Evaluation:
                 what = ("a fix's guard or title", fix.guard if callable(fix.guard) else fix.title)
                 if told(fix.guard, element):
                     found.fixes.append(OfferedFix(fix, found, self.models))
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             function = what[1] if callable(what[1]) else constraint.check
             raise failed(error, f"{what[0]} of {constraint.name}", function, element, self.models) from error
 
@@ -194,7 +194,7 @@ class Evaluation:
             return bool(self._ask(state, element) if len(self._asked) % LEVELS else in_thread(self._ask, state, element))
         except RuleError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise self._failed(error, state, element) from error
         finally:
             self._asked.pop((state, element), None)

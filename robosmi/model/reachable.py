@@ -1,0 +1,82 @@
+"""What a text of a stranger may look at: which attributes of elements, collections, models and types read and change nothing.
+
+Templates and queries ask here before they read an attribute. Of elements there are the features and operations of their class,
+and what a package's own code adds; of what the classes of pyecore and of this framework define only what is listed. What either
+language may do beyond (paths, texts, functions) is its own affair: `robosmi.generate.sandbox`, `robosmi.query.reachable`.
+"""
+
+from __future__ import annotations
+
+import sys
+from types import ModuleType
+from typing import Any
+
+from pyecore.ecore import EObject
+from pyecore.valuecontainer import ECollection
+
+from robosmi.model.driver import Model, ModelElement, TypeHandle
+
+OF_ELEMENTS = frozenset(
+    ["eAllContents", "eClass", "eContainer", "eContainmentFeature", "eContents", "eIsSet", "eRoot", "eURIFragment",
+     "eAllAttributes", "eAllOperations", "eAllReferences", "eAllStructuralFeatures", "eAllSuperTypes", "eAttributes",
+     "eReferences", "findEOperation", "findEStructuralFeature", "getEAnnotation",
+     "children", "line", "namespaceURI", "parentNode", "tagName", "text"]
+)  # fmt: skip
+"""What is not a feature of an element and reads: EMF's names of elements and of metamodels, then those of plain XML."""
+OF_COLLECTIONS = frozenset(
+    ["copy", "count", "difference", "index", "intersection", "isdisjoint", "issubset", "issuperset", "symmetric_difference",
+     "union"]
+)  # fmt: skip
+OF_MODELS = frozenset(
+    ["all", "all_contents", "all_of_kind", "all_of_type", "element", "find_type", "id_of", "literal", "name", "owns", "path",
+     "roots", "type_names", "types"]
+)  # fmt: skip
+OF_TYPES = frozenset(["all", "all_instances", "all_of_kind", "all_of_type", "has", "name"])
+_BASES = ("pyecore.", "robosmi.model.")
+"""The modules whose classes elements inherit from. What they define changes and stores elements, too."""
+
+
+_MADE = frozenset({"dyn_inst", "listeners", "python_class"})
+"""What pyecore puts into the classes that it makes."""
+
+
+def of_models(obj: Any, attribute: str) -> bool | None:
+    """Whether an attribute of a part of a model reads and changes nothing; None for what is no part of a model.
+
+    Args:
+        obj: an element, a collection that is a feature's value, a model, a type of a model, or anything.
+        attribute: the attribute's name; with an underscore in front none is allowed.
+    """
+    if is_resource(obj) or isinstance(obj, ModuleType):
+        return False
+    if not isinstance(obj, (ECollection, EObject, ModelElement, TypeHandle, Model)):
+        return None
+    if attribute.startswith("_"):
+        return False
+    if isinstance(obj, ECollection):
+        return attribute in OF_COLLECTIONS
+    if isinstance(obj, (EObject, ModelElement)):
+        return attribute in OF_ELEMENTS or _is_own(obj, attribute)
+    if isinstance(obj, TypeHandle):
+        return attribute in OF_TYPES or not hasattr(TypeHandle, attribute)  # the name of a literal
+    return attribute in OF_MODELS or not (hasattr(type(obj), attribute) or attribute in vars(obj))  # the name of a type
+
+
+def is_resource(obj: Any) -> bool:
+    """Whether an object is one of pyecore's resources: there are none before their module is imported, which takes long."""
+    module = sys.modules.get("pyecore.resources")
+    return module is not None and isinstance(obj, (module.Resource, module.ResourceSet))
+
+
+def _is_own(element: EObject | ModelElement, name: str) -> bool:
+    """Whether a name is the element's own: of its metamodel or of its package's code, or, so that this is told, of nobody."""
+    if not isinstance(element, EObject):  # plain XML and tables have no metamodel, and features that no class defines
+        return not hasattr(type(element), name) or name in element._features()
+    kind = element.eClass
+    if kind.findEStructuralFeature(name) is not None:
+        return True
+    # operations are judged by who wrote them, too: Ecore's own, as `getEClassifier`, give what can be called
+    owners = [base for base in type(element).__mro__ if name in vars(base)]
+    if not owners:
+        return not hasattr(element, name)
+    return name not in _MADE and not any(f"{base.__module__}.".startswith(_BASES) for base in owners)
