@@ -39,6 +39,7 @@ _CLOSED = frozenset({"e_resource", "native_type", "get_native_type", "create_ins
 _BY_NAME = frozenset({"call", "call_built_in", "get", "get_safe", "get_all", "has_property"})
 _CALLING = FIRST_ORDER | {"sort", "and", "or", "both", "either", "xor", "implies", "elvis"}
 """Functions that call what they are given."""
+_UNSEEN = _BY_NAME | {"both", "either", "implies", "elvis"}
 _GROWING = frozenset(
     {"repeat", "pad", "ljust", "rjust", "center", "zfill", "expandtabs", "integer_range", "to", "iota", "format_", "format"}
 )
@@ -139,6 +140,9 @@ class Caller:
         return False
 
     def _check(self, name: str, function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> None:
+        for value in (*arguments, *options.values()):  # called by another function, their arguments would not be looked at
+            if self._named.get(id(value)) in _UNSEEN:
+                raise UsageError(f"an expression may not pass '{self._named[id(value)]}' on", fix="give a lambda that calls it")
         given = arguments
         if id(function) in self._named and name in _BY_NAME:
             name = options.get("name", arguments[1] if len(arguments) > 1 else "")

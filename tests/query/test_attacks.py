@@ -31,6 +31,8 @@ MODELS = [
     (f"['Foo'].sort(key={META})", "may not call the type EClass"),
     (f"elvis(None, {META})", "may not call the type EClass"),
     (f"call(True, 'and', {META})", "may not call the type EClass"),
+    (f"Q([None]).aggregate(lambda x: 1, elvis, lambda x: {META})", "may not pass 'elvis' on"),
+    ("Q(['x']).aggregate(lambda x: 1, call, 'nativeType')", "may not pass 'call' on"),
     ("Book(name='x')", "may not call the type Book"),
     ("M.Book(name='x')", "may not call the type Book"),
     ("M['Book'](name='x')", "may not call the type Book"),
