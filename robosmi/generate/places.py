@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -87,10 +87,10 @@ class Places:
         real = os.path.realpath(parent)
         if os.path.commonpath([real, self._root]) != self._root:
             raise self._refused(name, "lies outside of the output folder, by a link")
-        while len(parent) > len(str(self.folder)):
-            if os.path.lexists(parent) and not os.path.isdir(parent):
-                raise self._in_the_way(parent, "a file stands where a folder is to be made")
-            parent = os.path.dirname(parent)
+        for inner in PurePosixPath(name).parents:
+            above = f"{self.folder}/{inner}"
+            if inner.parts and os.path.lexists(above) and not os.path.isdir(above):
+                raise self._in_the_way(above, "a file stands where a folder is to be made")
 
     def _in_the_way(self, path: str, message: str) -> SourceError:
         return SourceError(

@@ -24,7 +24,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, SourceError, StoppedError
 from robosmi.inputs import OUTPUT, RECORD, read_bytes
 from robosmi.model.files import within
-from robosmi.model.runs import alone, bind, is_bound, release
+from robosmi.model.runs import alone, bind, forget, is_bound, is_own_stage, own_stage, release
 
 STAGE = ".robosmi-commit"
 """Folder with what is about to be moved into place; in the output folder, or beside one that is new (with its name behind)."""
@@ -129,7 +129,7 @@ def recover(folder: Path) -> None:
                     raise _in_the_way(str(stage), "a link or file has the name of the folder where files wait to be written")
             if beside.is_dir():
                 with _locked(beside):
-                    shutil.rmtree(beside)
+                    _throw_away(beside)
             if (folder / STAGE).is_dir():
                 with _locked(folder):
                     _finish(folder)
@@ -166,9 +166,11 @@ def _appear(folder: Path, contents: Mapping[str, bytes]) -> None:
     try:
         _no_file_is_a_folder(folder, contents)
         beside.mkdir()
+        own_stage(beside)
         with _locked(beside):
             _put(beside, contents)
             os.rename(beside, folder)
+        forget(beside)
     except FileExistsError as error:
         message = "another run is making this folder"
         raise StoppedError(message, location=Location(str(folder)), fix="wait for it, then run again") from error
@@ -274,6 +276,7 @@ def _write(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
         _check(folder, contents)
         _inside(folder, removed)
         stage.mkdir()
+        own_stage(stage)
         _put(stage, {names[name]: data for name, data in contents.items()})
         for name, place in names.items():
             if os.path.exists(f"{folder}/{name}"):
@@ -315,8 +318,28 @@ def _finish(folder: Path) -> None:
             _tidy(folder, Path(folder, name).parent)
         journal.unlink()
         release(folder)
-    if stage.is_dir():
         shutil.rmtree(stage)
+        forget(stage)
+    elif stage.is_dir():
+        _throw_away(stage)
+
+
+def _throw_away(stage: Path) -> None:
+    """Remove a folder of waiting files that a killed run has left before it had a journal, or one that is empty.
+
+    Raises:
+        StoppedError: no run of this user has made it: what is in it may be a person's.
+    """
+    if is_own_stage(stage):
+        shutil.rmtree(stage)
+        forget(stage)
+    elif any(stage.iterdir()):
+        raise StoppedError(
+            "a folder has the name of that where files wait to be written, and no run of yours has made it; nothing was written",
+            location=Location(str(stage)), fix="look at what is in it, move it away or remove it, then run again",
+        )  # fmt: skip
+    else:
+        stage.rmdir()
 
 
 def _journal(folder: Path, path: Path) -> tuple[dict[str, str], list[str]]:

@@ -1,7 +1,8 @@
-"""Which run is at work in an output folder, and which journal is its own: kept outside of the folder, by its real path.
+"""Which run is at work in an output folder, and what in it is of this user's runs: kept outside of the folder, by its real path.
 
 A lock lets one run of a user after the other into a folder. A record holds the digest of the journal that this user's run
-carries out there, so that a journal that came with a folder from somebody else is told apart. Writing itself is `commit`'s.
+carries out there, so that a journal that came with a folder from somebody else is told apart; the same for the lists of what was
+made (`note`) and the folders where files wait (`own_stage`). Writing itself is `commit`'s.
 """
 
 from __future__ import annotations
@@ -90,6 +91,57 @@ def is_bound(folder: Path, journal: bytes) -> bool:
 def release(folder: Path) -> None:
     """Forget the journal of a folder: it was carried out."""
     _place(os.path.realpath(folder), "journal").unlink(missing_ok=True)
+
+
+def note(path: Path, *versions: bytes) -> None:
+    """Note that a run of this user has written a file, or is about to.
+
+    Args:
+        path: the file, such as the manifest of an output folder.
+        versions: what it may hold: its new bytes, and those that it has until these are in place.
+
+    Raises:
+        SourceError: there is no place for the note.
+    """
+    _store(_record_of(path), " ".join(hashlib.sha256(data).hexdigest() for data in versions))
+
+
+def is_noted(path: Path, data: bytes) -> bool:
+    """Whether a run of this user has written these bytes into that file, where the file is now."""
+    try:
+        noted = read_text(_record_of(path), RECORD)
+    except (OSError, ValueError):
+        return False
+    return hashlib.sha256(data).hexdigest() in noted.split()
+
+
+def own_stage(folder: Path) -> None:
+    """Note that a run of this user has made a folder in which files wait.
+
+    Raises:
+        SourceError: there is no place for the note.
+        OSError: the folder is not there.
+    """
+    note(folder, _identity(folder))
+
+
+def is_own_stage(folder: Path) -> bool:
+    """Whether a run of this user has made that very folder, so that it may be thrown away with all that is in it."""
+    return is_noted(folder, _identity(folder))
+
+
+def forget(path: Path) -> None:
+    """Forget what was noted of a file or folder."""
+    _record_of(path).unlink(missing_ok=True)
+
+
+def _identity(folder: Path) -> bytes:
+    found = folder.lstat()
+    return f"folder {found.st_dev} {found.st_ino}".encode()
+
+
+def _record_of(path: Path) -> Path:
+    return _place(f"{os.path.realpath(path.parent)}/{path.name}", "made")
 
 
 def _store(path: Path, text: str) -> None:

@@ -15,7 +15,7 @@ import pytest
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate import Gen
 from robosmi.model.commit import STAGE, commit, interrupted, recover
-from robosmi.model.runs import bind
+from robosmi.model.runs import bind, own_stage
 from tests.running import tree
 
 FILES = 40
@@ -81,6 +81,7 @@ def test_recovery_completes_a_run_whose_journal_is_there_and_drops_one_without(t
     commit(tmp_path / "out", {"a": b"1", "b/c": b"1", "d": b"1"})
     stage = tmp_path / "out" / STAGE
     (stage / "new").mkdir(parents=True)
+    own_stage(stage)
     (stage / "new" / "0").write_bytes(b"2")
     recover(tmp_path / "out")
     assert (tmp_path / "out" / "a").read_bytes() == b"1"
@@ -99,6 +100,7 @@ def test_recovery_completes_a_run_whose_journal_is_there_and_drops_one_without(t
 
 def test_a_new_folder_appears_in_one_step_and_nothing_stays_beside_it(tmp_path: Path) -> None:
     (tmp_path / f"{STAGE}-out").mkdir()
+    own_stage(tmp_path / f"{STAGE}-out")
     (tmp_path / f"{STAGE}-out" / "half").write_text("left by a killed run")
     commit(tmp_path / "out", {"x/y.txt": b"1"})
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
