@@ -6,6 +6,7 @@ misspelt choice that is silently ignored is worse than none. What the values mea
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
@@ -77,11 +78,15 @@ def load_project(folder: Path) -> Project:
         SourceError: it is not TOML, or has a key or value that means nothing.
     """
     path = folder / FILE_NAME
-    if not path.is_file():
+    if not os.path.lexists(path):
         return Project()
     try:
         data = toml_of(inputs.read_text(path, inputs.SETTINGS))
-    except (ValueError, OSError) as error:
+    except OSError as error:
+        why = "it is a link to a file that is not there" if path.is_symlink() and not path.exists() else error.strerror
+        fix = inputs.fix_of(error, "put an ordinary file in its place, check its permissions, or move it away")
+        raise SourceError(f"the project file cannot be read: {why}", location=Location(str(path)), fix=fix) from error
+    except ValueError as error:
         raise SourceError(
             f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)"
         ) from error

@@ -2,6 +2,7 @@
 
 `.robosmi.json` in the output folder lists every generated file with the digest it had. A file whose digest is not that
 one was edited; the run stops before anything is written. Files that no run made are never touched.
+A manifest that came with its folder from elsewhere (see `runs`) serves to compare and merge; nothing is removed on its word.
 """
 
 from __future__ import annotations
@@ -9,15 +10,16 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.places import Places
 from robosmi.generate.text_form import has_digest
-from robosmi.inputs import RECORD, read_text
+from robosmi.inputs import RECORD, fix_of, read_bytes
 from robosmi.model.files import digest, within
+from robosmi.model.runs import is_noted, note
 
 NAME = ".robosmi.json"
 SCHEMA = "robosmi-manifest/1"
@@ -45,34 +47,57 @@ class Manifest:
     Attributes:
         files: relative path (with slashes) -> SHA-256 of what was written there.
         choices: choices of persons that were already counted in the history, so that a second run does not count them again.
+        found: its bytes as they were read; None if there was no file.
+        own: whether a run of this user has written it, where it is now.
     """
 
     files: dict[str, str] = field(default_factory=dict)
     choices: list[str] = field(default_factory=list)
+    found: bytes | None = None
+    own: bool = True
 
     @classmethod
     def load(cls, folder: Path) -> Manifest:
         """The manifest in an output folder; an empty one where there is none.
 
         Raises:
-            SourceError: it is damaged, so that edits could not be told from generated text.
+            SourceError: it is damaged or no ordinary file, so that edits could not be told from generated text.
         """
         path = folder / NAME
-        if not path.is_file():
-            return cls()
+        fix = "remove it together with the generated files, or give another output folder"
         try:
-            data = json_of(read_text(path, RECORD))
-            files = {str(k): str(v) for k, v in data["files"].items()}
-            choices = [str(c) for c in data.get("choices", ())]
-            if outside := [name for name in files if not within(name)]:
-                raise ValueError(f"'{outside[0]}' lies outside of the folder")
-        except (OSError, ValueError, KeyError, AttributeError, TypeError) as error:
+            found = read_bytes(path, RECORD, follow=False)
+            data = json_of(found.decode())
+            files, choices = _entries(data)
+        except (FileNotFoundError, NotADirectoryError):
+            return cls()
+        except IsADirectoryError as error:
+            message, fix = "a folder stands where a file is to be written", "move it away, or give another output folder"
+            raise SourceError(message, location=Location(str(path)), fix=fix) from error
+        except OSError as error:
+            why = "it is a link" if path.is_symlink() else error.strerror
+            fix = "put a copy of the file in the link's place" if path.is_symlink() else fix_of(error, fix)
             raise SourceError(
-                f"the record of the last run cannot be read: {error}",
-                location=Location(str(path)),
-                fix="remove it together with the generated files, or give another output folder",
+                f"the record of the last run cannot be read: {why}", location=Location(str(path)), fix=fix
             ) from error
-        return cls(files, choices)
+        except ValueError as error:
+            raise SourceError(
+                f"the record of the last run cannot be read: {error}", location=Location(str(path)), fix=fix
+            ) from error
+        return cls(files, choices, found, is_noted(path, found))
+
+    def note(self, folder: Path, data: bytes) -> None:
+        """Note that a run of this user is about to write these bytes in place of this manifest.
+
+        Raises:
+            SourceError: there is no place for the note.
+        """
+        if not self.own or data != self.found:
+            note(folder / NAME, data, *([self.found] if self.own and self.found is not None else []))
+
+    def may_remove(self, name: str) -> bool:
+        """Whether a file goes because runs of this user have made it: this manifest is theirs, and says so."""
+        return self.own and name in self.files
 
     @classmethod
     def of(cls, contents: Mapping[str, bytes], choices: Iterable[str] = ()) -> Manifest:
@@ -131,6 +156,34 @@ class Manifest:
                 fix="move the file away (or give another output folder with -o), run again, and put your changes back in",
             )
         return guarded
+
+
+def _entries(data: object) -> tuple[dict[str, str], list[str]]:
+    """The files and choices of a manifest.
+
+    Raises:
+        ValueError: it has another form, or names a file outside of its folder.
+    """
+    files = data.get("files") if isinstance(data, dict) else None
+    choices = data.get("choices", []) if isinstance(data, dict) else None
+    if not isinstance(files, dict) or not all(isinstance(value, str) for value in files.values()):
+        raise ValueError("'files' must say for each path its SHA-256")
+    if not isinstance(choices, list) or not all(isinstance(choice, str) for choice in choices):
+        raise ValueError("'choices' must be a list of texts")
+    if outside := [name for name in files if not within(name)]:
+        raise ValueError(f"'{outside[0]}' lies outside of the folder")
+    return files, choices
+
+
+def hidden(name: str) -> bool:
+    """Whether a relative path has a part with a dot in front, as `.git`: such files are never removed."""
+    return any(part.startswith(".") for part in PurePosixPath(name).parts)
+
+
+def held_back(path: Path) -> Finding:
+    """Says that a file which is no longer made stays, since nothing of this user's own says that a run made it."""
+    message = "it is no longer made, but the record that says so is not of your own runs in this place; the file is kept"
+    return Finding("RS525", Severity.warning, message, Location(str(path)), fix="remove it when you do not need it")
 
 
 def reformed_file(path: Path) -> Finding:

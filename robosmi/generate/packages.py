@@ -14,7 +14,7 @@ from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Severity
-from robosmi.generate.manifest import NAME, Manifest, reformed_file
+from robosmi.generate.manifest import NAME, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places
 from robosmi.model.codegen import Rendered, render
 from robosmi.model.commit import at_work, update
@@ -58,16 +58,20 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
         contents: dict[str, bytes] = {}
         obsolete: set[str] = set()
         seen: dict[str, bytes | None] = {}
-        reformed: list[Finding] = []
+        told: list[Finding] = []
         for root in sorted({path.partition("/")[0] for path in rendered.files}):
             inner = {path.partition("/")[2]: data for path, data in rendered.files.items() if path.partition("/")[0] == root}
             places = Places(folder / root)
-            guarded = Manifest.load(folder / root).guard(places, inner)
-            obsolete |= {f"{root}/{name}" for name in guarded.obsolete}
+            manifest = Manifest.load(folder / root)
+            guarded = manifest.guard(places, inner)
+            going = {name for name in guarded.obsolete if manifest.may_remove(name) and not hidden(name)}
+            obsolete |= {f"{root}/{name}" for name in going}
+            told += [held_back(folder / root / name) for name in sorted(guarded.obsolete - going)]
             seen |= {f"{root}/{name}": data for name, data in places.seen.items()}
-            reformed += [reformed_file(folder / root / name) for name in guarded.reformed]
+            told += [reformed_file(folder / root / name) for name in guarded.reformed]
             contents |= {f"{root}/{name}": data for name, data in inner.items()}
             contents[f"{root}/{NAME}"] = Manifest.of(inner).to_bytes()
+            manifest.note(folder / root, contents[f"{root}/{NAME}"])
         unchanged = {path for path, data in rendered.files.items() if _has(folder / path, data)}
         update(folder, contents, obsolete, seen)
     return GeneratedPackages(
@@ -75,7 +79,7 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
         [folder / path for path in sorted(unchanged)],
         [folder / path for path in sorted(obsolete)],
         {folder / path: source for path, source in rendered.sources.items()},
-        [*rendered.findings, *_import_names(rendered, folder), *reformed],
+        [*rendered.findings, *_import_names(rendered, folder), *told],
         rendered.classes,
     )
 

@@ -72,6 +72,10 @@ class Record:
             found += [name if inner == "." else f"{inner}/{name}".replace(os.sep, "/") for name in files]
         return sorted(found)
 
+    def is_listed(self, name: str) -> bool:
+        """Whether the list says what the last run wrote there."""
+        return self.path(name) in self._digests
+
     @cached_property
     def _digests(self) -> Mapping[str, str]:
         if self._given is not None:

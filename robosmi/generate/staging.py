@@ -6,7 +6,7 @@ elsewhere are kept too. Everything is decided here and handed over to be written
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import overload
@@ -14,6 +14,7 @@ from typing import overload
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.keep import keep
+from robosmi.generate.manifest import held_back, hidden
 from robosmi.generate.output import Text, text_of
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.record import Record, lost_record, made_anew
@@ -21,6 +22,7 @@ from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.generate.text_form import FileText, read, same_text
 from robosmi.model.commit import commit, look_only
+from robosmi.model.runs import is_noted, note
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -233,6 +235,8 @@ class Staging:
                     contents[file.name] = file.written()
                     self._reformed(file)
         if not dry_run:
+            if self._record is not None:
+                self._note(self._record, contents)
             commit(self.folder, contents, removed, {name: file.before for name, file in self._files.items()})
         changes = Changes(files)
         return Generation(self.folder, changes, self._messages, self.findings, sorted(contents), sorted(removed), not dry_run)
@@ -265,10 +269,13 @@ class Staging:
             told = "; ".join(f"{self._named(f.location)}: {f.message}" if several else f.message for f in refused)
             raise StoppedError(f"{told}; nothing was written", location=refused[0].location, fix=refused[0].fix)
         removed: list[str] = []
+        own, foreign = self._is_own(record), set()
         for name in record.names():
             if name not in self._files:
-                self._obsolete(record, name, removed)
-        listed = record.listed(contents, set(removed))
+                if not (own and record.is_listed(name)):
+                    foreign.add(record.path(name))
+                self._obsolete(record, name, removed, mine=record.path(name) not in foreign and not hidden(name))
+        listed = record.listed(contents, {*removed, *foreign})
         if listed != self.file(record.list).before:
             contents[record.list] = listed
         return contents, removed
@@ -302,9 +309,24 @@ class Staging:
         """A place with its path relative to the output folder."""
         return str(place).removeprefix(f"{self.folder}/")
 
-    def _obsolete(self, record: Record, name: str, removed: list[str]) -> None:
-        """A file that an earlier run made and this one does not: removed, unless a person changed it."""
+    def _is_own(self, record: Record) -> bool:
+        """Whether a run of this user has written the list of the last texts, where it is now."""
+        before = self.file(record.list).before
+        return before is not None and is_noted(self.folder / record.list, before)
+
+    def _note(self, record: Record, contents: Mapping[str, bytes]) -> None:
+        """Note that the list of the last texts is written by a run of this user."""
+        path, before = self.folder / record.list, self.file(record.list).before
+        own, data = self._is_own(record), contents.get(record.list, before)
+        if data is not None and not (own and data == before):
+            note(path, data, *([before] if own and before is not None else []))
+
+    def _obsolete(self, record: Record, name: str, removed: list[str], *, mine: bool) -> None:
+        """A file that an earlier run made and this one does not: removed if it was this user's, unless a person changed it."""
         there, (last, _) = self.file(name).before, record.last(name, None)
+        if not mine and (there is None or same_text(there, last)):
+            self.findings += [held_back(self.folder / name)] if there is not None else []
+            return
         if there is None or same_text(there, last):
             removed += [record.path(name)] if there is None else [name, record.path(name)]
             return

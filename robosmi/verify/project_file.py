@@ -62,8 +62,12 @@ def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
     """
     try:
         text = inputs.read_text(path, inputs.SETTINGS, "utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
+    except OSError as error:
+        fix = inputs.fix_of(error, "check its permissions")
+        raise SourceError(f"the file cannot be read: {error.strerror}", location=Location(str(path)), fix=fix) from error
+    except UnicodeDecodeError as error:
+        message = f"the file is no text in UTF-8 ({error.reason} at byte {error.start})"
+        raise SourceError(message, location=Location(str(path)), fix="save it as UTF-8") from error
     entries = parse(text, path)
     by_path = {entry.path: entry for entry in entries}
     profiles = list(

@@ -5,6 +5,7 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
@@ -16,7 +17,7 @@ from robosmi.errors import RobosmiError, StoppedError
 from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
-from robosmi.generate.manifest import Guarded, Manifest, reformed_file
+from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
@@ -151,18 +152,47 @@ def produce(
         contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
         exempt = inputs or {}
         known = {**{name: places.look(name) for name in sorted(kept.merged | kept.orphans)}, **exempt}
+        _no_input(models, output, contents)
         guarded = manifest.guard(places, contents | kept.records, inputs=known)
+        obsolete = guarded.obsolete | kept.obsolete
+        going = {name for name in obsolete if manifest.may_remove(name) and _made_by_runs(name)}
+        kept.findings += [held_back(output / name) for name in sorted(obsolete - going) if not name.startswith(f"{LAST}/")]
         kept.findings += _told(output, guarded)
         kept.old |= _with_comments(output, exempt, contents, kept.findings)
         by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
         if not dry_run:
             record = Manifest.of(contents | kept.records, by_person)
             # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
-            record.files |= {name: manifest.files[name] for name in (*exempt, *kept.orphans) if name in manifest.files}
+            # Of a manifest that came with the folder nothing else is taken over, or the next run would remove files on its word.
+            staying = [*(name for name in exempt if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
+            record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
             everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-            update(output, everything, guarded.obsolete | kept.obsolete, places.seen)
+            manifest.note(output, everything[MANIFEST])
+            update(output, everything, going, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
+
+
+def _made_by_runs(name: str) -> bool:
+    """Whether a migration can have made a file of that path: in a sketch's folder or the models' or among the last texts."""
+    inner = name.removeprefix(f"{LAST}/")
+    return "/" in inner and not hidden(inner)
+
+
+def _no_input(models: MigrationModels, output: Path, contents: Mapping[str, bytes]) -> None:
+    """Make sure that no file is made over what the migration was made from.
+
+    Raises:
+        StoppedError: one would be.
+    """
+    read_from = {os.path.realpath(place): models.files[name] for name, place in models.places.items() if name in models.files}
+    root = os.path.realpath(output)
+    for name, data in contents.items():
+        if read_from.get(os.path.join(root, name), data) != data:
+            raise StoppedError(
+                "the program is read from a file that would be made anew; nothing was written",
+                location=Location(str(output / name)), fix="give another output folder",
+            )  # fmt: skip
 
 
 def _told(output: Path, guarded: Guarded) -> list[Finding]:
