@@ -256,6 +256,18 @@ def test_a_sketch_of_another_name_leaves_the_edited_one_and_says_so(migrated: Pa
     assert sketch.read_bytes() == kept, "the edit is merged again when the file is made again"
 
 
+def test_a_sketch_that_gives_way_to_another_program_s_is_said(migrated: Path, line_follower: Path) -> None:
+    other = line_follower.with_name("other.c")
+    other.write_text(line_follower.read_text())
+    outcome = again(other, migrated)
+    said = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS526"]
+    assert [finding["message"] for finding in said] == [
+        "the sketch 'line_follower' of an earlier run is removed: this run makes 'other' here"
+    ]
+    assert not (migrated / SKETCH).exists()
+    assert not [f for f in again(other, migrated).document["findings"] if f["rule"] == "RS526"]
+
+
 def test_deleted_files_are_made_again_and_said(migrated: Path, line_follower: Path) -> None:
     before = tree(migrated)
     gone = [SKETCH, "models/plan.xmi", "models/source/line_follower.c"]

@@ -6,7 +6,7 @@ Shared by the chains `migrate` and `generate`. The result knows what a report ne
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -157,7 +157,7 @@ def produce(
         obsolete = guarded.obsolete | kept.obsolete
         going = {name for name in obsolete if manifest.may_remove(name) and _made_by_runs(name)}
         kept.findings += [held_back(output / name) for name in sorted(obsolete - going) if not name.startswith(f"{LAST}/")]
-        kept.findings += _told(output, guarded)
+        kept.findings += [*_told(output, guarded), *_replaced(output, plan.name, going)]
         kept.old |= _with_comments(output, exempt, contents, kept.findings)
         by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
         if not dry_run:
@@ -177,6 +177,18 @@ def _made_by_runs(name: str) -> bool:
     """Whether a migration can have made a file of that path: in a sketch's folder or the models' or among the last texts."""
     inner = name.removeprefix(f"{LAST}/")
     return "/" in inner and not hidden(inner)
+
+
+def _replaced(output: Path, name: str, going: Iterable[str]) -> list[Finding]:
+    """What a person is told of sketches of other names in this folder, whose files go."""
+    others = {path.partition("/")[0] for path in going} - {name, FOLDER, LAST.partition("/")[0]}
+    return [
+        Finding(
+            "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run makes '{name}' here",
+            Location(str(output / other)), fix="give each program an output folder of its own",
+        )
+        for other in sorted(others)
+    ]  # fmt: skip
 
 
 def _no_input(models: MigrationModels, output: Path, contents: Mapping[str, bytes]) -> None:
