@@ -270,7 +270,8 @@ def test_a_missing_file_is_said_with_its_path(driver: Driver, path: Path) -> Non
 
 def test_a_damaged_file_is_refused_with_its_path(driver: Driver, path: Path) -> None:
     file = path / "books.csv" if path.is_dir() else path
-    for content in (b"", b"\0\1\2\xff\xfe", b"PK\3\4zip", *driver.damaged):
+    empty = () if driver.name == "program" else (b"",)  # C that compilers take
+    for content in (*empty, b"\0\1\2\xff\xfe", b"PK\3\4zip", *driver.damaged):
         file.write_bytes(content)
         with pytest.raises(RobosmiError) as caught:
             list(driver.opened(path).all_contents())
