@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from robosmi.verify.bench import Device, Level
+from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
 _CYCLE_US = 1e6 / 910
 _LEAST_DUTY, _MOST_DUTY = 0.029, 0.971
 
 
-class FeedbackServo(Device):
+class FeedbackServo(PulseDriven):
     """The servo: pulses at `servo` turn it, the duty of the signal at `feedback` tells its angle: 2.9 % up to 97.1 % of 910 Hz.
 
     Settings: `degrees`, where it stands at first, counted counter-clockwise; `neutral_us` and `dead_us`, the width at which it
@@ -27,28 +27,19 @@ class FeedbackServo(Device):
 
     def start(self) -> None:
         """Stand still, and begin to tell the angle."""
-        self._begun: float | None = None
-        self._last_pulse = self._speed = self._told = 0.0
+        super().start()
+        self._speed = self._told = 0.0
         self._degrees = float(self.settings["degrees"])
         self._tell()
 
-    def pin_changed(self, pin: str, level: Level) -> None:
-        """Take a pulse of the program."""
-        if pin != self.pins["servo"]:
-            return
-        if level == 1:
-            self._begun = self.bench.now
-        elif self._begun is not None:
-            beyond, self._begun, self._last_pulse = (
-                self.bench.now - self._begun - self.settings["neutral_us"],
-                None,
-                self.bench.now,
-            )
-            turning = max(0.0, abs(beyond) - self.settings["dead_us"]) * self.settings["degrees_per_s_per_us"]
-            self._speed = turning if beyond > 0 else -turning
+    def pulse(self, width_us: float) -> None:
+        """Take the speed that a pulse of that width asks for."""
+        beyond = width_us - self.settings["neutral_us"]
+        turning = max(0.0, abs(beyond) - self.settings["dead_us"]) * self.settings["degrees_per_s_per_us"]
+        self._speed = turning if beyond > 0 else -turning
 
     def _tell(self) -> None:
-        if self.bench.now - self._last_pulse > 50_000:
+        if self.left_alone:
             self._speed = 0.0
         self._degrees += self._speed * (self.bench.now - self._told) / 1e6
         self._told = self.bench.now

@@ -50,9 +50,8 @@ class Timers:
     def __init__(self, facts: Mapping[str, Mapping[str, Any]], pins: Mapping[str, str], clock_hz: int) -> None:
         self.waves: list[Wave] = []
         self._clock_hz = clock_hz
-        labels = {port: label for label, port in pins.items()}
+        self._labels = {port: label for label, port in pins.items()}
         self._timers = [(timer, _registers(timer)) for timer in facts.values()]
-        self._labels = labels
         self._values: dict[int, int] = {}
         self._now: dict[str, tuple[float, float]] = {}
 

@@ -1,0 +1,36 @@
+"""What devices on a servo's line have in common: they take the widths of its pulses, and stand when none come any more."""
+
+from __future__ import annotations
+
+from robosmi.verify.bench import Device, Level
+
+_LONGEST_GAP_US = 50_000
+
+
+class PulseDriven(Device):
+    """A device that the pulses at its pin `servo` drive."""
+
+    pin_names: tuple[str, ...] = ("servo",)
+
+    def start(self) -> None:
+        """Have seen no pulse yet."""
+        self._begun: float | None = None
+        self._last_pulse = 0.0
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Take a pulse of the program when it ends."""
+        if pin != self.pins["servo"]:
+            return
+        if level == 1:
+            self._begun = self.bench.now
+        elif self._begun is not None:
+            width, self._begun, self._last_pulse = self.bench.now - self._begun, None, self.bench.now
+            self.pulse(width)
+
+    def pulse(self, width_us: float) -> None:
+        """React to a pulse of that width."""
+
+    @property
+    def left_alone(self) -> bool:
+        """Whether no pulse has come for so long that the device stands."""
+        return self.bench.now - self._last_pulse > _LONGEST_GAP_US
