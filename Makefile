@@ -5,6 +5,7 @@
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make adapters  each adapter compiled alone for every microcontroller, and each one broken on purpose, by hand (not in CI)
+# make adapter-data  the built data of adapter files, after one was changed
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
@@ -13,7 +14,7 @@ BIN := $(VENV)/bin
 # Nothing here reads or writes the data of the person who runs it: history, imported libraries, parts and platforms.
 export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
-.PHONY: demo test lint bench evaluate fuzz adapters wheel readme metamodels system-packages npm-packages clean
+.PHONY: demo test lint bench evaluate fuzz adapters adapter-data wheel readme metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -67,6 +68,9 @@ fuzz: $(VENV)/.ready
 adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone
 	$(BIN)/python -m tests.adapters.mutants
+
+adapter-data: $(VENV)/.ready
+	$(BIN)/python -m robosmi.transformations.knowledge.adapter_data platform_repo/*/adapters/*
 
 wheel:
 	@sh .ci/wheel

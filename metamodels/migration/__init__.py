@@ -33,6 +33,7 @@ if TYPE_CHECKING:
         ApiFunction,
         ApiSymbol,
         Board,
+        ConventionalPort,
         Library,
         Pin,
         PinConvention,
@@ -189,6 +190,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """The platform functions that are called, and how each is adapted."""
     symbolUses: MutableSequence[SymbolUse] = EReference(upper=-1, containment=True)
     """The platform symbols that are used, and their placeholders."""
+    helpers: MutableSequence[Adapter] = EReference(upper=-1)
+    """Pieces of adapter text that the changed text of the program uses beyond those of functions and symbols, such as the look-up of ports."""
     edits: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
     """Changes of the carried-over text that a person added to the plan; those of decisions belong to the decisions."""
     tasks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
@@ -220,6 +223,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             libraryChoices: Iterable[LibraryChoice] | None = None,
             adapterUses: Iterable[AdapterUse] | None = None,
             symbolUses: Iterable[SymbolUse] | None = None,
+            helpers: Iterable[Adapter] | None = None,
             edits: Iterable[TextChange] | None = None,
             tasks: Iterable[PlanTask] | None = None,
             findings: Iterable[PlanFinding] | None = None,
@@ -393,6 +397,8 @@ class PortBinding(Decision):
     """The declaration or the first use."""
     convention: PinConvention | None = EReference()
     """The convention of an API, if it is one."""
+    conventionalPort: ConventionalPort | None = EReference()
+    """The pin of an adapter that it says, if an adapter uses the port without being told."""
     connection: Connection | None = EReference()
     """The connection chosen."""
     pin: Pin | None = EReference()
@@ -417,6 +423,7 @@ class PortBinding(Decision):
             what: str | None = None,
             element: Located | None = None,
             convention: PinConvention | None = None,
+            conventionalPort: ConventionalPort | None = None,
             connection: Connection | None = None,
             pin: Pin | None = None,
         ) -> None: ...
@@ -481,6 +488,8 @@ class AdapterUse(Element, metaclass=MetaEClass):
     """The function."""
     adapter: Adapter | None = EReference()
     """The adapter that fills it, if any."""
+    reason: str = EAttribute(eType=EString, default_value="")
+    """Why nothing fills it: what is missing, for the person who does it; empty where an adapter does."""
     calls: MutableSequence[Call] = EReference(upper=-1)
     """The calls."""
 
@@ -500,6 +509,7 @@ class AdapterUse(Element, metaclass=MetaEClass):
             notes: Iterable[str] | None = None,
             function: ApiFunction | None = None,
             adapter: Adapter | None = None,
+            reason: str | None = None,
             calls: Iterable[Call] | None = None,
         ) -> None: ...
 
@@ -554,6 +564,8 @@ class SymbolUse(Element, metaclass=MetaEClass):
     """Its state."""
     symbol: ApiSymbol | None = EReference()
     """The symbol."""
+    adapter: Adapter | None = EReference()
+    """The piece of adapter text that declares it, if any."""
     uses: MutableSequence[NameReference] = EReference(upper=-1)
     """The uses."""
 
@@ -566,6 +578,7 @@ class SymbolUse(Element, metaclass=MetaEClass):
             placeholder: str | None = None,
             status: AdapterStatus | None = None,
             symbol: ApiSymbol | None = None,
+            adapter: Adapter | None = None,
             uses: Iterable[NameReference] | None = None,
         ) -> None: ...
 
@@ -747,6 +760,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
         ApiFunction,
         ApiSymbol,
         Board,
+        ConventionalPort,
         Library,
         Pin,
         PinConvention,
@@ -769,6 +783,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.libraryChoices.eType = LibraryChoice
     MigrationPlan.adapterUses.eType = AdapterUse
     MigrationPlan.symbolUses.eType = SymbolUse
+    MigrationPlan.helpers.eType = Adapter
     MigrationPlan.edits.eType = TextChange
     MigrationPlan.tasks.eType = PlanTask
     MigrationPlan.findings.eType = PlanFinding
@@ -784,6 +799,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Connection.via.eType = Component
     PortBinding.element.eType = Located
     PortBinding.convention.eType = PinConvention
+    PortBinding.conventionalPort.eType = ConventionalPort
     PortBinding.connection.eType = Connection
     PortBinding.pin.eType = Pin
     LibraryChoice.component.eType = Component
@@ -797,6 +813,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     AdapterParameter.valueType.eType = TargetType
     TargetType.declarations.eType = Declaration
     SymbolUse.symbol.eType = ApiSymbol
+    SymbolUse.adapter.eType = Adapter
     SymbolUse.uses.eType = NameReference
     TextChange.unit.eType = SourceUnit
     TextCopy.unit.eType = SourceUnit

@@ -95,6 +95,24 @@ if TYPE_CHECKING:
         setupLoop: ClassVar[EntryStructure]
         mainFunction: ClassVar[EntryStructure]
 
+    class PieceKind(EnumLiteral):
+        """What a piece of adapter text stands for."""
+
+        adaptedFunction: ClassVar[PieceKind]
+        constant: ClassVar[PieceKind]
+        register: ClassVar[PieceKind]
+        variable: ClassVar[PieceKind]
+        dataType: ClassVar[PieceKind]
+        helper: ClassVar[PieceKind]
+
+    class PinCapability(EnumLiteral):
+        """What a pin must be able to do."""
+
+        digital: ClassVar[PinCapability]
+        pwm: ClassVar[PinCapability]
+        interrupt: ClassVar[PinCapability]
+        analog: ClassVar[PinCapability]
+
     class Relation(EnumLiteral):
         """How an argument compares with a value."""
 
@@ -134,6 +152,21 @@ else:
     )
     UserKind = enumeration("UserKind", {"function": 0, "library": 1})
     EntryStructure = enumeration("EntryStructure", {"setupLoop": 0, "mainFunction": 1})
+    PieceKind = enumeration(
+        "PieceKind",
+        {
+            "adaptedFunction": 0,
+            "constant": 1,
+            "register": 2,
+            "variable": 3,
+            "dataType": 4,
+            "helper": 5,
+        },
+    )
+    PinCapability = enumeration(
+        "PinCapability",
+        {"digital": 0, "pwm": 1, "interrupt": 2, "analog": 3},
+    )
     Relation = enumeration("Relation", {"equals": 0, "different": 1, "below": 2})
 
 
@@ -223,7 +256,12 @@ class Platform(Element, metaclass=MetaEClass):
     libraries: MutableSequence[Library] = EReference(upper=-1, containment=True)
     """Its libraries."""
     adapters: MutableSequence[Adapter] = EReference(upper=-1, containment=True)
-    """Adapters for functions of other platforms."""
+    """Pieces of adapters for another platform: those that a plan refers to, and what they need."""
+    unsupportedHeaders: MutableSequence[UnsupportedHeader] = EReference(
+        upper=-1,
+        containment=True,
+    )
+    """Headers of the source platform that this platform cannot serve."""
 
     if TYPE_CHECKING:
 
@@ -250,6 +288,7 @@ class Platform(Element, metaclass=MetaEClass):
             headers: Iterable[Header] | None = None,
             libraries: Iterable[Library] | None = None,
             adapters: Iterable[Adapter] | None = None,
+            unsupportedHeaders: Iterable[UnsupportedHeader] | None = None,
         ) -> None: ...
 
 
@@ -933,32 +972,56 @@ class Library(Element, metaclass=MetaEClass):
 
 
 class Adapter(Element, metaclass=MetaEClass):
-    """A way to do on this platform what a function of another platform does."""
+    """A piece of adapter text: what does on this platform what a function, or another name, of the source platform does there; or what only such pieces use."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """Its name."""
+    """What the source platform calls it; for a helper, what the text defines."""
+    pieceKind: PieceKind = EAttribute(eType=PieceKind)
+    """What it stands for."""
+    sourceHeader: str = EAttribute(eType=EString, default_value="")
+    """Header of the source platform that it belongs to."""
+    functions: MutableSequence[ApiFunction] = EReference(upper=-1)
+    """The functions of the source platform that it adapts, as far as the program uses them."""
+    symbols: MutableSequence[ApiSymbol] = EReference(upper=-1)
+    """The other names of the source platform that it stands for, as far as the program uses them."""
     signatures: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Signatures of the source functions it stands for."""
     adapterKind: AdapterKind = EAttribute(eType=AdapterKind)
     """How the calls correspond."""
+    targetName: str = EAttribute(eType=EString, default_value="")
+    """Its name in the text, where the target has another of its own name; empty for the same name."""
+    text: str = EAttribute(eType=EString, default_value="")
+    """Its text in the language of the target."""
     fidelity: str = EAttribute(eType=EString, default_value="")
     """How faithful it is."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """What it does not do."""
+    """What it does not do, sentences for the person who migrates."""
     includes: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Headers it needs."""
-    globals: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Global declarations it needs."""
+    """Headers it needs, in angle brackets or quotes."""
     setup: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Statements it needs at start."""
+    """Statements it needs at the start of the program."""
     libraries: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
-    """Libraries it needs."""
+    """Libraries of the target that it needs, by name."""
     componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component it needs."""
+    timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Timers of the microcontroller that it takes."""
+    vectors: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Interrupts that it handles."""
+    mcus: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Microcontrollers that this variant is for; none for all."""
+    symmetric: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Parameters that may change places without a difference."""
+    pins: MutableSequence[AdapterPin] = EReference(upper=-1, containment=True)
+    """Its parameters that are pins of the target."""
+    ports: MutableSequence[ConventionalPort] = EReference(upper=-1, containment=True)
+    """Pins that it uses without being told."""
+    tables: MutableSequence[PortTable] = EReference(upper=-1, containment=True)
+    """Tables that it looks ports of the source up in."""
     source: str = EAttribute(eType=EString, default_value="")
-    """Relative path of its text in the repository."""
+    """Path of the file that it was read from, relative to its platform in the repository."""
     needs: MutableSequence[Adapter] = EReference(upper=-1)
-    """Other adapters it needs."""
+    """Other pieces it needs."""
 
     if TYPE_CHECKING:
 
@@ -966,17 +1029,122 @@ class Adapter(Element, metaclass=MetaEClass):
             self,
             *,
             name: str | None = None,
+            pieceKind: PieceKind | None = None,
+            sourceHeader: str | None = None,
+            functions: Iterable[ApiFunction] | None = None,
+            symbols: Iterable[ApiSymbol] | None = None,
             signatures: Iterable[str] | None = None,
             adapterKind: AdapterKind | None = None,
+            targetName: str | None = None,
+            text: str | None = None,
             fidelity: str | None = None,
             limits: Iterable[str] | None = None,
             includes: Iterable[str] | None = None,
-            globals: Iterable[str] | None = None,
             setup: Iterable[str] | None = None,
             libraries: Iterable[str] | None = None,
             componentRole: str | None = None,
+            timers: Iterable[str] | None = None,
+            vectors: Iterable[str] | None = None,
+            mcus: Iterable[str] | None = None,
+            symmetric: Iterable[str] | None = None,
+            pins: Iterable[AdapterPin] | None = None,
+            ports: Iterable[ConventionalPort] | None = None,
+            tables: Iterable[PortTable] | None = None,
             source: str | None = None,
             needs: Iterable[Adapter] | None = None,
+        ) -> None: ...
+
+
+class AdapterPin(Element, metaclass=MetaEClass):
+    """A parameter of an adapter that is a pin of the target."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """The parameter."""
+    capability: PinCapability = EAttribute(eType=PinCapability)
+    """What the pin must be able to do."""
+    direction: Direction = EAttribute(eType=Direction)
+    """Its direction."""
+    signed: bool = EAttribute(eType=EBoolean)
+    """True when a negative value has a meaning of its own."""
+    componentRole: str = EAttribute(eType=EString, default_value="")
+    """Kind of component that is expected there, empty for any."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            capability: PinCapability | None = None,
+            direction: Direction | None = None,
+            signed: bool | None = None,
+            componentRole: str | None = None,
+        ) -> None: ...
+
+
+class ConventionalPort(Element, metaclass=MetaEClass):
+    """A pin that an adapter uses without being told: a constant of its text that is declared with the pin to which the port is bound."""
+
+    constant: str = EAttribute(eType=EString, lower=1)
+    """The constant."""
+    name: str = EAttribute(eType=EString, default_value="")
+    """How a person names the port: abdrive.left_servo."""
+    number: int = EAttribute(eType=EInt)
+    """Its number on the source board."""
+    capability: PinCapability = EAttribute(eType=PinCapability)
+    """What the pin must be able to do."""
+    direction: Direction = EAttribute(eType=Direction)
+    """Its direction."""
+    componentRole: str = EAttribute(eType=EString, default_value="")
+    """Kind of component that is expected there, empty for any."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            constant: str | None = None,
+            name: str | None = None,
+            number: int | None = None,
+            capability: PinCapability | None = None,
+            direction: Direction | None = None,
+            componentRole: str | None = None,
+        ) -> None: ...
+
+
+class PortTable(Element, metaclass=MetaEClass):
+    """A table that an adapter looks ports of the source up in, declared as an array with the pin of each port from 0 on."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """Its name in the text."""
+    count: int = EAttribute(eType=EInt)
+    """How many ports it tells of."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            count: int | None = None,
+        ) -> None: ...
+
+
+class UnsupportedHeader(Element, metaclass=MetaEClass):
+    """A header of the source platform that this platform cannot serve."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """The header, as it is included."""
+    reason: str = EAttribute(eType=EString, default_value="")
+    """What is missing here, a sentence."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            reason: str | None = None,
         ) -> None: ...
 
 
@@ -995,6 +1163,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Platform.headers.eType = Header
     Platform.libraries.eType = Library
     Platform.adapters.eType = Adapter
+    Platform.unsupportedHeaders.eType = UnsupportedHeader
     Header.platform.eType = Platform
     Header.functions.eType = ApiFunction
     Header.symbols.eType = ApiSymbol
@@ -1018,6 +1187,11 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Board.microcontroller.eType = Microcontroller
     Board.pins.eType = Pin
     Pin.board.eType = Board
+    Adapter.functions.eType = ApiFunction
+    Adapter.symbols.eType = ApiSymbol
+    Adapter.pins.eType = AdapterPin
+    Adapter.ports.eType = ConventionalPort
+    Adapter.tables.eType = PortTable
     Adapter.needs.eType = Adapter
     Platform.headers.eOpposite = Header.platform
     Header.functions.eOpposite = ApiFunction.header
@@ -1031,4 +1205,6 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     classifier(__name__, AdapterKind)
     classifier(__name__, UserKind)
     classifier(__name__, EntryStructure)
+    classifier(__name__, PieceKind)
+    classifier(__name__, PinCapability)
     classifier(__name__, Relation)

@@ -18,6 +18,8 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 
 MARK = "//#"
+NOT_SERVED = "unsupported"
+"""A line `//# unsupported REASON` behind that of the header: the target cannot serve the header."""
 KINDS = ("adapter", "constant", "register", "variable", "type", "helper")
 """A function, a constant, a register, a variable or a type of the source platform, or something that only adapters use."""
 RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
@@ -136,18 +138,42 @@ class AdapterPiece:
     target_name: str = ""
 
 
-def read_adapter_file(path: Path) -> list[AdapterPiece]:
-    """The pieces of an adapter file, in their order.
+@dataclass
+class AdapterFile:
+    """What an adapter file says.
 
-    Raises:
-        PlatformDataError: the file cannot be read, or a marker is wrong: an unknown kind or key, a value that is none of
-            those allowed, text before the first piece, a piece without text or named twice for one microcontroller.
+    Attributes:
+        header: header of the source platform.
+        pieces: in their order.
+        unsupported: why the target cannot serve the header, a sentence; empty where it can.
     """
+
+    header: str = ""
+    pieces: list[AdapterPiece] = field(default_factory=list)
+    unsupported: str = ""
+
+
+def read_adapter_file(path: Path) -> list[AdapterPiece]:
+    """The pieces of an adapter file, in their order; for the errors see `adapter_file`."""
     try:
-        lines = inputs.read_text(path, inputs.DATA).split("\n")
+        text = inputs.read_text(path, inputs.DATA)
     except (OSError, ValueError) as error:
         raise PlatformDataError(f"the adapter file cannot be read: {error}", location=Location(str(path))) from error
-    pieces = list(_pieces(path, lines))
+    return adapter_file(path, text).pieces
+
+
+def adapter_file(path: Path, text: str) -> AdapterFile:
+    """What the text of an adapter file says.
+
+    Raises:
+        PlatformDataError: a marker is wrong: an unknown kind or key, a value that is none of those allowed, text before the first
+            piece, a second header, a piece without text or named twice for one microcontroller.
+    """
+    made = AdapterFile()
+    pieces = made.pieces
+    pieces += _pieces(path, text.split("\n"), made)
+    if not made.header:
+        raise _wrong(Location(str(path)), "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str]] = set()
     for piece in pieces:
         if not piece.text.strip():
@@ -163,15 +189,16 @@ def read_adapter_file(path: Path) -> list[AdapterPiece]:
                 where = f" for {mcu}" if mcu else ""
                 raise _wrong(piece.location, f"'{piece.name}' is there twice{where}", "remove one, or give them `mcu`")
             seen.add((piece.name, mcu))
-    return pieces
+    return made
 
 
 def _wrong(location: Location, message: str, fix: str) -> PlatformDataError:
     return PlatformDataError(message, location=location, fix=fix)
 
 
-def _pieces(path: Path, lines: list[str]) -> Iterator[AdapterPiece]:
-    header, piece, marking = "", None, False
+def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[AdapterPiece]:
+    """The pieces of a file; what is said of its header goes to `made`."""
+    piece, marking = None, False
     text: list[str] = []
     for number, line in enumerate(lines, 1):
         place = Location(str(path), number)
@@ -193,7 +220,12 @@ def _pieces(path: Path, lines: list[str]) -> Iterator[AdapterPiece]:
             yield piece
         words = said.split()
         if len(words) == 2 and words[0] == "header":
-            header, piece, text = words[1], None, []
+            if made.header:
+                raise _wrong(place, "the file has a second header", "give each header a file of its own")
+            made.header = words[1]
+            continue
+        if len(words) > 1 and words[0] == NOT_SERVED and made.header and piece is None:
+            made.unsupported = said.split(maxsplit=1)[1]
             continue
         if len(words) != 2 or words[0] not in KINDS:
             wrong = words[0] if words else ""
@@ -201,9 +233,9 @@ def _pieces(path: Path, lines: list[str]) -> Iterator[AdapterPiece]:
                 place, f"a piece of kind '{wrong}' is not known{did_you_mean(wrong, KINDS)}",
                 f"write `{MARK} KIND NAME` with one of: {', '.join(KINDS)}",
             )  # fmt: skip
-        if not header:
+        if not made.header:
             raise _wrong(place, "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
-        piece, text, marking = AdapterPiece(words[0], words[1], header, place), [], True
+        piece, text, marking = AdapterPiece(words[0], words[1], made.header, place), [], True
     if piece is not None:
         piece.text = "\n".join(text).strip("\n")
         yield piece

@@ -6,8 +6,9 @@ variant for a microcontroller counts before one for all.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
 from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
@@ -26,40 +27,59 @@ class Needed:
     unserved: dict[tuple[str, str], str] = field(default_factory=dict)
 
 
+class PieceSource(Protocol):
+    """Where pieces come from; `knowledge.adapter_index.AdapterIndex` is one."""
+
+    @property
+    def headers(self) -> Sequence[str]:
+        """The headers that there are pieces for."""
+
+    def of(self, header: str) -> Sequence[Sequence[AdapterPiece]]:
+        """The pieces for a header, in groups: one of an earlier group counts before those of later ones."""
+
+
 class AdapterPieces:
-    """All pieces for a source platform on a target platform.
+    """All pieces for a source platform on a target platform, read header by header.
 
     Args:
-        pieces: of all adapter files, those that count first in front.
+        source: where they come from, or the pieces themselves.
     """
 
-    def __init__(self, pieces: Iterable[AdapterPiece]) -> None:
-        self._variants: dict[tuple[str, str], list[AdapterPiece]] = {}
-        self._headers: dict[str, list[str]] = {}
-        for piece in pieces:
-            key = piece.header, piece.name
-            self._variants.setdefault(key, []).append(piece)
-            if piece.header not in self._headers.setdefault(piece.name, []):
-                self._headers[piece.name].append(piece.header)
+    def __init__(self, source: PieceSource | Iterable[AdapterPiece]) -> None:
+        self._source: PieceSource = _Listed(source) if isinstance(source, Iterable) else source
+        self._known: dict[str, dict[str, list[list[AdapterPiece]]]] = {}
 
     def __iter__(self) -> Iterator[AdapterPiece]:
-        return (piece for variants in self._variants.values() for piece in variants)
+        return (p for header in self._source.headers for groups in self._of(header).values() for group in groups for p in group)
+
+    def _of(self, header: str) -> dict[str, list[list[AdapterPiece]]]:
+        """The pieces of a header by name, group by group."""
+        known = self._known.get(header)
+        if known is None:
+            known = self._known[header] = {}
+            for number, group in enumerate(self._source.of(header)):
+                for piece in group:
+                    groups = known.setdefault(piece.name, [])
+                    groups += [[] for _ in range(number + 1 - len(groups))]
+                    groups[number].append(piece)
+        return known
 
     def key(self, name: str, header: str = "") -> tuple[str, str] | None:
         """Header and name of the piece that a name means for a piece or a program of that header; None if there is none."""
         if "/" in name:
             header, name = name.split("/", 1)
-            return (header, name) if (header, name) in self._variants else None
-        headers = self._headers.get(name, [])
-        if header in headers:
+            return (header, name) if name in self._of(header) else None
+        if header and name in self._of(header):
             return header, name
-        return (headers[0], name) if headers else None
+        return next(((other, name) for other in self._source.headers if name in self._of(other)), None)
 
     def variant(self, key: tuple[str, str], mcu: str) -> AdapterPiece | None:
         """The variant of a piece for a microcontroller."""
-        variants = self._variants.get(key, [])
-        own = (piece for piece in variants if mcu in piece.mcus)
-        return next(own, None) or next((piece for piece in variants if not piece.mcus), None)
+        for group in self._of(key[0]).get(key[1], ()):
+            own = next((piece for piece in group if mcu in piece.mcus), None)
+            if (found := own or next((piece for piece in group if not piece.mcus), None)) is not None:
+                return found
+        return None
 
     def needed(self, wanted: Iterable[tuple[str, str]], mcu: str) -> Needed:
         """What a program that uses these (header, name) needs on a microcontroller.
@@ -108,3 +128,19 @@ class AdapterPieces:
                 return why
         chain[key] = piece
         return ""
+
+
+class _Listed:
+    """Pieces as they are given."""
+
+    def __init__(self, pieces: Iterable[AdapterPiece]) -> None:
+        self._pieces: dict[str, list[AdapterPiece]] = {}
+        for piece in pieces:
+            self._pieces.setdefault(piece.header, []).append(piece)
+
+    @property
+    def headers(self) -> Sequence[str]:
+        return list(self._pieces)
+
+    def of(self, header: str) -> Sequence[Sequence[AdapterPiece]]:
+        return [self._pieces.get(header, [])]

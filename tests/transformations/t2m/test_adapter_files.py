@@ -7,7 +7,13 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import AdapterPin, ConventionalPort, PortTable, read_adapter_file
+from robosmi.transformations.knowledge.adapter_files import (
+    AdapterPin,
+    ConventionalPort,
+    PortTable,
+    adapter_file,
+    read_adapter_file,
+)
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 
 WHOLE = """//# header drive.h
@@ -36,8 +42,8 @@ static Servo wheel;
 void drive(int32_t left, int32_t pin) {
   wheel.write(left);
 }
-
-//# header tools.h
+"""
+TOOLS = """//# header tools.h
 //# adapter low
 //#   for: void low(int pin)
 //#   kind: oneToOne
@@ -45,15 +51,16 @@ void low(int32_t pin) { digitalWrite(pin, 0); }
 """
 
 
-def read(tmp_path: Path, text: str) -> AdapterPieces:
-    """The pieces of a text."""
-    path = tmp_path / "drive.cpp"
-    path.write_text(text)
-    return AdapterPieces(read_adapter_file(path))
+def read(tmp_path: Path, *texts: str) -> AdapterPieces:
+    """The pieces of texts, each in a file of its own."""
+    paths = [tmp_path / f"file{number}.cpp" for number in range(len(texts))]
+    for path, text in zip(paths, texts, strict=True):
+        path.write_text(text)
+    return AdapterPieces([piece for path in paths for piece in read_adapter_file(path)])
 
 
 def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None:
-    wheel, drive, low = read(tmp_path, WHOLE)
+    wheel, drive, low = read(tmp_path, WHOLE, TOOLS)
     assert (wheel.kind, wheel.includes, wheel.timers) == ("helper", ["<Servo.h>", "<math.h>"], ["Timer1"])
     assert wheel.text == "static Servo wheel;"
     assert drive.signatures == ["void drive(int left, int pin)"]
@@ -69,14 +76,14 @@ def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None
 
 
 def test_what_a_program_needs_stands_in_order(tmp_path: Path) -> None:
-    known = read(tmp_path, WHOLE)
+    known = read(tmp_path, WHOLE, TOOLS)
     needed = known.needed([("drive.h", "drive"), ("drive.h", "fly"), ("drive.h", "drive")], "atmega328p")
     assert [piece.name for piece in needed.pieces] == ["wheel", "low", "drive"]
     assert needed.unserved == {("drive.h", "fly"): "there is no adapter for it"}
 
 
 def test_a_variant_for_another_microcontroller_does_not_serve(tmp_path: Path) -> None:
-    known = read(tmp_path, WHOLE)
+    known = read(tmp_path, WHOLE, TOOLS)
     unserved = known.needed([("drive.h", "drive")], "atmega2560").unserved
     assert unserved == {("drive.h", "drive"): "'drive' is not there for the atmega2560"}
 
@@ -107,6 +114,7 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
         ("//# header a.h\n//# helper x\n//#   port: left 12 digital out\nint x;\n", 3, "is no port"),
         ("//# header a.h\n//# helper x\n//#   table: pins\nint x;\n", 3, "is no table"),
         ("//# header a.h\n//# helper x\nint x;\n//# helper x\nint y;\n", 4, "'x' is there twice"),
+        ("//# header a.h\n//# helper x\nint x;\n//# header b.h\n", 4, "a second header"),
     ],
 )
 def test_a_mistake_is_an_error_with_its_line(text: str, line: int, said: str, tmp_path: Path) -> None:
@@ -125,6 +133,12 @@ def test_needs_that_cannot_be_met_are_errors(needs: str, said: str, tmp_path: Pa
     known = read(tmp_path, f"//# header a.h\n//# helper x\n//#   needs: {needs}\nint x;\n")
     with pytest.raises(PlatformDataError, match=said):
         known.needed([("a.h", "x")], "atmega328p")
+
+
+def test_a_header_that_cannot_be_served_says_why(tmp_path: Path) -> None:
+    path = tmp_path / "sound.cpp"
+    file = adapter_file(path, "//# header sound.h\n// Read from a library.\n//# unsupported there is no memory for samples\n")
+    assert (file.header, file.pieces, file.unsupported) == ("sound.h", [], "there is no memory for samples")
 
 
 def test_a_missing_file_is_an_error(tmp_path: Path) -> None:

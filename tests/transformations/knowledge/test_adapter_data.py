@@ -1,0 +1,81 @@
+"""Built data of adapter files, and where adapters are looked for."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+
+from robosmi import resources
+from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge.adapter_data import ENDINGS, build, load
+from robosmi.transformations.knowledge.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+
+FOLDERS = sorted(path for path in resources.built_in("platform_repo").glob("*/adapters/*") if path.is_dir())
+LOW = "//# header tools.h\n//# adapter low\n//#   for: void low(int pin)\n//#   kind: oneToOne\n//#   needs: latch\n{}\n"
+LATCH = "//# header latch.h\n//# helper latch\n//#   table: port_pins 4\nint latch;\n"
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda f: f"{f.parents[1].name}-{f.name}")
+def test_the_data_is_built_from_the_files_as_they_are(folder: Path) -> None:
+    stale = [path.name for path, text in build(folder).items() if not path.is_file() or path.read_text("utf-8") != text]
+    assert stale == [], "run `make adapter-data`"
+    assert {p.stem for p in folder.glob("*.json")} == {p.stem for p in folder.iterdir() if p.suffix in ENDINGS}
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda f: f"{f.parents[1].name}-{f.name}")
+def test_data_say_what_the_files_say(folder: Path) -> None:
+    """All but the names in `needs`, which are complete in data."""
+    for path in (p for p in folder.iterdir() if p.suffix in ENDINGS):
+        for stored, parsed in zip(load(path).pieces, read_adapter_file(path), strict=True):
+            assert [name.rpartition("/")[2] for name in stored.needs] == [name.rpartition("/")[2] for name in parsed.needs]
+            assert all("/" in name for name in stored.needs)
+            assert dataclasses.replace(stored, needs=[]) == dataclasses.replace(parsed, needs=[])
+
+
+def written(folder: Path, text: str = "low();") -> Path:
+    """A folder with two adapter files and their data."""
+    folder.mkdir()
+    (folder / "tools.cpp").write_text(LOW.format(text))
+    (folder / "latch.cpp").write_text(LATCH)
+    for path, data in build(folder).items():
+        path.write_text(data)
+    return folder
+
+
+def test_a_file_that_was_edited_is_read_itself(tmp_path: Path) -> None:
+    folder = written(tmp_path / "a")
+    assert load(folder / "tools.cpp").pieces[0].needs == ["latch.h/latch"]
+    (folder / "tools.cpp").write_text(LOW.format("high();"))
+    (piece,) = load(folder / "tools.cpp").pieces
+    assert (piece.text, piece.needs) == ("high();", ["latch"])
+    (folder / "latch.json").write_text("{")
+    assert load(folder / "latch.cpp").pieces[0].tables[0].count == 4
+    (needed,) = [AdapterPieces(AdapterIndex([folder])).needed([("tools.h", "low")], "atmega328p").pieces]
+    assert [p.name for p in needed] == ["latch", "low"]
+
+
+def test_a_piece_of_an_earlier_folder_counts_first(tmp_path: Path) -> None:
+    built, own = written(tmp_path / "built"), tmp_path / "own"
+    own.mkdir()
+    (own / "tools.cpp").write_text(LOW.format("mine();").replace("//#   needs: latch\n", ""))
+    pieces = AdapterPieces(AdapterIndex([own, built]))
+    assert [p.text for p in pieces.needed([("tools.h", "low")], "atmega328p").pieces] == ["mine();"]
+    assert pieces.key("latch", "tools.h") == ("latch.h", "latch")
+
+
+def test_a_file_has_the_name_of_its_header(tmp_path: Path) -> None:
+    (tmp_path / "tool.cpp").write_text(LOW.format("low();"))
+    with pytest.raises(PlatformDataError, match=r"is for 'tools.h'") as caught:
+        AdapterIndex([tmp_path]).files("tool.h")
+    assert caught.value.fix == "call it tools.cpp"
+
+
+def test_folders_of_a_project_go_before_the_built_in_ones(tmp_path: Path) -> None:
+    own = tmp_path / ".robosmi" / "platform_repo" / "arduino" / "adapters" / "propeller"
+    own.mkdir(parents=True)
+    assert adapter_index("arduino", "propeller", tmp_path).folders == [own, FOLDERS[0]]
+    assert adapter_index("arduino", "unheard-of", tmp_path).folders == []

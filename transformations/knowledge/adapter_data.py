@@ -1,0 +1,139 @@
+"""Adapter files as built data: beside each file a JSON of the same name, so that no marker is parsed when a program is migrated.
+
+`python -m robosmi.transformations.knowledge.adapter_data FOLDER` builds it. Names in `needs` are complete there
+(`servo.h/servo_set`), so that what a piece needs is found without looking into further files. A file whose text is not the one
+that its data was built from, or that has none, is parsed: an edit counts at once.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, fields
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from robosmi import inputs
+from robosmi.data_text import json_of
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.model.files import write_atomic
+from robosmi.transformations.knowledge.adapter_files import (
+    AdapterFile,
+    AdapterPiece,
+    AdapterPin,
+    ConventionalPort,
+    PortTable,
+    adapter_file,
+)
+
+ENDINGS = (".cpp", ".c")
+"""Of adapter files, in C++ and in C."""
+_PARTS = {"pins": AdapterPin, "ports": ConventionalPort, "tables": PortTable}
+_DEFAULTS = {
+    field.name: field.default if field.default is not MISSING else []
+    for field in fields(AdapterPiece)
+    if field.name not in ("kind", "name", "header", "location")
+}
+
+
+def load(path: Path) -> AdapterFile:
+    """What an adapter file says, from its built data where that belongs to its text.
+
+    Raises:
+        PlatformDataError: the file cannot be read, or a marker in it is wrong.
+    """
+    try:
+        raw = inputs.read_bytes(path, inputs.DATA)
+    except OSError as error:
+        raise PlatformDataError(f"the adapter file cannot be read: {error}", location=Location(str(path))) from error
+    built = path.with_suffix(".json")
+    if built.is_file():
+        try:
+            data = json_of(inputs.read_bytes(built, inputs.DATA))
+            if data["digest"] == sha256(raw).hexdigest():
+                return _file(data, str(path))
+        except (OSError, ValueError, KeyError, TypeError):
+            pass  # damaged data is no reason not to take the file itself
+    try:
+        return adapter_file(path, raw.decode("utf-8"))
+    except UnicodeDecodeError as error:
+        raise PlatformDataError(f"the adapter file cannot be read: {error}", location=Location(str(path))) from error
+
+
+def _file(data: Mapping[str, Any], path: str) -> AdapterFile:
+    header = str(data["header"])
+    pieces = []
+    for said in data["pieces"]:
+        known = dict(said)
+        location = Location(path, known.pop("line"))
+        for key, part in _PARTS.items():
+            if key in known:
+                known[key] = [part(*values) for values in known[key]]
+        pieces.append(AdapterPiece(header=header, location=location, **known))
+    return AdapterFile(header, pieces, str(data["unsupported"]))
+
+
+def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]]) -> str:
+    """The built data of a file.
+
+    Args:
+        file: what it says.
+        raw: its bytes.
+        headers: name of a piece of any file -> the headers that have one.
+    """
+    rows = [_piece(piece, headers) for piece in file.pieces]
+    text = ",\n".join(json.dumps(row, ensure_ascii=False) for row in rows)
+    head = json.dumps({"header": file.header, "digest": sha256(raw).hexdigest(), "unsupported": file.unsupported})
+    return f'{head[:-1]}, "pieces": [\n{text}\n]}}\n'
+
+
+def _piece(piece: AdapterPiece, headers: Mapping[str, Sequence[str]]) -> dict[str, Any]:
+    row: dict[str, Any] = {"kind": piece.kind, "name": piece.name, "line": piece.location.line}
+    for key, default in _DEFAULTS.items():
+        value = getattr(piece, key)
+        if value == default:
+            continue
+        if key in _PARTS:
+            value = [[getattr(part, field.name) for field in fields(part)] for part in value]
+        elif key == "needs":
+            value = [_complete(name, piece.header, headers) for name in value]
+        row[key] = value
+    return row
+
+
+def _complete(name: str, header: str, headers: Mapping[str, Sequence[str]]) -> str:
+    if "/" in name:
+        return name
+    there = headers.get(name, [])
+    return f"{header if header in there or not there else there[0]}/{name}"
+
+
+def build(folder: Path) -> dict[Path, str]:
+    """The built data of all adapter files in a folder: path -> text.
+
+    Raises:
+        PlatformDataError: a file cannot be read, or a marker in it is wrong.
+    """
+    paths = sorted(path for path in folder.iterdir() if path.suffix in ENDINGS)
+    raw = {path: inputs.read_bytes(path, inputs.DATA) for path in paths}
+    files = {path: adapter_file(path, raw[path].decode("utf-8")) for path in paths}
+    headers: dict[str, list[str]] = {}
+    for file in files.values():
+        for name in dict.fromkeys(piece.name for piece in file.pieces):
+            headers.setdefault(name, []).append(file.header)
+    return {path.with_suffix(".json"): to_data(file, raw[path], headers) for path, file in files.items()}
+
+
+def main(folders: Sequence[str]) -> int:
+    """Write the built data of folders of adapter files."""
+    for folder in folders:
+        for path, text in build(Path(folder)).items():
+            write_atomic(path, text.encode())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
