@@ -42,6 +42,7 @@ _CONTENT = {
     ("constraints", "migration"): "constraints.plan:plan",
     ("engine", "simavr"): "verification.engines.simavr:Simavr",
     ("engine", "avr8js"): "verification.engines.avr8js:Avr8js",
+    ("device", "answering_line"): "verification.devices.serial_line:AnsweringLine",
     ("device", "capacitor"): "verification.devices.capacitor:Capacitor",
     ("device", "dht22"): "verification.devices.dht22:Dht22",
     ("device", "eeprom"): "verification.devices.two_wire:Eeprom",

@@ -30,7 +30,7 @@ NO_PIN = "255"
 @cache
 def pieces() -> tuple[AdapterPiece, ...]:
     """All pieces of all adapter files."""
-    return tuple(piece for path in sorted(ADAPTERS.glob("*.cpp")) for piece in read_adapter_file(path))
+    return tuple(piece for path in sorted(ADAPTERS.rglob("*.cpp")) for piece in read_adapter_file(path))
 
 
 class NotBuiltError(Exception):
@@ -59,7 +59,7 @@ class Uno:
         known = AdapterPieces(
             replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
         )
-        needed = known.needed([(header, name) for header, name in (use.split("/") for use in uses)], "atmega328p")
+        needed = known.needed([(header, name) for header, name in (use.rsplit("/", 1) for use in uses)], "atmega328p")
         if needed.unserved:
             raise NotBuiltError(needed.unserved)
         setup = "".join(f"\n  {statement}" for piece in needed.pieces for statement in piece.setup)

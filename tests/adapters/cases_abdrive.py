@@ -31,7 +31,7 @@ void setup() {{ Serial.begin(115200); drive_servoPins(9, 10);
   time([]() {{ drive_speed(0, 0); }}); delay(50);
   time([]() {{ drive_speed(128, 64); }}); delay(160);
   time([]() {{ drive_speed(128, 64); }});
-  time([]() {{ drive_rampStep(48, 48); }}); delay(100);
+  time([]() {{ drive_rampStep(48, 56); }}); delay(100);
   time([]() {{ drive_speed(0, 0); }}); delay(60);
   drive_setMaxSpeed(100); drive_setRampStep(4);
   time([]() {{ drive_ramp(-200, 40); }});
@@ -58,6 +58,7 @@ void loop() {{}}
     ramped = [width for _, width in left[first:] if width > 1510]
     assert ramped[:4] == pytest.approx([1518, 1537, 1556, 1575], abs=20)
     assert max(ramped) == pytest.approx(1700, abs=2)
+    assert sum(abs(width - (1500 - 56 * 25 / 16)) <= 2 for _, width in right) >= 5
     assert min(width for at, width in right if at < left[first][0] + 300_000) == pytest.approx(1400, abs=2)
     quiet = max(late[0] - early[0] for early, late in pairwise(left))
     assert quiet > 100_000  # no pulses at a stand

@@ -39,6 +39,11 @@ _DEFAULTS = {
 }
 
 
+def adapter_paths(folder: Path) -> list[Path]:
+    """The adapter files of a folder, and of folders in it for headers such as `sys/time.h`, by their names."""
+    return sorted(path for pattern in ("*", "*/*") for path in folder.glob(pattern) if path.suffix in ENDINGS)
+
+
 def load(path: Path) -> AdapterFile:
     """What an adapter file says, from its built data where that belongs to its text.
 
@@ -117,7 +122,7 @@ def build(folder: Path) -> dict[Path, str]:
     Raises:
         PlatformDataError: a file cannot be read, or a marker in it is wrong.
     """
-    paths = sorted(path for path in folder.iterdir() if path.suffix in ENDINGS)
+    paths = adapter_paths(folder)
     raw = {path: inputs.read_bytes(path, inputs.DATA) for path in paths}
     files = {path: adapter_file(path, raw[path].decode("utf-8")) for path in paths}
     headers: dict[str, list[str]] = {}

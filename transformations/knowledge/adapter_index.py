@@ -1,7 +1,7 @@
 """The adapter files for a source platform on a target platform, read when a program needs them.
 
-They lie in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, named like it; files
-of a project, of a person and of plug-ins go before the built-in ones, piece by piece. Which pieces a program needs is told in
+They lie in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, named like it
+(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins go before the built-in ones, piece by piece. Which pieces a program needs is told in
 `queries.adapter_needs`.
 """
 
@@ -13,7 +13,7 @@ from pathlib import Path, PurePosixPath
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_data import ENDINGS, load
+from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapter_files import AdapterFile, AdapterPiece
 
 
@@ -31,7 +31,7 @@ class AdapterIndex:
     @property
     def headers(self) -> list[str]:
         """The headers that files are for, in the order of their names."""
-        return sorted({f"{path.stem}.h" for folder in self.folders for path in _listed(folder)})
+        return sorted({header for folder in self.folders for header, _ in _listed(folder)})
 
     def files(self, header: str) -> list[AdapterFile]:
         """The files for a header, the one that counts first in front.
@@ -43,9 +43,7 @@ class AdapterIndex:
         if known is None:
             known = self._files[header] = []
             for folder in self.folders:
-                for path in _listed(folder):
-                    if f"{path.stem}.h" == header:
-                        known.append(_checked(path, header))
+                known += [_checked(path, header) for named, path in _listed(folder) if named == header]
         return known
 
     def of(self, header: str) -> list[list[AdapterPiece]]:
@@ -73,8 +71,9 @@ def adapter_index(target: str, source: str, project: Path | None = None) -> Adap
 
 
 @cache
-def _listed(folder: Path) -> tuple[Path, ...]:
-    return tuple(sorted(path for path in folder.iterdir() if path.suffix in ENDINGS))
+def _listed(folder: Path) -> tuple[tuple[str, Path], ...]:
+    """The adapter files of a folder with the headers that they are named like."""
+    return tuple((path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in adapter_paths(folder))
 
 
 def _checked(path: Path, header: str) -> AdapterFile:

@@ -67,7 +67,7 @@ class AdapterPieces:
     def key(self, name: str, header: str = "") -> tuple[str, str] | None:
         """Header and name of the piece that a name means for a piece or a program of that header; None if there is none."""
         if "/" in name:
-            header, name = name.split("/", 1)
+            header, _, name = name.rpartition("/")
             return (header, name) if name in self._of(header) else None
         if header and name in self._of(header):
             return header, name

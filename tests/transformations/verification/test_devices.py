@@ -92,6 +92,23 @@ def test_serial_registers_are_written_and_read(job_of: Run, engine: str) -> None
     assert [event.value for event in trace.device_events] == [[9, 77]]
 
 
+def test_serial_registers_may_have_two_pages(job_of: Run, engine: str) -> None:
+    pins = {"select": "D5", "clock": "D6", "data_in": "D7", "data_out": "D8"}
+    content = [1, 2, 0x53, *[0] * 127, 0x54, 0xA8]
+    trace = simulate(
+        job_of("serial_registers", 100, [DeviceUse("serial_registers", pins, {"content": content, "page": 50})]), engine
+    )
+    assert trace.text.split() == ["84", "84", "168", "77"]  # the page register is 0: all but itself are in the upper page
+    assert [event.value for event in trace.device_events] == [[128 + 9, 77]]
+
+
+def test_a_line_that_answers_takes_commands_from_the_same_pin(job_of: Run, engine: str) -> None:
+    settings = {"baud": 9600, "answers": {"dist": ["12", "34"]}}
+    trace = simulate(job_of("answering_line", 200, [DeviceUse("answering_line", {"line": "D8"}, settings)]), engine)
+    assert trace.text.split() == ["12", "34", "34", "?"]
+    assert [event.value for event in trace.device_events] == ["dist", "dist", "dist", "what"]
+
+
 def test_a_serial_line_carries_bytes_both_ways(job_of: Run, engine: str) -> None:
     pins = {"receive": "D10", "transmit": "D11"}
     trace = simulate(

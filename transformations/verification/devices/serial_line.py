@@ -1,4 +1,4 @@
-"""The other end of a serial line at two pins (8 data bits, no parity, 1 stop bit)."""
+"""The other end of a serial line (8 data bits, no parity, 1 stop bit): at two pins, or one that answers on a single line."""
 
 from __future__ import annotations
 
@@ -47,3 +47,56 @@ class SerialLine(Device):
         else:
             self._reading = False
             self.note("byte" if high else "framing", self._byte)
+
+
+class AnsweringLine(Device):
+    """A device that takes commands and answers them on one line, such as a motor controller of the DHB-10's kind.
+
+    Settings: `baud`; `answers`: command -> the answers to it, one after the other, the last one from then on; `delay_ms`: from
+    the end of a command to its answer. A command and an answer end with a carriage return, which is not written in either; a
+    command that is not known gets no answer. Pin: `line`. Each command is noted as `command`, a byte whose stop bit is low as
+    `framing`.
+    """
+
+    pin_names = ("line",)
+    setting_names: ClassVar[Mapping[str, Any]] = {"baud": 19200, "answers": {}, "delay_ms": 2.0}
+
+    def start(self) -> None:
+        """Let the line be high."""
+        self._bit_us = 1e6 / self.settings["baud"]
+        self._reading, self._command = False, bytearray()
+        self._asked: dict[str, int] = {}
+
+    def pin_changed(self, pin: str, level: Level) -> None:
+        """Begin to read at a start bit."""
+        if level == 0 and not self._reading:
+            self._reading, self._byte = True, 0
+            for number in range(9):
+                self.bench.at(self.bench.now + (1.5 + number) * self._bit_us, partial(self._sample, number))
+
+    def _sample(self, number: int) -> None:
+        high = self.bench.driven[self.pins["line"]] != 0
+        if number < 8:
+            self._byte |= high << number
+            return
+        self._reading = False
+        if not high:
+            self.note("framing", self._byte)
+        elif self._byte != 13:
+            self._command.append(self._byte)
+        else:
+            self._answer(self._command.decode("latin-1"))
+            self._command.clear()
+
+    def _answer(self, command: str) -> None:
+        self.note("command", command)
+        answers = self.settings["answers"].get(command)
+        if not answers:
+            return
+        number = self._asked[command] = self._asked.get(command, -1) + 1
+        at_us = self.bench.now + self.settings["delay_ms"] * 1000
+        for byte in f"{answers[min(number, len(answers) - 1)]}\r".encode("latin-1"):
+            for level in (0, *(byte >> bit & 1 for bit in range(8)), 1):
+                self.bench.at(at_us, partial(self.bench.set_level, self.pins["line"], level))
+                at_us += self._bit_us
+        self.bench.at(at_us, partial(self.bench.set_level, self.pins["line"], None))

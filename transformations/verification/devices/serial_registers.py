@@ -14,16 +14,17 @@ class SerialRegisters(Device):
     While `select` is low, the first byte is an address with bit 7 for reading and, where `step` is null, bit 6 for going on
     to the next register; then bytes come or go, highest bit first: taken at a rising edge of `clock`, given at a falling one.
     With one data line `data_in` and `data_out` are the same pin. Settings: `content`, the bytes from register 0 on; `step`,
-    whether each byte is of the next register. A byte written is noted as `written`, with its register.
+    whether each byte is of the next register; `page`, a register that is in both of two pages of 128 and chooses one with bit 4:
+    the upper page when the bit is 0, as in the BME680. A byte written is noted as `written`, with its register.
     """
 
     pin_names = ("select", "clock", "data_in", "data_out")
-    setting_names: ClassVar[Mapping[str, Any]] = {"content": (), "step": None}
+    setting_names: ClassVar[Mapping[str, Any]] = {"content": (), "step": None, "page": None}
 
     def start(self) -> None:
         """Wait to be selected."""
         content = bytes(self.settings["content"])
-        self.memory = bytearray(content + bytes(128 - len(content)))
+        self.memory = bytearray(content + bytes(256 - len(content)))
         self._selected, self._bits, self._byte, self._address = False, 0, 0, 0
 
     def pin_changed(self, pin: str, level: Level) -> None:
@@ -51,4 +52,6 @@ class SerialRegisters(Device):
         number = self._bits // 8 - 1 if number is None else number
         step = bool(self._address & 0x40) if self.settings["step"] is None else self.settings["step"]
         first = self._address & (0x3F if self.settings["step"] is None else 0x7F)
-        return (first + number * step) % 128
+        register = (first + number * step) % 128
+        page = self.settings["page"]
+        return register + 128 if page not in (None, register) and not self.memory[page] & 0x10 else register

@@ -3,13 +3,15 @@
 
 //# helper mstime_origin
 static uint32_t mstime_origin;
-static bool mstime_on;
 static int32_t mstime_held;  // what it shows while it stands
+
+//# helper mstime_on
+static bool mstime_on;
 
 //# adapter mstime_get
 //#   for: int mstime_get()
 //#   kind: oneToOne
-//#   needs: mstime_origin
+//#   needs: mstime_origin mstime_on
 //#   fidelity: milliseconds since the start; the resonator of an Uno is up to 0.5 % off
 inline int32_t mstime_get() {
   return mstime_on ? (int32_t)(millis() - mstime_origin) : mstime_held;
@@ -37,7 +39,7 @@ inline void mstime_reset() {
 //# adapter mstime_start
 //#   for: int mstime_start()
 //#   kind: oneToOne
-//#   needs: mstime_origin mstime_set
+//#   needs: mstime_on mstime_set
 //#   fidelity: from 0; the answer is the number of a cog, always 1 here
 inline int32_t mstime_start() {
   mstime_set(0);
@@ -48,7 +50,7 @@ inline int32_t mstime_start() {
 //# adapter mstime_stop
 //#   for: void mstime_stop()
 //#   kind: oneToOne
-//#   needs: mstime_origin mstime_get
+//#   needs: mstime_origin mstime_on mstime_get
 //#   fidelity: the time stands
 inline void mstime_stop() {
   mstime_held = mstime_get();

@@ -14,6 +14,16 @@ inline int32_t port(int32_t number) {
 //#   fidelity: exact; ticks of the virtual counter in a second, not the clock of the target
 #define CLKFREQ 80000000L
 
+//# constant _CLKFREQ
+//#   fidelity: as CLKFREQ
+#define _CLKFREQ 80000000L
+
+//# variable _clkfreq
+//#   needs: CLKFREQ
+//#   fidelity: as CLKFREQ
+//#   limit: a program that writes it changes nothing
+const uint32_t _clkfreq = CLKFREQ;
+
 //# constant HUBDATA
 //#   fidelity: says where data lie there, and nothing here
 #define HUBDATA
@@ -25,6 +35,10 @@ inline int32_t port(int32_t number) {
 //# register CNT
 //#   fidelity: exact on average; it moves in steps of 4 us (320 ticks)
 #define CNT ((uint32_t)micros() * 80UL)
+
+//# register _CNT
+//#   fidelity: as CNT
+#define _CNT ((uint32_t)micros() * 80UL)
 
 //# adapter waitcnt
 //#   for: unsigned int waitcnt(unsigned int target)
@@ -63,6 +77,11 @@ const struct {
   operator uint32_t() const { return read_ports(&Io::high); }
 } INA = {};
 
+//# register _INA
+//#   needs: INA
+//#   fidelity: as INA
+const auto &_INA = INA;
+
 //# helper PortRegister
 //#   needs: simpletools.h/Io port read_ports
 //#   fidelity: only the bits that change are written, so that pins that other functions drive stay as they are
@@ -98,6 +117,16 @@ const PortRegister OUTA = {false};
 //#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other, in some 400 us
 //#   limit: ports that are not wired keep no bit: 0 is read
 const PortRegister DIRA = {true};
+
+//# register _OUTA
+//#   needs: PortRegister OUTA
+//#   fidelity: as OUTA
+const PortRegister &_OUTA = OUTA;
+
+//# register _DIRA
+//#   needs: PortRegister DIRA
+//#   fidelity: as DIRA
+const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq
 //#   for: void waitpeq(unsigned int state, unsigned int mask)
