@@ -1,8 +1,8 @@
 """The adapter files for a source platform on a target platform, read when a program needs them.
 
 They lie in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, named like it
-(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins go before the built-in ones, piece by piece. Which pieces a program needs is told in
-`queries.adapter_needs`.
+(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins go before the built-in ones, piece by
+piece. Which pieces a program needs is told in `queries.adapter_needs`.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ import pytest
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_data import ENDINGS, build, load
+from robosmi.transformations.knowledge.adapter_data import adapter_paths, build, load
 from robosmi.transformations.knowledge.adapter_files import read_adapter_file
 from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
@@ -23,13 +23,13 @@ LATCH = "//# header latch.h\n//# helper latch\n//#   table: port_pins 4\nint lat
 def test_the_data_is_built_from_the_files_as_they_are(folder: Path) -> None:
     stale = [path.name for path, text in build(folder).items() if not path.is_file() or path.read_text("utf-8") != text]
     assert stale == [], "run `make adapter-data`"
-    assert {p.stem for p in folder.glob("*.json")} == {p.stem for p in folder.iterdir() if p.suffix in ENDINGS}
+    assert {p.with_suffix("") for p in folder.rglob("*.json")} == {p.with_suffix("") for p in adapter_paths(folder)}
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda f: f"{f.parents[1].name}-{f.name}")
 def test_data_say_what_the_files_say(folder: Path) -> None:
     """All but the names in `needs`, which are complete in data."""
-    for path in (p for p in folder.iterdir() if p.suffix in ENDINGS):
+    for path in adapter_paths(folder):
         for stored, parsed in zip(load(path).pieces, read_adapter_file(path), strict=True):
             assert [name.rpartition("/")[2] for name in stored.needs] == [name.rpartition("/")[2] for name in parsed.needs]
             assert all("/" in name for name in stored.needs)
