@@ -169,5 +169,5 @@ void loop() {{}}
     assert told[5:] == [0, 183 + 32 // 15, 400, 0, 0]
     stored = written(trace.device_events)
     assert stored[0] == (0xE0, 0)
-    last = dict(stored)
+    last = {each[0]: each[1] for each in stored}
     assert (last[0x75], last[0x77], last[0x79], last[0x5C]) == (7 << 2, 5 << 5, 5, 60)

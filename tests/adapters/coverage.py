@@ -80,12 +80,13 @@ def main(folder: str = "") -> int:
         return 0
     counted = used(Path(place))
     missing = set(without_adapter(counted))
-    for name, count in counted.most_common():
-        if name in missing:
-            print(f"{count:5} {name[0]:8} {name[1]} {name[2]}")
-    calls = {name: count for name, count in counted.items() if name[0] == "function"}
-    possible = sum(count for name, count in calls.items() if name[1] not in UNSERVED)
-    lacking = sum(count for name, count in calls.items() if name in missing)
+    for used_name, count in counted.most_common():
+        if used_name in missing:
+            kind, header, name = used_name
+            print(f"{count:5} {kind:8} {header} {name}")
+    calls = {each: count for each, count in counted.items() if each[0] == "function"}
+    possible = sum(count for each, count in calls.items() if each[1] not in UNSERVED)
+    lacking = sum(count for each, count in calls.items() if each in missing)
     print(f"{sum(calls.values())} calls, {possible} of what an Uno can serve, {possible - lacking} of those have an adapter")
     return 0
 

@@ -9,13 +9,14 @@ tests).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.transformations.knowledge.adapter_checks import check_piece
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -167,7 +168,8 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
 
     Raises:
         PlatformDataError: a marker is wrong: an unknown kind or key, a value that is none of those allowed, text before the first
-            piece, a second header, a piece without text or named twice for one microcontroller.
+            piece, a second header, a piece without text or named twice for one microcontroller; or a text is not what its markers
+            say (`adapter_checks`).
     """
     made = AdapterFile()
     pieces = made.pieces
@@ -176,14 +178,6 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
         raise _wrong(Location(str(path)), "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str]] = set()
     for piece in pieces:
-        if not piece.text.strip():
-            raise _wrong(piece.location, f"'{piece.name}' has no text", "write it behind its markers, or remove the piece")
-        if piece.kind == "adapter" and not piece.signatures:
-            raise _wrong(
-                piece.location, f"the adapter '{piece.name}' does not say for which function it is", f"add `{MARK}   for: ...`"
-            )
-        if piece.kind == "adapter" and not piece.relation:
-            raise _wrong(piece.location, f"the adapter '{piece.name}' has no kind", f"add `{MARK}   kind: ...`")
         for mcu in piece.mcus or [""]:
             if (piece.name, mcu) in seen:
                 where = f" for {mcu}" if mcu else ""
@@ -200,6 +194,7 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
     """The pieces of a file; what is said of its header goes to `made`."""
     piece, marking = None, False
     text: list[str] = []
+    marks: dict[tuple[str, str], int] = {}
     for number, line in enumerate(lines, 1):
         place = Location(str(path), number)
         if not line.startswith(MARK):
@@ -214,10 +209,11 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
             if piece is None or not marking:
                 raise _wrong(place, "a marker stands outside of the head of a piece", "move it up, behind `//# KIND NAME`")
             _take(piece, said.strip(), place)
+            key, _, value = said.partition(":")
+            marks[key.strip(), value.strip()] = number
             continue
         if piece is not None:
-            piece.text = "\n".join(text).strip("\n")
-            yield piece
+            yield _finished(piece, text, marks)
         words = said.split()
         if len(words) == 2 and words[0] == "header":
             if made.header:
@@ -235,10 +231,24 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
             )  # fmt: skip
         if not made.header:
             raise _wrong(place, "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
-        piece, text, marking = AdapterPiece(words[0], words[1], made.header, place), [], True
+        piece, text, marking, marks = AdapterPiece(words[0], words[1], made.header, place), [], True, {}
     if piece is not None:
-        piece.text = "\n".join(text).strip("\n")
-        yield piece
+        yield _finished(piece, text, marks)
+
+
+def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, str], int]) -> AdapterPiece:
+    """A piece with its text, which is what its markers say."""
+    piece.text = "\n".join(text).strip("\n")
+    if not piece.text.strip():
+        raise _wrong(piece.location, f"'{piece.name}' has no text", "write it behind its markers, or remove the piece")
+    if piece.kind == "adapter" and not piece.signatures:
+        message = f"the adapter '{piece.name}' does not say for which function it is"
+        raise _wrong(piece.location, message, f"add `{MARK}   for: ...`")
+    if piece.kind == "adapter" and not piece.relation:
+        raise _wrong(piece.location, f"the adapter '{piece.name}' has no kind", f"add `{MARK}   kind: ...`")
+    before = next(number for number, line in enumerate(text) if line)
+    check_piece(piece, marks, max([piece.location.line, *marks.values()]) + 1 + before)
+    return piece
 
 
 def _take(piece: AdapterPiece, said: str, place: Location) -> None:

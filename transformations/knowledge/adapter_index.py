@@ -7,12 +7,13 @@ piece. Which pieces a program needs is told in `queries.adapter_needs`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path, PurePosixPath
 
 from robosmi import resources
-from robosmi.errors import PlatformDataError
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapter_files import AdapterFile, AdapterPiece
 
@@ -22,10 +23,12 @@ class AdapterIndex:
 
     Args:
         folders: those that count first in front.
+        mcus: the microcontrollers that there are, which variants can be for; any if none are given.
     """
 
-    def __init__(self, folders: Sequence[Path]) -> None:
+    def __init__(self, folders: Sequence[Path], mcus: Iterable[str] = ()) -> None:
         self.folders = list(folders)
+        self.mcus = sorted(mcus)
         self._files: dict[str, list[AdapterFile]] = {}
 
     @property
@@ -43,8 +46,22 @@ class AdapterIndex:
         if known is None:
             known = self._files[header] = []
             for folder in self.folders:
-                known += [_checked(path, header) for named, path in _listed(folder) if named == header]
+                known += [self._checked(path, header) for named, path in _listed(folder) if named == header]
         return known
+
+    def _checked(self, path: Path, header: str) -> AdapterFile:
+        file = load(path)
+        if file.header != header:
+            fix = f"call it {file.header.removesuffix('.h')}{path.suffix}"
+            raise PlatformDataError(f"the adapter file is for '{file.header}'", location=Location(str(path), 1), fix=fix)
+        for piece in file.pieces:
+            for mcu in piece.mcus if self.mcus else ():
+                if mcu not in self.mcus:
+                    message = f"'{piece.name}' is a variant for '{mcu}', a microcontroller of which nothing is known"
+                    raise PlatformDataError(
+                        f"{message}{did_you_mean(mcu, self.mcus)}", location=piece.location, fix=f"use: {', '.join(self.mcus)}"
+                    )
+        return file
 
     def of(self, header: str) -> list[list[AdapterPiece]]:
         """The pieces for a header, file by file."""
@@ -65,21 +82,12 @@ def adapter_index(target: str, source: str, project: Path | None = None) -> Adap
         project: the project folder; the current folder if None.
     """
     relative = PurePosixPath(target, "adapters", source)
-    return AdapterIndex(
-        [place for folder in resources.folders("platform_repo", project) if (place := folder / relative).is_dir()]
-    )
+    folders = resources.folders("platform_repo", project)
+    mcus = {path.stem for folder in folders for path in (folder / "mcus").glob("*.toml")}
+    return AdapterIndex([place for folder in folders if (place := folder / relative).is_dir()], mcus)
 
 
 @cache
 def _listed(folder: Path) -> tuple[tuple[str, Path], ...]:
     """The adapter files of a folder with the headers that they are named like."""
     return tuple((path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in adapter_paths(folder))
-
-
-def _checked(path: Path, header: str) -> AdapterFile:
-    file = load(path)
-    if file.header != header:
-        raise PlatformDataError(
-            f"the adapter file {path} is for '{file.header}'", fix=f"call it {file.header.removesuffix('.h')}{path.suffix}"
-        )
-    return file

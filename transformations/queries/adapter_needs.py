@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from robosmi.errors import PlatformDataError
+from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
@@ -120,9 +120,11 @@ class AdapterPieces:
         for name in piece.needs:
             inner = self.key(name, piece.header)
             if inner is None:
+                hint = did_you_mean(name, [*self._of(piece.header)])
                 raise PlatformDataError(
-                    f"'{piece.name}' needs '{name}', which is not there", location=piece.location, fix="correct its `needs`"
-                )
+                    f"'{piece.name}' needs '{name}', which is not there{hint}", location=piece.location,
+                    fix="correct its `needs`, or add the piece",
+                )  # fmt: skip
             why = self._unserved(inner, mcu, chain, [*above, key])
             if why:
                 return why

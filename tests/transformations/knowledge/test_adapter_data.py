@@ -15,8 +15,14 @@ from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapte
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 
 FOLDERS = sorted(path for path in resources.built_in("platform_repo").glob("*/adapters/*") if path.is_dir())
-LOW = "//# header tools.h\n//# adapter low\n//#   for: void low(int pin)\n//#   kind: oneToOne\n//#   needs: latch\n{}\n"
-LATCH = "//# header latch.h\n//# helper latch\n//#   table: port_pins 4\nint latch;\n"
+LOW = """//# header tools.h
+//# adapter low
+//#   for: void low(int pin)
+//#   kind: oneToOne
+//#   needs: latch
+void low(int pin) {{ {} }}
+"""
+LATCH = "//# header latch.h\n//# helper latch\n//#   table: port_pins 4\nint latch = port_pins[0];\n"
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda f: f"{f.parents[1].name}-{f.name}")
@@ -51,7 +57,7 @@ def test_a_file_that_was_edited_is_read_itself(tmp_path: Path) -> None:
     assert load(folder / "tools.cpp").pieces[0].needs == ["latch.h/latch"]
     (folder / "tools.cpp").write_text(LOW.format("high();"))
     (piece,) = load(folder / "tools.cpp").pieces
-    assert (piece.text, piece.needs) == ("high();", ["latch"])
+    assert (piece.text, piece.needs) == ("void low(int pin) { high(); }", ["latch"])
     (folder / "latch.json").write_text("{")
     assert load(folder / "latch.cpp").pieces[0].tables[0].count == 4
     (needed,) = [AdapterPieces(AdapterIndex([folder])).needed([("tools.h", "low")], "atmega328p").pieces]
@@ -63,7 +69,7 @@ def test_a_piece_of_an_earlier_folder_counts_first(tmp_path: Path) -> None:
     own.mkdir()
     (own / "tools.cpp").write_text(LOW.format("mine();").replace("//#   needs: latch\n", ""))
     pieces = AdapterPieces(AdapterIndex([own, built]))
-    assert [p.text for p in pieces.needed([("tools.h", "low")], "atmega328p").pieces] == ["mine();"]
+    assert [p.text for p in pieces.needed([("tools.h", "low")], "atmega328p").pieces] == ["void low(int pin) { mine(); }"]
     assert pieces.key("latch", "tools.h") == ("latch.h", "latch")
 
 

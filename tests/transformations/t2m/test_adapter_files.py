@@ -33,16 +33,17 @@ static Servo wheel;
 //#   setup: wheel.attach(9);
 //#   library: Adafruit NeoPixel
 //#   table: port_pins 4
-//#   symmetric: left right
+//#   symmetric: left pin
 //#   fidelity: one frame
 //#   fidelity: late
 //#   limit: no ramp
 //#   limit: no encoder
 //#   mcu: atmega328p
 void drive(int32_t left, int32_t pin) {
-  wheel.write(left);
+  wheel.write(left + port_pins[0] + drive_left);
 }
 """
+LOW = "//# header a.h\n//# adapter low\n//#   for: void low(int pin, int us)\n//#   kind: oneToOne\n"
 TOOLS = """//# header tools.h
 //# adapter low
 //#   for: void low(int pin)
@@ -69,7 +70,7 @@ def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None
     assert drive.ports == [ConventionalPort("drive_left", "drive.left", 12, "digital", "out", "servo")]
     assert (drive.libraries, drive.mcus) == (["Adafruit NeoPixel"], ["atmega328p"])
     assert (drive.fidelity, drive.limits) == ("one frame late", ["no ramp", "no encoder"])
-    assert (drive.tables, drive.symmetric) == ([PortTable("port_pins", 4)], ["left", "right"])
+    assert (drive.tables, drive.symmetric) == ([PortTable("port_pins", 4)], ["left", "pin"])
     assert drive.location.line == 9
     assert drive.text.startswith("void drive(")
     assert (low.header, low.name) == ("tools.h", "low")
@@ -90,8 +91,11 @@ def test_a_variant_for_another_microcontroller_does_not_serve(tmp_path: Path) ->
 
 def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
     low = "//# adapter low\n//#   for: void low(int pin)\n//#   kind: oneToOne\n"
-    known = read(tmp_path, f"//# header tools.h\n{low}one();\n{low}//#   mcu: atmega2560 atmega1280\ntwo();\n")
-    texts = [known.needed([("tools.h", "low")], mcu).pieces[0].text for mcu in ("atmega328p", "atmega2560", "atmega1280")]
+    known = read(
+        tmp_path,
+        f"//# header tools.h\n{low}void low(int32_t) {{ one(); }}\n{low}//#   mcu: atmega2560 atmega1280\nvoid low(int32_t) {{ two(); }}\n",
+    )
+    texts = [known.needed([("tools.h", "low")], mcu).pieces[0].text[20:26] for mcu in ("atmega328p", "atmega2560", "atmega1280")]
     assert texts == ["one();", "two();", "two();"]
 
 
@@ -115,6 +119,24 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
         ("//# header a.h\n//# helper x\n//#   table: pins\nint x;\n", 3, "is no table"),
         ("//# header a.h\n//# helper x\nint x;\n//# helper x\nint y;\n", 4, "'x' is there twice"),
         ("//# header a.h\n//# helper x\nint x;\n//# header b.h\n", 4, "a second header"),
+        (
+            f"{LOW}//#   pin: pinn digital out\nvoid low(int32_t pin, int32_t us) {{}}\n",
+            5,
+            "no parameter 'pinn' (did you mean 'pin'?)",
+        ),
+        (f"{LOW}//#   symmetric: pin ms\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'low' has no parameter 'ms'"),
+        (f"{LOW}void high(int32_t pin, int32_t us) {{}}\n", 2, "has no 'low'"),
+        (f"{LOW}//#   name: c_low\nvoid low(int32_t pin, int32_t us) {{ c_low(); }}\n", 5, "does not define a function 'c_low'"),
+        (f"{LOW}void low(int32_t pin) {{}}\n", 3, "takes 1 parameters, 'void low(int pin, int us)' has 2"),
+        ("//# header a.h\n//# adapter x\n//#   for: int y(int)\n//#   kind: oneToOne\nint x(int) {}\n", 3, "no signature of 'x'"),
+        (f"{LOW}//#   vector: TIMER2_OVF_vect\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "no ISR(TIMER2_OVF_vect)"),
+        ("//# header a.h\n//# helper x\nint x;\nISR(INT0_vect) {}\n", 2, "handles INT0_vect without saying so"),
+        ("//# header a.h\n//# helper x\n//#   port: left = a.left 12 digital out\nint x;\n", 3, "does not use the port 'left'"),
+        ("//# header a.h\n//# helper x\n//#   table: pins 4\nint x;\n", 3, "does not use the table 'pins'"),
+        (f"{LOW}\nvoid low(int32_t pin, int32_t us) {{\n  if (pin {{}}\n}}\n", 7, "'(' is never closed"),
+        (f"{LOW}void low(int32_t pin, int32_t us) {{\n  us]++;\n}}\n", 5, "'{' is never closed"),
+        (f"{LOW}void low(int32_t pin, int32_t us) {{\n}}\n}}\n", 7, "'}' closes nothing"),
+        ("//# header a.h\n//# constant OFF\n#define ON 1\n", 2, "has no 'OFF'"),
     ],
 )
 def test_a_mistake_is_an_error_with_its_line(text: str, line: int, said: str, tmp_path: Path) -> None:
