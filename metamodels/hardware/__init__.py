@@ -12,6 +12,8 @@ from robosmi.model.strict import Element
 from robosmi.model.strict_package import (
     EAttribute,
     EBoolean,
+    EDouble,
+    EInt,
     EReference,
     EString,
     MetaEClass,
@@ -55,6 +57,21 @@ if TYPE_CHECKING:
         supply: ClassVar[ConnectorKind]
         ground: ClassVar[ConnectorKind]
 
+    class NamedDirection(EnumLiteral):
+        """Which way a signal goes as seen by the board, told by the name of a connector."""
+
+        unstated: ClassVar[NamedDirection]
+        read: ClassVar[NamedDirection]
+        write: ClassVar[NamedDirection]
+        bus: ClassVar[NamedDirection]
+
+    class PullUps(EnumLiteral):
+        """Whether a device brings the pull-up resistors of its bus."""
+
+        notKnown: ClassVar[PullUps]
+        absent: ClassVar[PullUps]
+        present: ClassVar[PullUps]
+
 else:
     Role = enumeration(
         "Role",
@@ -73,6 +90,11 @@ else:
         "ConnectorKind",
         {"unknown": 0, "signal": 1, "supply": 2, "ground": 3},
     )
+    NamedDirection = enumeration(
+        "NamedDirection",
+        {"unstated": 0, "read": 1, "write": 2, "bus": 3},
+    )
+    PullUps = enumeration("PullUps", {"notKnown": 0, "absent": 1, "present": 2})
 
 
 class Circuit(Element, metaclass=MetaEClass):
@@ -96,6 +118,10 @@ class Circuit(Element, metaclass=MetaEClass):
     """Sets of connectors that are one node electrically."""
     wires: MutableSequence[Wire] = EReference(upper=-1, containment=True)
     """The wires drawn."""
+    described: bool = EAttribute(eType=EBoolean)
+    """True when what is known of its parts is written in: devices of components, meanings of connectors, supply limits."""
+    supplyLimits: MutableSequence[SupplyLimit] = EReference(upper=-1, containment=True)
+    """What a board gives at most at its supplies."""
 
     if TYPE_CHECKING:
 
@@ -111,6 +137,8 @@ class Circuit(Element, metaclass=MetaEClass):
             components: Iterable[Component] | None = None,
             nets: Iterable[Net] | None = None,
             wires: Iterable[Wire] | None = None,
+            described: bool | None = None,
+            supplyLimits: Iterable[SupplyLimit] | None = None,
         ) -> None: ...
 
 
@@ -143,6 +171,12 @@ class Component(Element, metaclass=MetaEClass):
     """Its connectors, in the part's order."""
     buses: MutableSequence[Bus] = EReference(upper=-1, containment=True)
     """Connectors joined inside the part."""
+    device: DeviceFacts | None = EReference(containment=True)
+    """What is known of the kind of device that it is; none where nothing is known."""
+    joinsByBusOnly: bool = EAttribute(eType=EBoolean)
+    """True when it joins connectors only where one of its buses does, as a breadboard or a header."""
+    eitherSide: bool = EAttribute(eType=EBoolean)
+    """True for a chip that is an input or an output by what is wired to it, such as an amplifier."""
 
     if TYPE_CHECKING:
 
@@ -162,6 +196,9 @@ class Component(Element, metaclass=MetaEClass):
             properties: Iterable[Property] | None = None,
             connectors: Iterable[Connector] | None = None,
             buses: Iterable[Bus] | None = None,
+            device: DeviceFacts | None = None,
+            joinsByBusOnly: bool | None = None,
+            eitherSide: bool | None = None,
         ) -> None: ...
 
 
@@ -198,6 +235,10 @@ class Connector(Element, metaclass=MetaEClass):
     """For a board the normalised label of its pin (D9, A0), else empty."""
     net: Net | None = EReference()
     """The net it is in."""
+    meanings: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """What its name says, by the words of the table of electrical facts (sda, output, common)."""
+    namedDirection: NamedDirection = EAttribute(eType=NamedDirection)
+    """The direction that its name says."""
 
     if TYPE_CHECKING:
 
@@ -210,6 +251,8 @@ class Connector(Element, metaclass=MetaEClass):
             kind: ConnectorKind | None = None,
             pin: str | None = None,
             net: Net | None = None,
+            meanings: Iterable[str] | None = None,
+            namedDirection: NamedDirection | None = None,
         ) -> None: ...
 
 
@@ -285,16 +328,99 @@ class Wire(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
+class DeviceFacts(Element, metaclass=MetaEClass):
+    """What a kind of device needs and bears electrically, as the table of electrical facts had it when the drawing was read."""
+
+    kind: str = EAttribute(eType=EString, lower=1)
+    """What messages call it."""
+    volts: MutableSequence[float] = EAttribute(eType=EDouble, upper=2, unique=False)
+    """Least and most at its supply; empty where it is unknown."""
+    signalVolts: float = EAttribute(eType=EDouble)
+    """The most that its signals bear; 0 where it is unknown."""
+    peakMilliamperes: int = EAttribute(eType=EInt)
+    """The most that it takes while it works; 0 where it is unknown."""
+    needsDriver: bool = EAttribute(eType=EBoolean)
+    """True when a pin cannot drive it."""
+    inductive: bool = EAttribute(eType=EBoolean)
+    """True when it needs a diode behind a bare transistor."""
+    terminals: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Names of the connectors that these two are about; all where it is empty."""
+    isSwitch: bool = EAttribute(eType=EBoolean)
+    """True for a transistor."""
+    seriesResistor: bool = EAttribute(eType=EBoolean)
+    """True when it needs one."""
+    limitsCurrent: bool = EAttribute(eType=EBoolean)
+    """True when what flows through its outputs is limited, or they are contacts."""
+    analog: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Names of the connectors that give a voltage to be measured; * stands for all."""
+    wants: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Abilities of a pin that serve it."""
+    output: str = EAttribute(eType=EString, default_value="")
+    """push-pull where its output cannot share a wire."""
+    addresses: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)
+    """Addresses on an I2C bus that it can have; the first is that of its delivery."""
+    pullUps: PullUps = EAttribute(eType=PullUps)
+    """Whether it brings the pull-up resistors of its bus."""
+    isolated: bool = EAttribute(eType=EBoolean)
+    """True when it needs no common ground."""
+    sounds: bool = EAttribute(eType=EBoolean)
+    """True when it is sounded with the function tone of the target."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            kind: str | None = None,
+            volts: Iterable[float] | None = None,
+            signalVolts: float | None = None,
+            peakMilliamperes: int | None = None,
+            needsDriver: bool | None = None,
+            inductive: bool | None = None,
+            terminals: Iterable[str] | None = None,
+            isSwitch: bool | None = None,
+            seriesResistor: bool | None = None,
+            limitsCurrent: bool | None = None,
+            analog: Iterable[str] | None = None,
+            wants: Iterable[str] | None = None,
+            output: str | None = None,
+            addresses: Iterable[int] | None = None,
+            pullUps: PullUps | None = None,
+            isolated: bool | None = None,
+            sounds: bool | None = None,
+        ) -> None: ...
+
+
+class SupplyLimit(Element, metaclass=MetaEClass):
+    """The most that a board gives at its supply of a voltage."""
+
+    volts: float = EAttribute(eType=EDouble)
+    """Voltage of the supply."""
+    milliamperes: int = EAttribute(eType=EInt)
+    """The most that it gives."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            volts: float | None = None,
+            milliamperes: int | None = None,
+        ) -> None: ...
+
+
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     from robosmi.model.strict_package import classifier
 
     Circuit.components.eType = Component
     Circuit.nets.eType = Net
     Circuit.wires.eType = Wire
+    Circuit.supplyLimits.eType = SupplyLimit
     Component.circuit.eType = Circuit
     Component.properties.eType = Property
     Component.connectors.eType = Connector
     Component.buses.eType = Bus
+    Component.device.eType = DeviceFacts
     Connector.component.eType = Component
     Connector.net.eType = Net
     Bus.connectors.eType = Connector
@@ -308,3 +434,5 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Connector.net.eOpposite = Net.connectors
     classifier(__name__, Role)
     classifier(__name__, ConnectorKind)
+    classifier(__name__, NamedDirection)
+    classifier(__name__, PullUps)

@@ -27,6 +27,14 @@ def changed_repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         assert old in text, f"{name} has no {old}"
         path.write_text(text.replace(old, new))
 
+    (folder / "parts").mkdir()
+    for name in ("electrical.toml", "names.toml"):
+        shutil.copy(built_in / "parts" / name, folder / "parts" / name)
+    change("parts/electrical.toml", "peak_ma = ", "peak_ma = 9")
+    change("parts/electrical.toml", "sda = [", 'sda = ["signal", ')
+    change("parts/electrical.toml", "supply_ma = [", "supply_ma = [[5.0, 1], ")
+    change("parts/names.toml", "bus_only = [", 'bus_only = ["resistor", "led", "servo", ')
+    change("parts/names.toml", 'read = ["echo"', 'read = ["signal", "anode", "echo"')
     change("propeller/platform.toml", "int_bits = 32", "int_bits = 64")
     change("propeller/platform.toml", '"CNT", ', "")
     change("propeller/platform.toml", "cog_run = 0", "cog_ran = 0")
@@ -71,7 +79,10 @@ def test_the_changes_are_ones_that_a_new_plan_would_show(
 ) -> None:
     """The test above could else not fail."""
     robosmi.migrate([line_follower], tmp_path / "out")
+    drawing = line_follower.with_name("line_following_robot.fzz")
+    before = said(drawing)
     request.getfixturevalue("changed_repository")
+    assert said(drawing)[1] != before[1]
     outcome = run("migrate", line_follower, "-o", tmp_path / "new")
     assert outcome.code == 3
     assert "'target.generator' is 'none', which is none of" in outcome.err

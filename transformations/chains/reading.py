@@ -13,6 +13,7 @@ from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.knowledge.described_circuit import describe
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
@@ -96,6 +97,7 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     """
     circuit: hardware.Circuit
     circuit, findings = reader_for(path, DRAWING)(path, roles=roles, board=board_name)
+    describe(circuit)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
         drawn = drawn_board(board.partId, circuit.tool.lower())

@@ -29,7 +29,7 @@ def lines(w: Wiring, component: hardware.Component, names: tuple[str, ...]) -> d
 
     A device with both buses on the same connectors (SDI/SDA) counts for the one that its names say first.
     """
-    has = {line: [c for c in component.connectors if w.data.named(c.name, line)] for line in names}
+    has = {line: [c for c in component.connectors if w.means(c, line)] for line in names}
     if not has[names[0]] or not has[names[1]]:
         return {}
     return {line: [net for c, net in w.nets(component) if c in connectors] for line, connectors in has.items()}
@@ -82,7 +82,7 @@ def BusIsPulledUp(c: hardware.Component) -> Any:
 
 def _is_bare(w: Wiring, net: hardware.Net, line: str) -> bool:
     """Whether nothing pulls a line of a bus up: no device on it, no resistor."""
-    devices_on = (o for o, connector in w.on(net) if o.role is not Role.Board and w.data.named(connector.name, line))
+    devices_on = (o for o, connector in w.on(net) if o.role is not Role.Board and w.means(connector, line))
     return all(w.facts(o).pull_ups is False for o in devices_on) and not _pulled_up(w, net)
 
 
@@ -108,7 +108,7 @@ def _addresses(w: Wiring, net: hardware.Net) -> dict[_Address | None, hardware.C
     """The first device in the drawing for each address on a bus."""
     found: dict[_Address | None, hardware.Component] = {}
     for owner, connector in w.on(net):
-        if owner.role is not Role.Board and w.data.named(connector.name, "sda"):
+        if owner.role is not Role.Board and w.means(connector, "sda"):
             found.setdefault(_address(w, owner), owner)
     return found
 
@@ -126,7 +126,7 @@ def _address(w: Wiring, component: hardware.Component) -> _Address | None:
 
 
 def _chooses(w: Wiring, connector: hardware.Connector) -> bool:
-    return connector.kind is not Kind.supply and w.data.named(connector.name, "address")
+    return connector.kind is not Kind.supply and w.means(connector, "address")
 
 
 @devices.critique(id="RS249", location=drawing, advice="use the pins MOSI, MISO and SCK of the board, or a software SPI")

@@ -29,7 +29,7 @@ def CurrentIsLimited(c: hardware.Component) -> Any:
     """An LED has a resistor in series."""
     w = wiring_of(c)
     ends = [(connector, net, _gives_current(w, c, net)) for connector, net in w.nets(c)]
-    common = [end for end in ends if w.data.named(end[0].name, "common")]
+    common = [end for end in ends if w.means(end[0], "common")]
     if len(dict.fromkeys(net for _, net, _ in ends)) > 2 or common:
         others = [end for end in ends if end not in common]
         bare = any(stiff for *_, stiff in common) and any(stiff and not net.rail for _, net, stiff in others)

@@ -219,7 +219,7 @@ def _wants_pwm(w: Wiring, connection: migration.Connection) -> bool:
     assert component is not None
     if "pwm" in w.facts(component).wants:
         return True
-    return bool(component.driver) and any(w.data.named(c.name, "pwm") for c in connection.connectors)
+    return bool(component.driver) and any(w.means(c, "pwm") for c in connection.connectors)
 
 
 @choices.critique(id="RS265", location=place, advice="move the device to another pin, or choose another library")

@@ -11,7 +11,6 @@ from typing import Any
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
-from robosmi.transformations.knowledge.part_names import name_direction
 from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wiring, listed, who
 from robosmi.validate import EVL
 
@@ -28,9 +27,7 @@ devices = signals.context(
 def HasOneSource(n: hardware.Net) -> Any:
     """A signal is driven by one sensor."""
     w = wiring_of(n)
-    driving = [
-        o for o, c in w.on(n) if o.role is Role.Input and w.facts(o).output == "push-pull" and w.data.named(c.name, "output")
-    ]
+    driving = [o for o, c in w.on(n) if o.role is Role.Input and w.facts(o).output == "push-pull" and w.means(c, "output")]
     if len(set(driving)) < 2:
         return True
     names = listed([f"'{who(o)}'" for o in driving])
@@ -41,7 +38,7 @@ def HasOneSource(n: hardware.Net) -> Any:
 def DriversAreApart(n: hardware.Net) -> Any:
     """Outputs of drivers are not joined."""
     w = wiring_of(n)
-    driving = [(o, c) for o, c in w.on(n) if o.driver and w.data.named(c.name, "driver_output")]
+    driving = [(o, c) for o, c in w.on(n) if o.driver and w.means(c, "driver_output")]
     if len({(o, c.name) for o, c in driving}) < 2:  # one output may have two connectors
         return True
     said = listed([f"{c.name} of '{who(o)}'" for o, c in driving])
@@ -65,7 +62,7 @@ def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> Any:
     def needs(w: Wiring, p: BoardPin) -> bool:
         name = p.connector.name.strip().lower()
         any_one = "*" in given and not by_name and p.connector.kind is Kind.unknown
-        return any_one or name in given or w.data.named(name, "analog")
+        return any_one or name in given or w.means(p.connector, "analog")
 
     pins = lacking(c, "analog_in", needs) if c.role is Role.Input else []
     message = f"'{who(c)}' gives a voltage, and {listed(pins)} can only tell high from low" if pins else ""
@@ -76,7 +73,7 @@ def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> Any:
 def CanBeDimmed(c: hardware.Component) -> Any:
     """What is usually driven with PWM is on a pin that has it."""
     wanted = "pwm" in wiring_of(c).facts(c).wants and c.role is Role.Output
-    pins = lacking(c, "pwm", lambda w, p: wanted or (c.driver and w.data.named(p.connector.name, "pwm")))
+    pins = lacking(c, "pwm", lambda w, p: wanted or (c.driver and w.means(p.connector, "pwm")))
     return not pins or fault(c, f"'{who(c)}' can only be switched on {listed(pins)}, which has no PWM", pins=", ".join(pins))
 
 
@@ -95,7 +92,7 @@ def CanInterrupt(c: hardware.Component) -> Any:
 @devices.critique(id="RS243", info=True, location=drawing, advice="use the pins of a serial port, or a software serial port")
 def IsOnASerialPort(c: hardware.Component) -> Any:
     """A serial device is on the pins of a serial port."""
-    pins = lacking(c, "uart", lambda w, p: w.data.named(p.connector.name, "uart"))
+    pins = lacking(c, "uart", lambda w, p: w.means(p.connector, "uart"))
     return not pins or fault(c, f"'{who(c)}' talks over {listed(pins)}, where the board has no serial port", pins=", ".join(pins))
 
 
@@ -104,7 +101,7 @@ def PinCanWrite(c: hardware.Component) -> Any:
     """What is written is on a pin that can write."""
     if c.role is not Role.Output:
         return True
-    pins = lacking(c, "digital", lambda w, p: name_direction(p.connector.name, w.known, c.driver) != "read")
+    pins = lacking(c, "digital", lambda w, p: p.connector.namedDirection is not hardware.NamedDirection.read)
     return not pins or fault(c, f"'{who(c)}' is driven by {listed(pins)}, which can only measure", pins=", ".join(pins))
 
 
@@ -121,7 +118,7 @@ def PinIsFree(c: hardware.Component) -> Any:
 
 def _serial(w: Wiring, p: BoardPin) -> bool:
     """Whether a serial device is where it belongs."""
-    return p.pin is not None and "uart" in p.pin.abilities and w.data.named(p.connector.name, "uart")
+    return p.pin is not None and "uart" in p.pin.abilities and w.means(p.connector, "uart")
 
 
 @devices.critique(id="RS255", location=drawing, advice="put a level shifter or a voltage divider between them")

@@ -152,7 +152,7 @@ def BoardCanSupplyThem(b: hardware.Component) -> Any:
     w = wiring_of(b)
     for net in dict.fromkeys(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
         volts = w.volts(net)
-        most = w.data.supply_ma(volts) if volts and w.fed_by_board(net) is b else None
+        most = w.supply_ma(volts) if volts and w.fed_by_board(net) is b else None
         loads = dict(_loads(w, net)) if most is not None else {}
         if most is not None and sum(loads.values()) > most:
             names = listed([f"'{who(c)}'" for c in loads])
@@ -168,9 +168,9 @@ def _loads(w: Wiring, net: hardware.Net) -> Iterator[tuple[hardware.Component, i
         if owner.role in (Role.Board, Role.Power, Role.Passive):
             continue
         loads = [owner]
-        supplies = [n for c, n in w.nets(owner) if c.kind is Kind.supply or w.data.named(c.name, "motor_supply")]
+        supplies = [n for c, n in w.nets(owner) if c.kind is Kind.supply or w.means(c, "motor_supply")]
         if owner.driver and connector.kind is Kind.supply and all(n is net for n in supplies):
-            loads += behind(owner, w.known)[0]
+            loads += behind(owner)[0]
         for load in loads:
             if (peak := w.facts(load).peak_ma) and (load is not owner or _is_fed_there(w, owner, connector)):
                 yield load, peak
@@ -206,7 +206,7 @@ def _supplied_with(
     """The supply connectors with the voltage there, and the least and most that they are made for, as far as known."""
     w = wiring_of(component)
     facts = w.facts(component)
-    regulated = any(w.data.named(c.name, "regulator_out") for c in component.connectors)
+    regulated = any(w.means(c, "regulator_out") for c in component.connectors)
     for connector, net in w.nets(component):
         volts = w.volts(net)
         stated = stated_volts(connector.name)
@@ -215,5 +215,5 @@ def _supplied_with(
         if stated is not None:  # labels above 5 V name the usual supply of a motor, no limit
             yield connector, volts, stated - 0.5 if 4 < stated < 6 else None, stated + _SAME if stated < 6 else None
         elif facts.volts is not None:
-            most = None if regulated or w.data.named(connector.name, "regulated") else facts.volts[1]
+            most = None if regulated or w.means(connector, "regulated") else facts.volts[1]
             yield connector, volts, facts.volts[0], most

@@ -134,15 +134,16 @@ class Electrical:
         """What is known of a component, or None: of the first file that knows it."""
         return next((found for file in self._files if (found := file.find(component)) is not None), None)
 
-    def named(self, name: str, meaning: str) -> bool:
-        """Whether a connector's name says something (`sda`, `output`; the keys of `[names]`)."""
+    def meanings(self, name: str) -> tuple[str, ...]:
+        """What a connector's name says (`sda`, `output`; the keys of `[names]`), each once."""
         word = " ".join(name.lower().split())
-        return any(pattern.match(word) for file in self._files if (pattern := file.names.get(meaning)) is not None)
+        found = (key for file in self._files for key, pattern in file.names.items() if pattern.match(word))
+        return tuple(dict.fromkeys(found))
 
-    def supply_ma(self, volts: float) -> int | None:
-        """What a board gives at its supply of that voltage, in mA, or None if nothing is known."""
-        known = [ma for file in self._files for at, ma in file.supply_ma if abs(at - volts) < 0.3]
-        return known[0] if known else None
+    @property
+    def supply_limits(self) -> list[tuple[float, int]]:
+        """Voltage of a board's supply, and what the board gives there at most in mA; the first that is near counts."""
+        return [limit for file in self._files for limit in file.supply_ma]
 
 
 def electrical(project: Path | None = None) -> Electrical:

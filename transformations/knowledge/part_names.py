@@ -118,8 +118,16 @@ def name_direction(name: str, known: PartNames, chip: bool = False) -> str | Non
     return None
 
 
-def conducts_by_bus_only(family: str, known: PartNames) -> bool:
-    """Whether parts of the family join connectors only where a bus says so (breadboards, headers, terminals)."""
+def conducts_by_bus_only(family: str, known: PartNames, title: str = "") -> bool:
+    """Whether parts join connectors only where a bus says so (breadboards, headers, terminals).
+
+    Args:
+        family: their family.
+        known: the lists.
+        title: their title, which says it where the drawing tool has no families.
+    """
+    if not family.strip():
+        return bool(title) and title in known.bus_only
     return any(f"{family}{end}" in known.bus_only for end in ("", "s")) or _singular(family) in known.bus_only
 
 

@@ -150,7 +150,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None
-        reached = walk(nets, signal_nets, board, state.known)
+        reached = walk(nets, signal_nets, board)
         if reached and target is not None and pin is None:
             state.report(
                 "RS223",
@@ -214,7 +214,7 @@ def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
     if told == "bus":
         return told
     if component.driver:
-        return told if told is not None and component.role is not Role.Both else _driver_signal(component, default, known)
+        return told if told is not None and component.role is not Role.Both else _driver_signal(component, default)
     about = f"{component.family} / {component.partTitle}"
     analog = label[0] == "A" and label[1:].isdecimal()  # not any pin that can: on some boards D4 can, and is used as D4
     if default == "write" and analog and about in known.read_on_analog and about not in known.not_read_on_analog:
@@ -222,9 +222,9 @@ def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
     return told if told is not None and default != "write" else default
 
 
-def _driver_signal(component: hardware.Component, default: str, known: PartNames) -> str:
+def _driver_signal(component: hardware.Component, default: str) -> str:
     """For a chip that may be on either side of the board: read where it only senses, written where it only drives."""
-    drives, senses = either_side(component, known)
+    drives, senses = either_side(component)
     if bool(drives) != bool(senses):
         return "write" if drives else "read"
     return default

@@ -12,7 +12,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.query import Q, root_of
-from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.queries.circuit_walk import behind, either_side
 
 if TYPE_CHECKING:
@@ -138,8 +137,7 @@ def circuit_graph(
 
 def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
     """The result of the command `hardware`, JSON values only (docs/reference: `boards`, `components`, `mappings`)."""
-    known = names()
-    beyond = {c: behind(c, known) for c in circuit.components if c.driver}
+    beyond = {c: behind(c) for c in circuit.components if c.driver}
     return {
         "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
         "components": [

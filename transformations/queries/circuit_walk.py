@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from robosmi.metamodels import hardware
-from robosmi.transformations.knowledge.part_names import PartNames, conducts_by_bus_only, names
+from robosmi.transformations.knowledge.described_circuit import is_either_side, joins_by_bus_only
 
 Role = hardware.Role
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
@@ -34,16 +34,13 @@ def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
     return dict(sorted(pins.items(), key=lambda item: _label_order(item[0])))
 
 
-def walk(
-    start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component, known: PartNames
-) -> list[ReachedComponent]:
+def walk(start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component) -> list[ReachedComponent]:
     """What is reached from some nets, nearest first: across two-terminal passive parts, never into a rail or a blocked net.
 
     Args:
         start: where to begin; rails among them are left out.
         blocked: nets that passive parts do not lead into.
         ignore: the component that is asked about.
-        known: which families conduct by bus only.
     """
     found: dict[hardware.Component, ReachedComponent] = {}
     closed = {id(net) for net in blocked}
@@ -57,16 +54,14 @@ def walk(
             if component.role is not Role.Passive:
                 found[component] = ReachedComponent(component, tuple(connectors), via)
                 continue
-            beyond = _other_side(component, net, known)
+            beyond = _other_side(component, net)
             if beyond is not None and not beyond.rail and id(beyond) not in closed:
                 closed.add(id(beyond))
                 todo.append((beyond, (*via, component)))
     return list(found.values())
 
 
-def behind(
-    driver: hardware.Component, known: PartNames | None = None
-) -> tuple[list[hardware.Component], list[hardware.Component]]:
+def behind(driver: hardware.Component) -> tuple[list[hardware.Component], list[hardware.Component]]:
     """What a driver drives and what it senses: outputs and inputs beyond its connectors that lead to no board.
 
     They are told for the whole device, not channel by channel, and have no mapping of their own.
@@ -74,18 +69,14 @@ def behind(
     nets = list(dict.fromkeys(c.net for c in driver.connectors if c.net is not None and not c.net.rail))
     free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]
     signals = [c.net for board in _boards_of(driver) for c in board.connectors if c.pin and c.net is not None]
-    reached = [r.component for r in walk(free, signals, driver, known or names()) if not r.component.driver]
+    reached = [r.component for r in walk(free, signals, driver) if not r.component.driver]
     reached.sort(key=lambda component: natural_key(component.elementId))
     return [c for c in reached if c.role is Role.Output], [c for c in reached if c.role is Role.Input]
 
 
-def either_side(
-    component: hardware.Component, known: PartNames | None = None
-) -> tuple[list[hardware.Component], list[hardware.Component]]:
-    """`behind` for a chip that may be on either side of the board (names.toml), nothing for any other component."""
-    known = known or names()
-    about = f"{component.family} / {component.partTitle}"
-    return behind(component, known) if component.driver and about in known.either else ([], [])
+def either_side(component: hardware.Component) -> tuple[list[hardware.Component], list[hardware.Component]]:
+    """`behind` for a chip that may be on either side of the board, nothing for any other component."""
+    return behind(component) if is_either_side(component) else ([], [])
 
 
 def _label_order(label: str) -> tuple[int, tuple[tuple[int, str], ...]]:
@@ -100,9 +91,9 @@ def _by_component(net: hardware.Net) -> list[tuple[hardware.Component, list[hard
     return list(groups.items())
 
 
-def _other_side(component: hardware.Component, net: hardware.Net, known: PartNames) -> hardware.Net | None:
+def _other_side(component: hardware.Component, net: hardware.Net) -> hardware.Net | None:
     """The net at the other terminal of a two-terminal passive part, None for any other part."""
-    if conducts_by_bus_only(component.family, known):
+    if joins_by_bus_only(component):
         return None
     joined = [set(bus.connectors) for bus in component.buses]
     terminals: list[hardware.Connector] = []

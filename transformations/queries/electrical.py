@@ -1,7 +1,7 @@
 """The wiring of a circuit as electrical checks ask for it: what shares a net, which net has which voltage, what a pin can.
 
-Made once for each run of queries (`wiring`), since every check asks for most of it. Facts about devices and boards are data
-(`t2m/electrical_facts`, `knowledge/drawn_boards`); nothing is judged here.
+Made once for each run of queries (`wiring`), since every check asks for most of it. Facts about devices are in the circuit
+(`knowledge/described_circuit`), those about boards in the plan or else the repository; nothing is judged here.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any, NamedTuple, TypeVar
 from robosmi.metamodels import hardware, platform
 from robosmi.query.run import ext
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.knowledge.described_circuit import describe, device_facts, joins_by_bus_only, supply_limit
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
-from robosmi.transformations.knowledge.electrical_facts import DeviceFacts, Electrical, electrical
-from robosmi.transformations.knowledge.part_names import PartNames, conducts_by_bus_only, names
+from robosmi.transformations.knowledge.electrical_facts import DeviceFacts
 
 T = TypeVar("T")
 Role = hardware.Role
@@ -42,8 +42,7 @@ class Wiring:
 
     def __init__(self, circuit: hardware.Circuit) -> None:
         self.circuit = circuit
-        self.known: PartNames = names()
-        self.data: Electrical = electrical()
+        describe(circuit)  # one that was stored by an older version lacks it
         self.titles = Counter(c.title or c.partTitle for c in circuit.components)
         self.boards: list[hardware.Component] = []
         self._members: dict[hardware.Net, list[hardware.Connector]] = {}
@@ -59,7 +58,7 @@ class Wiring:
                 continue
             if role is Role.Board:
                 self.boards.append(component)
-            if role is Role.Passive and conducts_by_bus_only(component.family, self.known):
+            if role is Role.Passive and joins_by_bus_only(component):
                 self._joins.add(component)
             drawn = self._nets[component] = []
             for connector in component.connectors:
@@ -91,8 +90,16 @@ class Wiring:
     def facts(self, component: hardware.Component) -> DeviceFacts:
         """What is known of a component."""
         if component not in self._facts:
-            self._facts[component] = self.data.facts(component) or NOTHING
+            self._facts[component] = device_facts(component) or NOTHING
         return self._facts[component]
+
+    def means(self, connector: hardware.Connector, meaning: str) -> bool:
+        """Whether a connector's name says something (`sda`, `output`; the keys of `[names]` in the electrical facts)."""
+        return meaning in connector.meanings
+
+    def supply_ma(self, volts: float) -> int | None:
+        """What a board gives at its supply of that voltage, in mA, or None if nothing is known."""
+        return supply_limit(self.circuit, volts)
 
     def board_model(self, board: hardware.Component) -> platform.Board | None:
         """The platform's board that a component is drawn as, or None."""

@@ -153,7 +153,7 @@ class CircuitBuilder:
             part=part,
             board=board,
             arduino=board is not None or (about in self.names.arduino_labels and about not in self.names.not_arduino_labels),
-            by_bus=part.role == "Passive" and conducts_by_bus_only(part.family, self.names),
+            by_bus=part.role == "Passive" and conducts_by_bus_only(part.family, self.names, part.title),
             defined=found is not None,
             leaders=bus_leaders(part),
         )
