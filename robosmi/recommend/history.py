@@ -9,10 +9,11 @@ counts change a ranking in `ranking` and `device_ranker`.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 from robosmi import resources
 from robosmi.errors import RobosmiError, UsageError
@@ -49,6 +50,19 @@ class HistoryEntry:
     version: str = ""
     target: str = ""
     component: str = ""
+
+
+@dataclass(frozen=True)
+class Targets:
+    """The targets whose earlier choices count for one: those for itself; where there are none, those for its like.
+
+    Attributes:
+        name: the target.
+        alike: whether a target takes the same libraries; a choice that names no target always counts.
+    """
+
+    name: str
+    alike: Callable[[str], bool]
 
 
 def default_place() -> Path | str:
@@ -92,19 +106,28 @@ class History:
         """The file, or the URL without its password."""
         return self._database.place
 
-    def choices(self, part_id: str, title: str) -> dict[str, int]:
-        """How often each library was chosen for that very part; most often first, then by name."""
-        sql = "SELECT library, SUM(count) FROM {table} WHERE part_id = :part_id AND title = :title GROUP BY library"
-        return _ordered(self._database.read(sql, {"part_id": part_id, "title": title}))
+    def choices(self, part_id: str, title: str, among: Targets | None = None) -> dict[str, int]:
+        """How often each library was chosen for that very part; most often first, then by name.
 
-    def choices_for_model(self, model: str) -> dict[str, int]:
-        """How often each library was chosen for parts whose title has this model number; most often first, then by name."""
-        rows = self._database.read("SELECT title, library, SUM(count) FROM {table} GROUP BY title, library", {})
-        counts: dict[str, int] = {}
-        for title, library, count in rows:
-            if model in models(title):
-                counts[library] = counts.get(library, 0) + int(count)
-        return _ordered(counts.items())
+        Args:
+            part_id: identifier of the part.
+            title: its title.
+            among: the targets whose choices count; all if None.
+        """
+        sql = (
+            "SELECT library, target, SUM(count) FROM {table} WHERE part_id = :part_id AND title = :title GROUP BY library, target"
+        )
+        return _counted(self._database.read(sql, {"part_id": part_id, "title": title}), among)
+
+    def choices_for_model(self, model: str, among: Targets | None = None) -> dict[str, int]:
+        """How often each library was chosen for parts whose title has this model number; most often first, then by name.
+
+        Args:
+            model: the model number, lower case, letters and digits.
+            among: the targets whose choices count; all if None.
+        """
+        rows = self._database.read("SELECT title, library, target, SUM(count) FROM {table} GROUP BY title, library, target", {})
+        return _counted([row for title, *row in rows if model in models(title)], among)
 
     def entries(self) -> list[HistoryEntry]:
         """All choices, by part identifier, title and library."""
@@ -205,12 +228,14 @@ class ForgivingHistory:
 
     Args:
         place: see `History`.
+        among: the targets whose choices count; all if None.
 
     Attributes:
         trouble: why it cannot be used, or None.
     """
 
-    def __init__(self, place: Path | str | None = None) -> None:
+    def __init__(self, place: Path | str | None = None, among: Targets | None = None) -> None:
+        self._among = among
         self.trouble: RobosmiError | None = None
         self._history: History | None = None
         try:
@@ -222,7 +247,7 @@ class ForgivingHistory:
     def choices(self, part_id: str, title: str) -> dict[str, int]:
         """See `ranking.Choices`."""
         try:
-            return self._history.choices(part_id, title) if self._history is not None else {}
+            return self._history.choices(part_id, title, self._among) if self._history is not None else {}
         except RobosmiError as error:
             self.trouble, self._history = error, None
             return {}
@@ -230,7 +255,7 @@ class ForgivingHistory:
     def choices_for_model(self, model: str) -> dict[str, int]:
         """See `ranking.Choices`."""
         try:
-            return self._history.choices_for_model(model) if self._history is not None else {}
+            return self._history.choices_for_model(model, self._among) if self._history is not None else {}
         except RobosmiError as error:
             self.trouble, self._history = error, None
             return {}
@@ -238,6 +263,18 @@ class ForgivingHistory:
 
 def _key(entry: HistoryEntry, *more: str) -> Values:
     return {name: getattr(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
+
+
+def _counted(rows: Iterable[Sequence[Any]], among: Targets | None) -> dict[str, int]:
+    """Rows of library, target and count, added up for the targets that count."""
+    listed = list(rows)
+    if among is not None:
+        own = [row for row in listed if row[1] == among.name]
+        listed = own or [row for row in listed if not row[1] or among.alike(row[1])]
+    counts: dict[str, int] = {}
+    for library, _, count in listed:
+        counts[library] = counts.get(library, 0) + int(count)
+    return _ordered(counts.items())
 
 
 def _ordered(pairs: Iterable[tuple[str, int]]) -> dict[str, int]:

@@ -68,6 +68,19 @@ def test_history_chooses_where_nobody_said_anything(line_follower: Path, tmp_pat
     assert (choice["library"], choice["chosen_by"]) == ("ServoEasing", "history")
 
 
+def test_history_of_a_target_with_other_libraries_does_not_choose(line_follower: Path, tmp_path: Path) -> None:
+    without(line_follower.parent / "robosmi.toml", f'"{SERVO}"')
+    for target in ("avr-c", "a target that there is no more"):
+        History().record("3234DBDC80leg", "Basic Servo", "ServoEasing", target=target)
+    plan = plan_of(run("migrate", line_follower, "-o", tmp_path / "out", "--dry-run", "--json"))
+    assert library(plan, SERVO)["chosen_by"] == "rule"
+    candidates = run("recommend", line_follower.parent / "line_following_robot.fzz", "--json").result["recommendations"]
+    assert all(c["candidates"][0]["library"] != "ServoEasing" for c in candidates)
+    History().record("3234DBDC80leg", "Basic Servo", "ServoEasing", target="nano")
+    plan = plan_of(run("migrate", line_follower, "-o", tmp_path / "other", "--json"))
+    assert (library(plan, SERVO)["library"], library(plan, SERVO)["chosen_by"]) == ("ServoEasing", "history")
+
+
 def test_a_choice_of_one_run_is_history_for_the_next_and_counted_once(line_follower: Path, tmp_path: Path) -> None:
     for _ in range(3):
         assert run("migrate", line_follower, "-o", tmp_path / "out").code == 0

@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 
 from robosmi.errors import MissingToolError, SourceError, UsageError
 from robosmi.model import load_model, save_model
-from robosmi.recommend.history import ForgivingHistory, History, HistoryEntry, chosen_from_history, default_place
+from robosmi.recommend.history import ForgivingHistory, History, HistoryEntry, Targets, chosen_from_history, default_place
 from robosmi.recommend.history_exchange import SCHEMA, from_csv, from_json, to_csv, to_json
 from robosmi.transformations.chains.history import export_history, import_history
 from robosmi.transformations.t2m.history_model import history_to_model, model_to_history
@@ -48,6 +48,17 @@ def test_choices_are_counted_for_the_very_part(history: History) -> None:
     assert list(history.choices("p", "t").items()) == [("A", 2), ("B", 1)]
     assert HistoryEntry("p", "t", "A", 2, "2026-11-21") in history.entries(), "the later day is kept"
     assert len(history.entries()) == 4
+
+
+def test_choices_for_a_target_count_those_for_its_like_only_where_it_has_none(history: History) -> None:
+    for library, target in [("A", "uno"), ("A", "nano"), ("B", "nano"), ("B", "nano"), ("C", "other"), ("D", "")]:
+        history.record("p", "DHT22", library, target=target)
+    arduino = ("uno", "nano", "mega").__contains__
+    assert history.choices("p", "DHT22", Targets("uno", arduino)) == {"A": 1}
+    assert history.choices("p", "DHT22", Targets("mega", arduino)) == {"A": 2, "B": 2, "D": 1}
+    assert history.choices_for_model("dht22", Targets("mega", arduino)) == {"A": 2, "B": 2, "D": 1}
+    assert history.choices("p", "DHT22") == {"A": 2, "B": 2, "C": 1, "D": 1}
+    assert ForgivingHistory(history.place, Targets("other", arduino)).choices("p", "DHT22") == {"C": 1}
 
 
 def test_a_tie_is_no_choice(history: History) -> None:

@@ -1,9 +1,20 @@
-"""What a run says when the history of choices cannot be used: it goes on without, as if nothing had been chosen before."""
+"""Earlier choices for a target, and what a run says when they cannot be used: it goes on as if nothing had been chosen before."""
 
 from __future__ import annotations
 
 from robosmi.diagnostics import Finding, Severity
-from robosmi.recommend.history import ForgivingHistory
+from robosmi.recommend.history import ForgivingHistory, Targets
+from robosmi.transformations.knowledge.target_platform import TargetFacts, takes_libraries_of
+
+
+def earlier_choices(place: str | None, target: TargetFacts) -> ForgivingHistory:
+    """What was chosen before for a target; where that is nothing, for targets that take the same libraries.
+
+    Args:
+        place: a file or a URL; the user's own history if None.
+        target: the target.
+    """
+    return ForgivingHistory(place, Targets(target.target, lambda name: takes_libraries_of(name, target.libraries)))
 
 
 def history_findings(history: ForgivingHistory) -> list[Finding]:

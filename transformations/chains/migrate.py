@@ -26,7 +26,7 @@ from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
 from robosmi.transformations.chains.constraint_sets import added_findings
 from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
-from robosmi.transformations.chains.earlier import history_findings
+from robosmi.transformations.chains.earlier import earlier_choices, history_findings
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.program import StoredProgram, program_files, stored_program
@@ -155,9 +155,9 @@ def ranker(target: TargetFacts) -> Ranker | None:
     return made
 
 
-def earlier(history: str | None) -> ForgivingHistory:
-    """What was chosen before."""
-    return ForgivingHistory(history)
+def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
+    """What was chosen before for the target, or for others with the same libraries."""
+    return earlier_choices(history, target)
 
 
 def judgement(program: StoredProgram, target: TargetFacts) -> tuple[Dependence, Trace]:

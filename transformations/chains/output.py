@@ -267,7 +267,7 @@ def remember(made: Generated, place: str | None = None) -> None:
                 history.record(
                     component.partId, component.partTitle or component.title, choice.choice, component=component.title,
                     version=choice.chosen.version if choice.chosen is not None else "",
-                    target=made.models.plan.board.name if made.models.plan.board is not None else "",
+                    target=made.models.plan.targetDescription.name if made.models.plan.targetDescription is not None else "",
                 )  # fmt: skip
     except RobosmiError as error:
         made.notes.append(

@@ -13,9 +13,8 @@ from robosmi.plugins import content
 from robosmi.project import defaults
 from robosmi.query import Q
 from robosmi.recommend.component import ComponentQuery, read_components
-from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Recommendation
-from robosmi.transformations.chains.earlier import history_findings
+from robosmi.transformations.chains.earlier import earlier_choices, history_findings
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import component_query
@@ -87,6 +86,6 @@ def recommend(
     if not facts.libraries:
         raise UsageError(f"the target '{facts.target}' has no libraries", fix="give another --target")
     rank = content("ranker", ranker or defaults()["rank"]["ranker"])(facts.libraries, architecture=facts.architecture)
-    earlier = ForgivingHistory(history)
+    earlier = earlier_choices(history, facts)
     answers = [rank.rank(query, earlier) for query in queries]
     return Recommendations(queries, answers, [*findings, *history_findings(earlier)])

@@ -188,6 +188,20 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     return TargetFacts(model, bool(table.values.get("any_board", False)))
 
 
+def takes_libraries_of(target: str, index: str, project: Path | None = None) -> bool:
+    """Whether a target takes its libraries from an index; no for one that there is no more.
+
+    Args:
+        target: name of a target, or a board's full name.
+        index: the platform whose index it is.
+        project: the project folder; the current folder if None.
+    """
+    try:
+        return _entry(target, project)[0].text("libraries", "") == index
+    except (UsageError, PlatformDataError):
+        return False
+
+
 def _known(table: DataTable, key: str, known: Collection[str]) -> str:
     value = table.text(key)
     if value not in known:
