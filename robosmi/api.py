@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.plugins import content
-from robosmi.project import defaults
 
 
 def load_code(
@@ -31,9 +30,8 @@ def load_code(
     Raises:
         SourceError: a file cannot be read as a program.
     """
-    platform = source_platform or defaults()["migrate"]["source_platform"]
     paths = [Path(f) for f in files]
-    return content("chain", "analyse")(paths, source_platform=platform, include_dirs=include_dirs, defines=defines).program
+    return content("chain", "analyse")(paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines).program
 
 
 def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None) -> Any:

@@ -1,8 +1,8 @@
 """Where data files come from: the one place that knows the search order.
 
-Order (first hit wins): `.robosmi/<kind>` in the project folder, each folder of `ROBOSMI_PATH` + `/<kind>`, the user's
-data folder, the data built into the package. So a user overrides a template or adds a board without forking. This
-module reads no data itself and caches nothing but the built-in folders.
+Order (first hit wins): `.robosmi/<kind>` in the project folder (that of a run's first input, else the current folder), each
+folder of `ROBOSMI_PATH` + `/<kind>`, the user's data folder, the data built into the package. So a user overrides a template or
+adds a board without forking. This module reads no data itself and caches nothing but the built-in folders.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from functools import cache
 from pathlib import Path
 
 from robosmi.errors import PlatformDataError
-from robosmi.user_folders import cache_dir, named, user_data
+from robosmi.user_folders import OWN, cache_dir, named, project_folder, project_of_input, user_data
 
-__all__ = ["KINDS", "built_in", "cache_dir", "find", "folders", "named", "user_data"]
+__all__ = ["KINDS", "built_in", "cache_dir", "find", "folders", "named", "project_of_input", "user_data"]
 
 KINDS = ("metamodels", "templates", "platform_repo")
 """The kinds of data there are; each is a folder of the package of that name."""
@@ -54,7 +54,7 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
     """As texts, since a migration asks some seventy times."""
     if kind not in KINDS:
         raise ValueError(f"no kind of data is called '{kind}'")
-    own = [os.path.join(project or os.getcwd(), ".robosmi"), *named()]
+    own = [os.path.join(project or project_folder(), OWN), *named()]
     for root in own:
         if os.path.isdir(folder := os.path.join(root, kind)):
             if kind == "templates" and root is own[0] and root not in own[1:]:

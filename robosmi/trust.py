@@ -19,9 +19,8 @@ from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.inputs import DATA, RECORD, read_bytes
+from robosmi.user_folders import OWN
 
-OWN = ".robosmi"
-"""The folder of a project that is merely found, as the current folder is the project."""
 RUNS = {"templates": "", "platform_repo": ".toml"}
 """The folders of a `.robosmi` with files that run, or name programs and their arguments; and the ending of those files."""
 
@@ -130,7 +129,7 @@ def acting(project: Path | None = None) -> Iterator[None]:
     Raises:
         SourceError: nobody has trusted the data of that folder, or it was changed since.
     """
-    demand((project or Path.cwd()) / OWN, "platform_repo")
+    demand(Path(project or user_folders.project_folder()) / OWN, "platform_repo")
     with inputs.checked(check):
         yield
 

@@ -1,4 +1,4 @@
-"""The user's folders on this machine: own data, what can be made again, and the folders of `ROBOSMI_PATH`.
+"""The user's folders on this machine: own data, what can be made again, the folders of `ROBOSMI_PATH`, the project's.
 
 What lies in them and in which order it is looked for is `resources`' business, what of it may run `trust`'s.
 """
@@ -6,7 +6,14 @@ What lies in them and in which order it is looked for is `resources`' business, 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
+
+OWN = ".robosmi"
+"""The folder of a project with data of its own."""
+_project: ContextVar[str] = ContextVar("robosmi_project", default="")
 
 
 def user_data() -> Path:
@@ -35,3 +42,27 @@ def cache_dir() -> Path:
 def named() -> list[str]:
     """The folders with data that the user has named: those of `ROBOSMI_PATH`, then the user's own."""
     return [*(place for place in os.environ.get("ROBOSMI_PATH", "").split(os.pathsep) if place), _user_data()]
+
+
+@contextmanager
+def project_of_input(first: str | Path) -> Iterator[None]:
+    """Within this, the project is the folder of a run's first input, where that has data of its own.
+
+    Args:
+        first: the first file that a command is given, or a folder.
+    """
+    path = os.path.abspath(first)
+    folder = path if os.path.isdir(path) else os.path.dirname(path)
+    if not os.path.isdir(os.path.join(folder, OWN)):
+        yield
+        return
+    before = _project.set(folder)
+    try:
+        yield
+    finally:
+        _project.reset(before)
+
+
+def project_folder() -> str:
+    """The folder whose `.robosmi` counts before all other data: see `project_of_input`; else the current folder."""
+    return _project.get() or os.getcwd()

@@ -8,7 +8,7 @@ from pathlib import Path
 from robosmi.cli.common import add_source_options, write_model
 from robosmi.cli.progress import progress
 from robosmi.plugins import content
-from robosmi.project import defaults, project_of
+from robosmi.project import project_of
 from robosmi.report import Report
 
 
@@ -22,11 +22,10 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("analyse")
     project = project_of(arguments.files[0])
-    platform = arguments.source_platform or project.source_platform or defaults()["migrate"]["source_platform"]
     with progress() as told:
         done = content("chain", "analyse")(
             arguments.files,
-            source_platform=platform,
+            source_platform=arguments.source_platform or project.source_platform,
             include_dirs=arguments.include_dirs,
             defines=arguments.defines,
             progress=told,

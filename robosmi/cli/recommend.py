@@ -7,7 +7,7 @@ from pathlib import Path
 
 from robosmi.errors import UsageError
 from robosmi.plugins import content
-from robosmi.project import defaults, project_of
+from robosmi.project import project_of
 from robosmi.report import Report
 
 
@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace) -> Report:
     done = content("chain", "recommend")(
         arguments.sketch,
         components=arguments.components,
-        ranker=arguments.ranker or defaults()["rank"]["ranker"],
+        ranker=arguments.ranker,
         roles=project.roles,
         history=arguments.history,
     )

@@ -163,3 +163,20 @@ def test_python_m_takes_no_plug_in_from_the_current_folder(tmp_path: Path) -> No
 @pytest.mark.parametrize("words", [["migrate", "a.c"], ["generate", "plan.xmi"], ["metamodels", "generate", "a.ecore"]])
 def test_an_output_folder_without_a_name_is_refused(words: list[str], project: Path) -> None:
     assert main([*words, "-o", ""]) == 2
+
+
+def test_templates_beside_the_program_run_only_when_trusted_wherever_the_command_is_run(
+    line_follower: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    own = line_follower.parent / ".robosmi" / "templates" / "arduino" / "sketch.ino.j2"
+    own.parent.mkdir(parents=True)
+    built_in = resources.built_in("templates") / "arduino" / "sketch.ino.j2"
+    own.write_text("// of the project\n" + built_in.read_text())
+    words = ["migrate", str(line_follower), "-o", str(tmp_path / "out")]
+    assert main(words) == 3
+    assert f"robosmi trust {line_follower.parent}" in capsys.readouterr().err
+    assert main(["trust", str(line_follower.parent)]) == 0
+    assert main(words) == 0
+    assert (tmp_path / "out" / "line_follower" / "line_follower.ino").read_text().startswith("// of the project\n")

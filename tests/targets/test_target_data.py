@@ -113,3 +113,31 @@ def test_what_tone_takes_is_the_microcontrollers(tmp_path: Path, board: str, los
     made = robosmi.migrate([PROGRAM.parent / "speaker" / "beacon.c"], tmp_path / "out", target=board)
     said = [f.message for f in made.findings if f.rule == "RS264"]
     assert any("Timer3" in message and "tone()" in message for message in said) == lost, said
+
+
+@pytest.mark.parametrize("word", ["migrate", "analyse", "recommend", "hardware", "check"])
+def test_the_data_beside_the_first_file_count_wherever_a_command_is_run(
+    word: str, project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    say(project, "[rank]\ncandidates = many\n")  # damaged, so that whoever reads it says so
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    file = project / ("wiring.csv" if word in ("recommend", "hardware", "check") else "beacon.c")
+    outcome = run(word, file, *(["-o", tmp_path / "out"] if word == "migrate" else []))
+    assert outcome.code == 3
+    assert str(project / ".robosmi") in outcome.err
+
+
+def test_the_data_of_the_current_folder_count_where_the_program_has_none(
+    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    say(tmp_path / "elsewhere", '[targets.my-nano]\nplatform = "arduino"\nboard = "nano"\n')
+    outcome = run("migrate", project / "beacon.c", "--target", "my-nano", "--dry-run", "-o", tmp_path / "out")
+    assert outcome.code in (0, 1), outcome.err
+    say(project, '[targets.my-mega]\nplatform = "arduino"\nboard = "mega"\n')
+    outcome = run("migrate", project / "beacon.c", "--target", "my-nano", "--dry-run", "-o", tmp_path / "out")
+    assert outcome.code == 2
+    outcome = run("migrate", project / "beacon.c", "--target", "my-mega", "--dry-run", "-o", tmp_path / "out")
+    assert outcome.code in (0, 1), outcome.err

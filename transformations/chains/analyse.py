@@ -12,6 +12,8 @@ from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
+from robosmi.project import defaults
+from robosmi.resources import project_of_input
 from robosmi.transformations.chains.reading import check_source_platform, read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
@@ -56,14 +58,15 @@ def analysis_chain() -> Chain:
     return chain
 
 
-def source_api(source_platform: str) -> ApiIndex:
+def source_api(source_platform: str | None) -> ApiIndex:
     """What is known of the platform that the program was written for.
 
     Raises:
         UsageError: there is no such platform.
     """
-    check_source_platform(source_platform)
-    return ApiIndex.load(source_platform)
+    name = source_platform or str(defaults()["migrate"]["source_platform"])
+    check_source_platform(name)
+    return ApiIndex.load(name)
 
 
 def read_program_and_findings(
@@ -86,7 +89,7 @@ def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex) -> Analys
 def analyse(
     paths: Sequence[Path],
     *,
-    source_platform: str,
+    source_platform: str | None = None,
     include_dirs: Sequence[Path] = (),
     defines: Sequence[str] = (),
     progress: Progress | None = None,
@@ -96,7 +99,7 @@ def analyse(
 
     Args:
         paths: the files.
-        source_platform: name of the platform it was written for.
+        source_platform: name of the platform it was written for; that of the defaults if None.
         include_dirs: folders with headers.
         defines: macros defined from outside.
         progress: told of each step.
@@ -109,6 +112,6 @@ def analyse(
     run = (chain or analysis_chain()).start(
         progress=progress, paths=paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines
     )
-    with read_once():
+    with project_of_input(paths[0]), read_once():
         made: Analysis = run.value("analysis")
     return made

@@ -16,6 +16,7 @@ from robosmi.model import EmfModel, Model, load_model, open_model
 from robosmi.plugins import registry
 from robosmi.project import project_of
 from robosmi.query import root_of
+from robosmi.resources import project_of_input
 from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
@@ -52,7 +53,11 @@ def check(path: str | Path) -> Checked:
         SourceError: it cannot be read.
         ModelError: it contradicts its metamodel.
     """
-    file = Path(path)
+    with project_of_input(path):
+        return _checked(Path(path))
+
+
+def _checked(file: Path) -> Checked:
     done = Checked()
     if is_drawing(file):
         read = read_drawing(file, project_of(file).roles)

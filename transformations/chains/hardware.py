@@ -13,6 +13,7 @@ from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
+from robosmi.resources import project_of_input
 from robosmi.transformations.chains.reading import Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, the_board
@@ -140,6 +141,6 @@ def hardware(
         SourceError: it cannot be read, or has no board.
     """
     run = (chain or hardware_chain()).start(progress=progress, path=path, roles=roles or {})
-    with read_once():
+    with project_of_input(path), read_once():
         made: HardwareAnalysis = run.value("analysis")
     return made

@@ -23,6 +23,7 @@ from robosmi.plugins import content
 from robosmi.project import Project, defaults, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
+from robosmi.resources import project_of_input
 from robosmi.transform import Trace
 from robosmi.transformations.chains.constraint_sets import added_findings
 from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
@@ -277,7 +278,7 @@ def plan_migration(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, history=history,
     )  # fmt: skip
-    with read_once():
+    with project_of_input(files[0]), read_once():
         made: MigrationModels = run.value("models")
     return made
 
@@ -332,12 +333,13 @@ def migrate(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, history=history,
     )  # fmt: skip
-    with read_once():
-        models: MigrationModels = run.value("models")
-        left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
-        if ask is not None and left and (answers := ask(left)):
-            run.give(libraries={**chosen, **answers})
-            models = run.value("models")
-    made = produce(models, Path(output), dry_run=dry_run, strict=strict)
+    with project_of_input(files[0]):
+        with read_once():
+            models: MigrationModels = run.value("models")
+            left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
+            if ask is not None and left and (answers := ask(left)):
+                run.give(libraries={**chosen, **answers})
+                models = run.value("models")
+        made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made, history)
     return made

@@ -14,6 +14,7 @@ from robosmi.project import defaults
 from robosmi.query import Q
 from robosmi.recommend.component import ComponentQuery, read_components
 from robosmi.recommend.ranking import Recommendation
+from robosmi.resources import project_of_input
 from robosmi.transformations.chains.earlier import earlier_choices, history_findings
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.knowledge.target_platform import target_facts
@@ -71,12 +72,20 @@ def recommend(
         SourceError: the input cannot be read, or is a drawing without a board.
         UsageError: there is no such ranker or target.
     """
+    with project_of_input(components or sketch or "."):
+        return _ranked(sketch, components, ranker, target, roles or {}, history)
+
+
+def _ranked(
+    sketch: Path | None, components: Path | None, ranker: str | None, target: str | None, roles: Mapping[str, str],
+    history: str | None,
+) -> Recommendations:  # fmt: skip
     findings: list[Finding] = []
     if components is not None:
         queries = list(read_components(components))
     else:
         assert sketch is not None
-        drawing = read_drawing(sketch, roles or {})
+        drawing = read_drawing(sketch, roles)
         if not boards(drawing.circuit):
             the_board(drawing.circuit)  # says what is missing
         findings = drawing.findings
