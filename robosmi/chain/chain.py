@@ -24,6 +24,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -187,14 +188,15 @@ class Chain:
 
         Args:
             name: the step's name, or that of the value that it makes.
-            function: as for `call`.
+            function: as for `call`. What it returns is held against what the first function says that it returns.
 
         Raises:
             SourceError: there is no such step of values.
         """
         for number, step in enumerate(self.steps):
             if step.kind == CALL and name in (step.name, step.makes):
-                self.steps[number] = self._call(function, step.makes, step.name)
+                first = step.instead_of or step.function
+                self.steps[number] = replace(self._call(function, step.makes, step.name), instead_of=first)
                 return
         known = [step.name for step in self.steps if step.kind == CALL]
         raise SourceError(

@@ -15,10 +15,11 @@ from typing import Any
 
 import robosmi
 from robosmi.chain.graph import Dependencies
+from robosmi.chain.results import described, unlike
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location
-from robosmi.errors import SourceError, StoppedError, did_you_mean
+from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
 
 Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
@@ -87,6 +88,7 @@ class ChainRun:
         progress: Progress | None = None,
     ) -> None:
         self.ordered, self.graph, self.folder = ordered, graph, folder if folder is not None else Path()
+        self.name = name
         self.dry_run, self.keep, self.force, self.progress = dry_run, keep, force, progress
         self.state = State(folder / ".robosmi" / "chains" / f"{name}.json" if folder is not None else None)
         self.makers = {step.makes: step for step in ordered if step.makes}
@@ -232,8 +234,7 @@ class ChainRun:
         """Do a step, with the models that it needs."""
         models = {name: self.model(name) for name in step.models}
         if step.kind == CALL:
-            assert step.function is not None
-            made = step.function(**models)
+            made = self._called(step, models)
             if self.state.path is None:
                 self._set(step.makes, made)
             else:
@@ -248,6 +249,37 @@ class ChainRun:
         if self.dry_run and result.state == "done":
             result.state = "would run"
         return result
+
+    def _called(self, step: Step, models: dict[str, Any]) -> Any:
+        """What a step of values makes.
+
+        Raises:
+            RuleError: another function was put in the place of this step or of one before it, and fails or makes something else.
+        """
+        assert step.function is not None
+        own = [s for s in self.ordered if s.instead_of is not None]
+        try:
+            made = step.function(**models)
+        except RobosmiError:
+            raise
+        except Exception as error:
+            before = self.graph.needed([f"model {step.makes}"]) if own else set()
+            if not (named := [f"'{s.name}'" for s in own if f"step {s.name}" in before]):
+                raise
+            from robosmi.query.erl import failed
+
+            what = f"the step '{step.name}' of the chain '{self.name}', in which {' and '.join(named)} was replaced,"
+            raise failed(error, what, step.function) from error
+        if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
+            from robosmi.query.erl import place_of
+
+            first = f"{step.instead_of.__module__}.{step.instead_of.__qualname__}"
+            raise RuleError(
+                f"the function in the place of the step '{step.name}' made {described(made)} for '{step.makes}'; "
+                f"expected is {expected}",
+                location=place_of(step.function), fix=f"return what {first} returns",
+            )  # fmt: skip
+        return made
 
     def model(self, name: str) -> Any:
         """A model or value, made by its step or read from the file that the step has made."""

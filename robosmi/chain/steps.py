@@ -41,6 +41,7 @@ class Step:
         code: the files that the function comes from.
         greatest: the worst severity of findings with which a `validate` lets the next steps go on.
         place: where it is declared, for errors.
+        instead_of: the function that this one was put in the place of (`Chain.replace`), which says what is to be made; or None.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Step:
     reads: tuple[Path, ...] = ()
     code: tuple[Path, ...] = ()
     greatest: Severity = Severity.warning
+    instead_of: Callable[..., Any] | None = None
 
     def inputs(self) -> list[Path]:
         """The files and folders that it reads, but for those of its models."""

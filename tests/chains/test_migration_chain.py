@@ -10,17 +10,19 @@ import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import pytest
 
+from robosmi.chain.results import named
 from robosmi.chain.steps import Step, StepResult
+from robosmi.errors import RuleError
 from robosmi.metamodels import migration
 from robosmi.project import Project, defaults
 from robosmi.transformations.chains import migrate as chain_module
 from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.hardware import hardware, hardware_chain
-from robosmi.transformations.chains.migrate import migrate, migration_chain, plan_migration
+from robosmi.transformations.chains.migrate import library_decisions, migrate, migration_chain, plan_migration
 from robosmi.transformations.m2m.library_choice import LibraryModels
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -153,6 +155,64 @@ def test_a_step_can_be_another_persons() -> None:
     assert {c.choice for c in usual.libraryChoices} != {"none"}
     assert [d.action for d in plan.dispositions] == [d.action for d in usual.dispositions]
     assert [b.choice for b in plan.portBindings] == [b.choice for b in usual.portBindings]
+
+
+def _none(drawing: Any) -> Any:
+    return None
+
+
+def _half(drawing: Any) -> Any:
+    return [], "no libraries"
+
+
+def _no_choices(drawing: Any, board: Any, target: Any) -> Any:
+    return [7], LibraryModels(target, board)
+
+
+def _raises(drawing: Any) -> Any:
+    return drawing["hardware"]
+
+
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (_none, "made None for 'library_decisions'; expected is tuple[list[LibraryChoice], LibraryModels]"),
+        (_half, "made a tuple of 2 (list, str) for 'library_decisions'; expected is tuple"),
+        (_no_choices, "the step 'put the plan together' of the chain 'migrate', in which 'choose libraries' was replaced, fails"),
+        (_raises, "the step 'choose libraries' of the chain 'migrate', in which 'choose libraries' was replaced, fails"),
+    ],
+)
+def test_what_a_persons_step_makes_wrong_is_said_with_the_step_and_what_is_expected(function: Any, said: str) -> None:
+    chain = migration_chain()
+    chain.replace("choose libraries", function)
+    with pytest.raises(RuleError) as wrong:
+        plan_migration([FOLLOWER / "line_follower.c"], chain=chain)
+    assert said in str(wrong.value)
+    assert "do: " in str(wrong.value)
+
+
+def test_the_page_says_what_each_step_makes() -> None:
+    page = (ROOT / "docs" / "how-to" / "change-a-step.md").read_text(encoding="utf-8")
+    rows = [f"| {s.name} | `{s.makes}` | `{named(get_type_hints(s.function)['return'])}` |" for s in _calls()]
+    assert re.findall(r"^\| [^|]+ \| `[^|]+` \| `[^|]+` \|$", page, re.MULTILINE) == rows
+
+
+def _calls() -> list[Step]:
+    return [step for step in migration_chain().steps if step.function is not None]
+
+
+def test_a_step_that_was_not_replaced_is_not_wrapped() -> None:
+    chain = migration_chain()
+    chain.replace("choose libraries", library_decisions)
+    chain.replace("open the history", _raises_at_once)
+    with pytest.raises(RuleError, match="'open the history' was replaced"):
+        plan_migration([FOLLOWER / "line_follower.c"], chain=chain)
+    with pytest.raises(TypeError):
+        plan_migration([FOLLOWER / "line_follower.c"], bind=7)  # type: ignore[arg-type]
+
+
+def _raises_at_once() -> Any:
+    raise ZeroDivisionError
 
 
 def test_the_examples_of_the_page_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
