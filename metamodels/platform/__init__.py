@@ -230,6 +230,12 @@ class Platform(Element, metaclass=MetaEClass):
     """Version of the target's core that a project names."""
     mainHeader: str = EAttribute(eType=EString, default_value="")
     """Header that every program of the platform includes."""
+    pinFunctions: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
+    """Some functions or registers with which programs of a target platform use pins and time, named in advice."""
     standardHeaders: MutableSequence[str] = EAttribute(
         eType=EString,
         upper=-1,
@@ -280,6 +286,7 @@ class Platform(Element, metaclass=MetaEClass):
             architecture: str | None = None,
             coreVersion: str | None = None,
             mainHeader: str | None = None,
+            pinFunctions: Iterable[str] | None = None,
             standardHeaders: Iterable[str] | None = None,
             widths: Iterable[TypeWidth] | None = None,
             names: ReservedNames | None = None,

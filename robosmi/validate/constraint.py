@@ -71,7 +71,7 @@ class Constraint:
         fixes: ways to repair it.
         severity: how bad it is.
         id: stable id of the rule in findings; the name if None was given.
-        advice: what to do, in words.
+        advice: what to do, a text or a function; where no fix says it.
         location: where an element is, or None.
         terminate: whether it is not evaluated any more once it has failed.
     """
@@ -87,7 +87,7 @@ class Constraint:
     fixes: Sequence[Fix] = ()
     severity: Severity = Severity.error
     id: str = ""
-    advice: str | None = None
+    advice: str | Callable[..., str] | None = None
     location: Callable[[Any], Location | None] | None = None
     terminate: bool = False
 

@@ -157,7 +157,9 @@ class Evaluation:
             if key in self._found:
                 return
             self._found.add(key)
-            found = Unsatisfied(constraint, element, message, default, dict(said.extras))
+            what = ("the advice", constraint.advice)
+            advice = told(constraint.advice, element)
+            found = Unsatisfied(constraint, element, message, default, dict(said.extras), advice=advice)
             self.result.unsatisfied.append(found)
             for fix in (*said.fixes, *constraint.fixes):
                 what = ("a fix's guard or title", fix.guard if callable(fix.guard) else fix.title)

@@ -77,6 +77,7 @@ class Unsatisfied:
         extras: values that the check kept.
         fixes: the fixes that apply.
         fixed: whether one of them was applied.
+        advice: what to do, or None.
     """
 
     constraint: Constraint
@@ -86,6 +87,7 @@ class Unsatisfied:
     extras: dict[str, Any] = field(default_factory=dict)
     fixes: list[OfferedFix] = field(default_factory=list)
     fixed: bool = False
+    advice: str | None = None
 
     @property
     def name(self) -> str:
@@ -168,7 +170,7 @@ class Validation:
         for u in self.unsatisfied:
             c = u.constraint
             located = c.location(u.element) if c.location is not None and u.element is not None else None
-            advice = c.advice or (u.fixes[0].title if u.fixes else None)
+            advice = u.advice or (u.fixes[0].title if u.fixes else None)
             evidence = {k: v if isinstance(v, (str, int, float, bool)) or v is None else str(v) for k, v in u.extras.items()}
             found.append(Finding(c.id, u.severity, u.message, located, self.place(u), advice, evidence))
         return found

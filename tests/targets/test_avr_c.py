@@ -93,6 +93,21 @@ def test_programs_compile_as_c(case: Path, tmp_path: Path) -> None:
     assert report.ok
 
 
+@pytest.mark.parametrize("rule", ["RS320", "RS321", "RS323", "RS324"])
+def test_advice_is_that_of_the_target(rule: str, tmp_path: Path) -> None:
+    program = HERE.parent / "transformations" / "constraints" / "moves" / f"{rule}_fails.c"
+    words = {"RS320": ("pinMode", "DDRB"), "RS321": ("from loop", "from main"), "RS323": ("let loop", "let main")}
+    said = {}
+    for target in ("uno", "avr-c"):
+        outcome = run("migrate", program, "--target", target, "-o", tmp_path / target, "--json")
+        found = next(f for f in outcome.document["findings"] + outcome.document["tasks"] if f["rule"] == rule)
+        said[target] = f"{found['message']} / {found['fix']}"
+    first, other = words.get(rule, ("the sketch includes", "the program includes"))
+    assert first in said["uno"]
+    assert first not in said["avr-c"]
+    assert other in said["avr-c"]
+
+
 def test_a_library_cannot_be_chosen_where_there_are_none(examples: Path, tmp_path: Path) -> None:
     program = examples / "line_follower" / "line_follower.c"
     with pytest.raises(UsageError, match="a library is chosen, and the target 'avr-c' has none"):

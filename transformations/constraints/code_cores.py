@@ -14,6 +14,7 @@ from robosmi.query import all_contents
 from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
 from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
+from robosmi.transformations.queries.plan import called
 from robosmi.validate import Fail
 
 
@@ -55,9 +56,15 @@ def _register(use: Any) -> Any:
     return Fail(f"{use.name} is a register of {m.source.name}{said}; nothing on the target follows its placeholder")
 
 
+def _own_functions() -> str:
+    """What to do with a register: an advice that names some functions of the target."""
+    some = ", ".join(the_move().target.pinFunctions)
+    return f"write what is meant with functions of the target{f' ({some} ...)' if some else ''}"
+
+
 @references.constraint(
     id="RS320", severity=Severity.warning, location=place,
-    advice="write what is meant with functions of the target (pinMode, digitalWrite, micros ...)",
+    advice=_own_functions,
     guard=lambda r: int(r.startOffset) not in the_move().expansions,
 )  # fmt: skip
 def IsNoRegister(reference: ccode.NameReference) -> Any:
@@ -67,7 +74,7 @@ def IsNoRegister(reference: ccode.NameReference) -> Any:
 
 @expanded.constraint(
     id="RS320", severity=Severity.warning, location=place,
-    advice="write what is meant with functions of the target (pinMode, digitalWrite, micros ...)",
+    advice=_own_functions,
 )  # fmt: skip
 def StandsForNoRegister(use: ccode.MacroUse) -> Any:
     """No macro that stands for a register of the source platform is used."""
@@ -75,7 +82,8 @@ def StandsForNoRegister(use: ccode.MacroUse) -> Any:
 
 
 @starts.constraint(
-    id="RS321", severity=Severity.warning, location=place, advice="call it from loop, in steps that do not wait",
+    id="RS321", severity=Severity.warning, location=place,
+    advice=lambda: f"call it from {the_move().loop}, in steps that do not wait",
 )  # fmt: skip
 def RunsOnItsOwn(call: ccode.Call) -> Any:
     """The program starts nothing on a core of its own."""
@@ -115,7 +123,7 @@ def _is_busy(element: Any) -> bool:
 
 @loops.constraint(
     id="RS323", severity=Severity.warning, location=place,
-    advice="let loop do the other work meanwhile, and test the condition each time",
+    advice=lambda: f"let {the_move().loop} do the other work meanwhile, and test the condition each time",
 )  # fmt: skip
 def EndsByItself(loop: ccode.Loop) -> Any:
     """No loop waits for what only code on another core can change."""
@@ -149,6 +157,6 @@ def IncludesWhatItUses(unit: ccode.SourceUnit) -> Any:
             first.setdefault(function.header, function.calls[0])
     said = [f"{', '.join(names[h])} (<{h}>)" for h in added if names[h]]
     return not said or together(
-        f"of the standard library are used and not included: {'; '.join(said)}; the sketch includes what they need",
+        f"of the standard library are used and not included: {'; '.join(said)}; the {called(m.plan)} includes what they need",
         sorted(first.values(), key=lambda e: int(e.startOffset)),
     )

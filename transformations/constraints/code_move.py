@@ -25,6 +25,7 @@ from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.numbers import Machine, Numbers
+from robosmi.transformations.queries.plan import keeps_main
 from robosmi.transformations.queries.ranges import Ranges
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
@@ -112,9 +113,14 @@ class Move:
 
     @cached_property
     def added_headers(self) -> list[str]:
-        """Standard headers that the sketch includes and the program does not."""
+        """Standard headers that the moved program includes and the program does not."""
         marks = ((s.placeholder or "", s) for s in self.plan.symbolUses)
         return [text.removeprefix("#include <").rstrip(">") for text, _ in marks if text.startswith("#include <")]
+
+    @property
+    def loop(self) -> str:
+        """Where programs of the target do again and again what they do."""
+        return "main" if keeps_main(self.plan) else "loop"
 
     def view(self, unit: ccode.SourceUnit) -> CodeView:
         """The view of a unit."""
@@ -238,6 +244,6 @@ def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
         message += f"; and {len(same) - 1} more of this kind in the file ({in_lines(u.element for u in same)})"
     return migration.PlanFinding(
         rule=first.constraint.id, severity=getattr(migration.SeverityLevel, first.severity.name), message=message, path=path,
-        fix=first.constraint.advice or "", line=located.line if located is not None else 0,
+        fix=first.advice or "", line=located.line if located is not None else 0,
         column=located.column if located is not None else 0, elements=elements,
     )  # fmt: skip

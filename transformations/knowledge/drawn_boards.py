@@ -84,18 +84,18 @@ _SILK = re.compile(r"(?i)(?:([ad]) ?)(\d{1,2})(?=$|[ /_(~]|[rt]x|pwm)(?![ _]?gnd
 _SERIAL = {"rx-i": "D0", "rxi": "D0", "rx": "D0", "tx-o": "D1", "txo": "D1", "tx": "D1"}
 
 
-def normalised_label(name: str, arduino: bool = True) -> str:
+def normalised_label(name: str, numbered: bool = True) -> str:
     """The pin label that a connector's name stands for, or an empty text if it is no signal.
 
     Args:
         name: the name in the drawing ("D10 PWM/SS", "AD4/SDA", "~9").
-        arduino: whether RX and TX are D0 and D1; otherwise what is printed on the board is taken as it is, but for numbered
-            pins (`A0/D14` is A0, `GPIO 17` is GPIO17).
+        numbered: whether all pins bear numbers, so that RX and TX are D0 and D1; otherwise what is printed on the board is taken
+            as it is, but for numbered pins (`A0/D14` is A0, `GPIO 17` is GPIO17).
     """
     text = " ".join(name.split())
     if not text or _NOT_PINS.fullmatch(text):
         return ""
-    if not arduino:
+    if not numbered:
         if gpio := _GPIO.fullmatch(text):
             return f"GPIO{int(gpio[1])}"
         silk = _SILK.match(text)

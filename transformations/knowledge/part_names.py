@@ -70,8 +70,8 @@ class PartNames:
     either: Phrases
     read_on_analog: Phrases
     not_read_on_analog: Phrases
-    arduino_labels: Phrases
-    not_arduino_labels: Phrases
+    numbered_labels: Phrases
+    not_numbered_labels: Phrases
     device_properties: frozenset[str] = frozenset()
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
@@ -177,8 +177,8 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         either=_phrases(either.get("words", ())),
         read_on_analog=_phrases(either.get("read_on_analog", ())),
         not_read_on_analog=_phrases(either.get("not_read_on_analog", ())),
-        arduino_labels=_phrases(boards.get("arduino_labels", ())),
-        not_arduino_labels=_phrases(boards.get("not_arduino_labels", ())),
+        numbered_labels=_phrases(boards.get("arduino_labels", ())),
+        not_numbered_labels=_phrases(boards.get("not_arduino_labels", ())),
         device_properties=frozenset(table.get("drawn", {}).get("device", ())),
         generated=tuple(table.get("generated", ())),
     )

@@ -288,6 +288,7 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
             architecture=data["architecture"],
             coreVersion=data["core"],
             mainHeader=data["include"],
+            pinFunctions=data.get("pin_functions", ()),
             standardHeaders=data["standard_headers"],
             widths=[platform.TypeWidth(sourceType=wide, targetType=kept) for wide, kept in data["widths"].items()],
             names=_names(folder, project),

@@ -70,7 +70,7 @@ class KnownPart:
     Attributes:
         part: its description, with a role where one is known.
         board: the board that it is drawn as, if any.
-        arduino: whether its pins are labelled as Arduino labels them.
+        numbered: whether its pins bear numbers alone, RX and TX too.
         by_bus: it joins connectors only where a bus of its own does (breadboards, headers): only those in use become elements.
         defined: whether the catalogue or the drawing defines it.
         leaders: for each connector that it joins to others, the one that stands for all of them.
@@ -78,7 +78,7 @@ class KnownPart:
 
     part: Part
     board: DrawnBoard | None
-    arduino: bool
+    numbered: bool
     by_bus: bool
     defined: bool
     leaders: dict[str, str]
@@ -152,7 +152,7 @@ class CircuitBuilder:
         return KnownPart(
             part=part,
             board=board,
-            arduino=board is not None or (about in self.names.arduino_labels and about not in self.names.not_arduino_labels),
+            numbered=board is not None or (about in self.names.numbered_labels and about not in self.names.not_numbered_labels),
             by_bus=part.role == "Passive" and conducts_by_bus_only(part.family, self.names, part.title),
             defined=found is not None,
             leaders=bus_leaders(part),
@@ -281,7 +281,7 @@ class CircuitBuilder:
             return ""
         if known.board is not None:
             return known.board.pins.get(fact.id, "")
-        return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.arduino)
+        return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.numbered)
 
     def _report_part(self, placed: Placed, known: KnownPart, part: Part) -> None:
         if part.role == "Unknown":

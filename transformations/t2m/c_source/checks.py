@@ -16,8 +16,6 @@ _HINTS = {
     ".spin": "Spin",
     ".xml": "XML",
     ".html": "HTML",
-    ".fzz": "a Fritzing sketch",
-    ".fz": "a Fritzing sketch",
     ".json": "JSON",
 }
 

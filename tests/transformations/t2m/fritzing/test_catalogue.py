@@ -253,7 +253,7 @@ def test_labels_of_arduino_boards(written: str, label: str) -> None:
 
 
 def test_labels_of_other_boards_are_taken_as_they_are() -> None:
-    assert [boards.normalised_label(n, arduino=False) for n in ("GPIO17", "VIN", "D4")] == ["GPIO17", "", "D4"]
+    assert [boards.normalised_label(n, numbered=False) for n in ("GPIO17", "VIN", "D4")] == ["GPIO17", "", "D4"]
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason="the facts about boards are not there")
@@ -265,7 +265,7 @@ def test_pins_of_all_boards_are_those_of_the_shared_facts() -> None:
     for module, fact in facts.items():
         about = f"{fact['family']} / {fact['title']} / {module}"
         drawn = boards.drawn_board(module, "fritzing")
-        arduino = about in known.arduino_labels and about not in known.not_arduino_labels
+        arduino = about in known.numbered_labels and about not in known.not_numbered_labels
         found: dict[str, set[str]] = {}
         for connector, name in fact["connectors"].items():
             label = drawn.pins.get(connector, "") if drawn else boards.normalised_label(name or "", arduino)
