@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
-from robosmi.transformations.knowledge.adapter_files import AdapterPiece
+if TYPE_CHECKING:
+    from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
 def adapter_text(
