@@ -123,7 +123,8 @@ def test_the_data_beside_the_first_file_count_wherever_a_command_is_run(
     (tmp_path / "elsewhere").mkdir()
     monkeypatch.chdir(tmp_path / "elsewhere")
     file = project / ("wiring.csv" if word in ("recommend", "hardware", "check") else "beacon.c")
-    outcome = run(word, file, *(["-o", tmp_path / "out"] if word == "migrate" else []))
+    options: list[str | Path] = ["-o", tmp_path / "out"] if word == "migrate" else []
+    outcome = run(word, file, *options)
     assert outcome.code == 3
     assert str(project / ".robosmi") in outcome.err
 
