@@ -82,7 +82,7 @@ def adapter_index(target: str, source: str, project: Path | None = None) -> Adap
         project: the project folder; the current folder if None.
     """
     relative = PurePosixPath(target, "adapters", source)
-    folders = resources.folders("platform_repo", project)
+    folders = list(resources.folders("platform_repo", project))
     mcus = {path.stem for folder in folders for path in (folder / "mcus").glob("*.toml")}
     return AdapterIndex([place for folder in folders if (place := folder / relative).is_dir()], mcus)
 

@@ -91,10 +91,8 @@ def test_a_variant_for_another_microcontroller_does_not_serve(tmp_path: Path) ->
 
 def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
     low = "//# adapter low\n//#   for: void low(int pin)\n//#   kind: oneToOne\n"
-    known = read(
-        tmp_path,
-        f"//# header tools.h\n{low}void low(int32_t) {{ one(); }}\n{low}//#   mcu: atmega2560 atmega1280\nvoid low(int32_t) {{ two(); }}\n",
-    )
+    other = f"{low}//#   mcu: atmega2560 atmega1280\nvoid low(int32_t) {{ two(); }}\n"
+    known = read(tmp_path, f"//# header tools.h\n{low}void low(int32_t) {{ one(); }}\n{other}")
     texts = [known.needed([("tools.h", "low")], mcu).pieces[0].text[20:26] for mcu in ("atmega328p", "atmega2560", "atmega1280")]
     assert texts == ["one();", "two();", "two();"]
 
