@@ -70,20 +70,21 @@ def fix_of(error: OSError, otherwise: str) -> str:
     return error.fix if isinstance(error, InputRefusedError) else otherwise
 
 
-def open_file(path: str | os.PathLike[str], *, follow: bool = True) -> BinaryIO:
+def open_file(path: str | os.PathLike[str], *, follow: bool = True, dir_fd: int | None = None) -> BinaryIO:
     """Open an ordinary file for reading, without ever waiting for it.
 
     Args:
         path: the file.
         follow: whether the path itself may be a link; links among its folders are always followed.
+        dir_fd: descriptor of the folder that the path is relative to; None for the current one.
 
     Raises:
         InputRefusedError: it is a named pipe, a device or a socket, or no file can have such a name.
         OSError: it does not exist, is a folder or may not be read.
     """
     try:
-        _check(os.stat(path, follow_symlinks=follow), path)  # opening a device can already act on it
-        handle = os.open(path, _FLAGS | (0 if follow else _NO_LINK))
+        _check(os.stat(path, follow_symlinks=follow, dir_fd=dir_fd), path)  # opening a device can already act on it
+        handle = os.open(path, _FLAGS | (0 if follow else _NO_LINK), dir_fd=dir_fd)
     except ValueError as error:  # a null character, or half a character
         raise InputRefusedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
     try:
@@ -150,30 +151,31 @@ def checked(check: Callable[[str | os.PathLike[str], bytes], None]) -> Iterator[
         _CHECK.reset(token)
 
 
-def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True) -> bytes:
+def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True, dir_fd: int | None = None) -> bytes:
     """The bytes of an ordinary file.
 
     Args:
         path: the file.
         kind: what it is, which says how many bytes it may have.
         follow: whether the path itself may be a link.
+        dir_fd: descriptor of the folder that the path is relative to; None for the current one.
 
     Raises:
         InputRefusedError: it is no ordinary file, or is larger than its kind may be.
         OSError: it does not exist, is a folder or may not be read.
     """
-    data = _read(path, kind, follow)
+    data = _read(path, kind, follow, dir_fd)
     if (check := _CHECK.get()) is not None:
         check(path, data)
     return data
 
 
-def _read(path: str | os.PathLike[str], kind: Kind, follow: bool) -> bytes:
-    kept = _READ.get() if kind in (SOURCE, DRAWING, TABLE, SETTINGS) else None
+def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | None) -> bytes:
+    kept = _READ.get() if kind in (SOURCE, DRAWING, TABLE, SETTINGS) and dir_fd is None else None
     name = os.path.abspath(path) if kept is not None else ""
     if kept is not None and name in kept and len(kept[name]) <= kind.most:
         return kept[name]
-    with open_file(path, follow=follow) as stream:
+    with open_file(path, follow=follow, dir_fd=dir_fd) as stream:
         size = os.fstat(stream.fileno()).st_size
         data = stream.read(kind.most + 1) if size <= kind.most else None  # the size may be wrong, as in /proc
     if data is None or len(data) > kind.most:

@@ -48,6 +48,7 @@ def main(words: list[str]) -> int:
     sys.addaudithook(hook)
     for given, folder, output in zip(words[1::3], words[2::3], words[3::3], strict=True):
         allowed[:] = [os.path.realpath(place) for place in (folder, os.path.dirname(output), *KEPT)]
+        os.chdir(os.path.dirname(output))  # else a relative name is of a folder that was opened before, and so looked at
         try:
             work(given, output)
         except Exception as error:

@@ -295,7 +295,7 @@ def test_every_module_says_what_lives_in_it() -> None:
 OPENS: dict[str, str] = {
     "robosmi/inputs.py": "it is the place",
     "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
-    "robosmi/model/commit.py": "writes, and locks a folder",
+    "robosmi/model/open_folder.py": "writes, and holds folders open",
     "robosmi/model/files.py": "writes",
     "robosmi/model/sqlite_files.py": "changes bytes of the file that it has just written",
     "robosmi/model/zip_archive.py": "reads an archive that is in memory",

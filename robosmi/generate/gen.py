@@ -26,9 +26,9 @@ from robosmi.generate.result import Generation, Write
 from robosmi.generate.rules import Flag, Formatter, GenerationRule, value_of, variable_of
 from robosmi.generate.staging import Staging, as_text
 from robosmi.generate.templates import Templates, Where
-from robosmi.model.commit import at_work
 from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
+from robosmi.model.recovery import at_work
 from robosmi.query.erl import RuleBlocks, as_model, failed, place_of
 
 F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])

@@ -17,7 +17,8 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.generate.manifest import NAME, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places
 from robosmi.model.codegen import Rendered, render
-from robosmi.model.commit import at_work, update
+from robosmi.model.commit import update
+from robosmi.model.recovery import at_work
 
 
 @dataclass(frozen=True)

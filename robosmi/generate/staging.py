@@ -21,7 +21,8 @@ from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.generate.text_form import FileText, read, same_text
-from robosmi.model.commit import commit, look_only
+from robosmi.model.commit import commit
+from robosmi.model.recovery import look_only
 from robosmi.model.runs import is_noted, note
 
 

@@ -115,19 +115,28 @@ def is_noted(path: Path, data: bytes) -> bool:
     return hashlib.sha256(data).hexdigest() in noted.split()
 
 
-def own_stage(folder: Path) -> None:
+def own_stage(folder: Path, found: os.stat_result | None = None) -> None:
     """Note that a run of this user has made a folder in which files wait.
+
+    Args:
+        folder: the folder.
+        found: what the system says of it; asked of the path if None.
 
     Raises:
         SourceError: there is no place for the note.
         OSError: the folder is not there.
     """
-    note(folder, _identity(folder))
+    note(folder, _identity(found or folder.lstat()))
 
 
-def is_own_stage(folder: Path) -> bool:
-    """Whether a run of this user has made that very folder, so that it may be thrown away with all that is in it."""
-    return is_noted(folder, _identity(folder))
+def is_own_stage(folder: Path, found: os.stat_result) -> bool:
+    """Whether a run of this user has made that very folder, so that it may be thrown away with all that is in it.
+
+    Args:
+        folder: the folder.
+        found: what the system says of the one that is held open.
+    """
+    return is_noted(folder, _identity(found))
 
 
 def forget(path: Path) -> None:
@@ -135,8 +144,7 @@ def forget(path: Path) -> None:
     _record_of(path).unlink(missing_ok=True)
 
 
-def _identity(folder: Path) -> bytes:
-    found = folder.lstat()
+def _identity(found: os.stat_result) -> bytes:
     return f"folder {found.st_dev} {found.st_ino}".encode()
 
 

@@ -21,12 +21,13 @@ from robosmi.plugins import load, registry
 KIND = "model migration"
 
 
-def read_current(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
+def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, Any]:
     """As `read_models`, but roots of older versions are migrated to the current one.
 
     Args:
         path: the .xmi file.
         metamodels: the metamodels in their current version.
+        inside: as for `read_models`.
 
     Returns:
         Absolute path -> root element; the given file comes first.
@@ -36,13 +37,13 @@ def read_current(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
         ModelError: a file contradicts its metamodel, or a model refers into one that is migrated without it.
     """
     try:
-        return read_models(path, metamodels)
+        return read_models(path, metamodels, inside=inside)
     except UnreadableModelError:
         steps = {uri: load(target) for uri, target in registry().entries.get(KIND, {}).items()}
         if not steps:
             raise
         older = dict.fromkeys(package for step in steps.values() for package in step.packages())
-        roots = read_models(path, Metamodels([*metamodels.packages, *older]))
+        roots = read_models(path, Metamodels([*metamodels.packages, *older]), inside=inside)
     current, replaced = _current(roots, steps)
     for file, root in current.items():
         if (wrong := _reference_into(root, replaced)) is not None:

@@ -54,12 +54,13 @@ def _listed(problems: Problems) -> str:
     return f"{shown}\n  ... and {len(problems) - _SHOWN} more" if len(problems) > _SHOWN else shown
 
 
-def read_models(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
+def read_models(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, Any]:
     """Read a model file and the model files that it refers to, directly or through others; each has one root.
 
     Args:
         path: the .xmi file.
         metamodels: the metamodels the files may use.
+        inside: the folder that no file is read outside of, after links are resolved; None for any.
 
     Returns:
         Absolute path -> root element; the given file comes first.
@@ -68,7 +69,7 @@ def read_models(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
         SourceError: a file is missing, is no XML or no XMI, or has several roots.
         ModelError: a file contradicts its metamodel, or a reference leads nowhere; all problems in one message.
     """
-    documents = read_documents(path, metamodels)
+    documents = read_documents(path, metamodels, inside=inside)
     for document in documents.values():
         if len(document.roots) != 1:
             raise SourceError(
@@ -79,7 +80,9 @@ def read_models(path: Path, metamodels: Metamodels) -> dict[Path, Any]:
     return {file: document.roots[0] for file, document in documents.items()}
 
 
-def read_documents(path: Path, metamodels: Metamodels, *, bounds: bool = True) -> dict[Path, Document]:
+def read_documents(
+    path: Path, metamodels: Metamodels, *, bounds: bool = True, inside: Path | None = None
+) -> dict[Path, Document]:
     """Read a model file and those that it refers to, whatever the number of their roots.
 
     Cyclic garbage collection of this process rests meanwhile: elements are full of cycles, and none of them is garbage yet.
@@ -88,6 +91,7 @@ def read_documents(path: Path, metamodels: Metamodels, *, bounds: bool = True) -
         path: the .xmi file.
         metamodels: the metamodels the files may use; a file may name others by xsi:schemaLocation, for this read only.
         bounds: whether an element that lacks a required value, or has more than allowed, is a problem.
+        inside: the folder that no file is read outside of, after links are resolved; None for any.
 
     Returns:
         Absolute path -> document with `roots` and `ids`; the given file comes first. Metamodel files that were referred to
@@ -98,7 +102,7 @@ def read_documents(path: Path, metamodels: Metamodels, *, bounds: bool = True) -
         DamagedModelError: a file contradicts its metamodel, or a reference leads nowhere. Both list all problems.
     """
     with collector_at_rest():
-        reader = _Reader(metamodels)
+        reader = _Reader(metamodels, inside)
         reader.open(Path(os.path.realpath(path)), None)
         reader.link()
         if bounds:
@@ -111,8 +115,9 @@ def read_documents(path: Path, metamodels: Metamodels, *, bounds: bool = True) -
 
 
 class _Reader:
-    def __init__(self, metamodels: Metamodels) -> None:
+    def __init__(self, metamodels: Metamodels, inside: Path | None) -> None:
         self.metamodels = metamodels
+        self.inside = os.path.realpath(inside) if inside is not None else None
         self.plans = Plans()
         self.documents: dict[Path, Document] = {}
         self.packages: dict[str, Any] = {}  # by namespace: found by xsi:schemaLocation
@@ -142,6 +147,13 @@ class _Reader:
         if path in self._ecore_files:
             return self._ecore_files[path]
         if path in self._refused:
+            return None
+        if not self._may_read(path):
+            self._refused.add(path)
+            self.give_up(
+                referrer or Location(str(path)), f"the model refers to '{path.name}', which lies outside of its folder",
+                "keep the models that refer to each other in one folder, without links out of it",
+            )  # fmt: skip
             return None
         try:
             data = inputs.read_bytes(path, inputs.MODEL)
@@ -180,7 +192,7 @@ class _Reader:
         words = text.split()
         for uri, place in zip(words[::2], words[1::2], strict=False):
             file = self._local(path, place.partition("#")[0])
-            if self.package(uri) is None and file is not None and file.is_file():
+            if self.package(uri) is None and file is not None and self._may_read(file) and file.is_file():
                 self.ecore(file, Location(str(path), 1))
 
     def ecore(self, path: Path, referrer: Location) -> Any:
@@ -199,6 +211,9 @@ class _Reader:
         first = loaded.packages[0]
         self._ecore_files[path] = self.package(first.nsURI) or first
         return self._ecore_files[path]
+
+    def _may_read(self, path: Path) -> bool:
+        return self.inside is None or path.is_relative_to(self.inside)
 
     @staticmethod
     def _local(path: Path, uri: str) -> Path | None:

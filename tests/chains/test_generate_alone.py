@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from robosmi.errors import RobosmiError
+from robosmi.errors import RobosmiError, SourceError
+from robosmi.transformations.chains.generate import generate
 from tests.corpus.migrate_corpus import programs
 from tests.running import tree
 
@@ -81,12 +82,32 @@ def test_what_needs_other_files_is_refused_there(work: str, line_follower: Path,
     assert "platform_repo" in done.stdout
 
 
-def test_a_source_beside_the_models_is_out_of_reach(migrated: Path, tmp_path: Path) -> None:
-    """The test above can fail: a copy of a source that lies elsewhere is not opened."""
-    source = next((migrated / "models" / "source").glob("*.c"))
-    shutil.move(source, tmp_path / source.name)
-    source.symlink_to(tmp_path / source.name)
+def test_what_lies_beside_what_may_be_read_is_out_of_reach(migrated: Path, tmp_path: Path) -> None:
+    """The test above can fail: models in another folder than the one that may be read are not opened."""
     (tmp_path / "again").mkdir()
-    done = alone("generate", [(migrated / "models" / "plan.xmi", migrated / "models", tmp_path / "again" / "out")])
+    done = alone("generate", [(migrated / "models" / "plan.xmi", migrated / "models" / "source", tmp_path / "again" / "out")])
     assert done.returncode == 9
-    assert source.name in done.stdout
+    assert "plan.xmi" in done.stdout
+
+
+@pytest.mark.parametrize("kind", ["source", "source folder", "model"])
+def test_a_link_out_of_the_models_folder_is_not_followed(kind: str, migrated: Path, tmp_path: Path) -> None:
+    models = migrated / "models"
+    file = models / {"source": "source/line_follower.c", "source folder": "source", "model": "code.xmi"}[kind]
+    shutil.move(file, tmp_path / "elsewhere")
+    file.symlink_to(tmp_path / "elsewhere")
+    before = tree(migrated)
+    with pytest.raises(SourceError, match="outside of its folder") as raised:
+        generate(models / "plan.xmi", tmp_path / "again")
+    assert raised.value.fix
+    assert tree(migrated) == before
+    assert not (tmp_path / "again").exists()
+
+
+def test_a_plan_that_refers_to_models_elsewhere_is_refused(migrated: Path, tmp_path: Path) -> None:
+    models = migrated / "models"
+    shutil.move(models / "code.xmi", migrated / "code.xmi")
+    plan = models / "plan.xmi"
+    plan.write_text(plan.read_text().replace('href="code.xmi#', 'href="../code.xmi#'))
+    with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside of its folder"):
+        generate(plan, tmp_path / "again")

@@ -8,7 +8,7 @@ import pytest
 
 import robosmi
 from robosmi.errors import StoppedError
-from robosmi.model.commit import STAGE
+from robosmi.model.recovery import STAGE
 from robosmi.transformations.chains.generate import generate
 from tests.fuzz import runs
 

@@ -23,7 +23,7 @@ from pathlib import Path
 import robosmi
 from robosmi.errors import StoppedError
 from robosmi.generate import Gen
-from robosmi.model.commit import STAGE, interrupted
+from robosmi.model.recovery import STAGE, interrupted
 from tests.running import tree
 
 FILES = 40

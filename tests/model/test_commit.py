@@ -14,7 +14,8 @@ import pytest
 
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate import Gen
-from robosmi.model.commit import STAGE, commit, interrupted, recover
+from robosmi.model.commit import commit
+from robosmi.model.recovery import STAGE, interrupted, recover
 from robosmi.model.runs import bind, own_stage
 from tests.running import tree
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import StoppedError
-from robosmi.model.commit import STAGE, commit, recover
+from robosmi.model.commit import commit
+from robosmi.model.recovery import STAGE, recover
 from robosmi.model.runs import own_stage
 from tests.running import tree
 

@@ -15,7 +15,8 @@ import pytest
 
 from robosmi.errors import InternalError, RobosmiError, SourceError, StoppedError
 from robosmi.generate import Gen
-from robosmi.model.commit import STAGE, at_work, commit, recover, update
+from robosmi.model.commit import commit, update
+from robosmi.model.recovery import STAGE, at_work, recover
 from robosmi.model.runs import alone, bind
 from tests.running import tree
 
@@ -148,7 +149,7 @@ def _none() -> None:
 HOLDER = """
 import sys, time
 from pathlib import Path
-from robosmi.model.commit import at_work
+from robosmi.model.recovery import at_work
 with at_work(Path(sys.argv[1])):
     print("in", flush=True)
     time.sleep(60)

@@ -7,7 +7,7 @@ from contextlib import nullcontext
 from pathlib import Path
 
 from robosmi.generate.places import Places
-from robosmi.model.commit import at_work, look_only
+from robosmi.model.recovery import at_work, look_only
 from robosmi.model.runs import alone
 from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce

@@ -70,13 +70,14 @@ def load_models(path: Path) -> MigrationModels:
     """Read a stored plan with the models and sources beside it.
 
     Raises:
-        SourceError: a file is missing, is no plan, or does not match its digest.
+        SourceError: a file is missing, is no plan, lies outside of the folder (by a link, too), or does not match its digest.
         ModelError: a model contradicts its metamodel.
     """
     from robosmi.model.versions import read_current  # a migration from sources reads no model
 
     folder = Path(os.path.realpath(path)).parent
-    roots = {file.name: root for file, root in read_current(path, built_in()).items() if file.parent == folder}
+    found = read_current(path, built_in(), inside=folder)
+    roots = {file.name: root for file, root in found.items() if file.parent == folder}
     plan = roots.get(path.name)
     if not isinstance(plan, migration.MigrationPlan):
         kind = type(plan).__name__
@@ -111,11 +112,12 @@ def load_models(path: Path) -> MigrationModels:
 
 def _checked(path: Path, entry: migration.Input) -> bytes:
     file = path.parent / entry.path
-    if not within(entry.path):
+    root = os.path.realpath(path.parent)
+    if not within(entry.path) or os.path.commonpath([os.path.realpath(file), root]) != root:
         raise SourceError(
             f"the plan's {entry.kind} lies outside of its folder",
             location=Location(str(file)),
-            fix="make the plan again with migrate",
+            fix="put a copy into the folder, or make the plan again with migrate",
         )
     try:
         data = inputs.read_bytes(file, inputs.MODEL)

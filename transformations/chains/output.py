@@ -21,7 +21,8 @@ from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, refo
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
-from robosmi.model.commit import at_work, look_only, update
+from robosmi.model.commit import update
+from robosmi.model.recovery import at_work, look_only
 from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
 from robosmi.query import Q
