@@ -8,13 +8,14 @@ name alone. Nothing is imported before it is asked for: a registry holds `module
 from __future__ import annotations
 
 import importlib
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from robosmi.diagnostics import Finding, Severity
-from robosmi.errors import InternalError, MissingToolError, UsageError, did_you_mean
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
@@ -150,7 +151,7 @@ class Registry:
         module, _, attribute = target.partition(":")
         try:
             return getattr(importlib.import_module(module), attribute)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise MissingToolError(
                 f"'{target}' of the plug-in {distribution} cannot be loaded: {type(error).__name__}: {error}",
                 fix=f"mend, update or uninstall {distribution.partition(' ')[0]}",
@@ -186,11 +187,25 @@ def registry() -> Registry:
         try:
             fill: Callable[[Registry], None] = point.load()
             fill(offered)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             result.broken.append(BrokenPlugin(distribution, value, f"{type(error).__name__}: {error}"))
         else:
             result.take(offered, distribution)
     return result
+
+
+def raised_by(error: BaseException) -> RuleError | None:
+    """The error that names the plug-in whose code an exception came out of; None where it was no plug-in's."""
+    if not registry.cache_info().currsize:
+        return None
+    for frame, line in reversed(list(traceback.walk_tb(error.__traceback__))):
+        if owner := registry().provider(frame.f_globals.get("__name__", "")):
+            return RuleError(
+                f"the plug-in {owner} raised {type(error).__name__}: {error}",
+                location=Location(frame.f_code.co_filename, line),
+                fix=f"report it to the authors of {owner.partition(' ')[0]}; ROBOSMI_DEBUG=1 shows where it happened",
+            )
+    return None
 
 
 def broken_findings() -> list[Finding]:

@@ -20,6 +20,7 @@ from robosmi.chain.state import State, StepState, digest_of, digest_of_all, find
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
+from robosmi.plugins import raised_by
 
 Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
@@ -228,7 +229,7 @@ class ChainRun:
         except SystemExit as error:
             from robosmi.query.erl import failed
 
-            raise failed(error, f"the step '{step.name}'", step.function or self._done) from error
+            raise raised_by(error) or failed(error, f"the step '{step.name}'", step.function or self._done) from error
 
     def do(self, step: Step) -> StepResult:
         """Do a step, with the models that it needs."""

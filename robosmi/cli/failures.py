@@ -7,15 +7,14 @@ folder that was removed. What is left after that is a bug of ours.
 from __future__ import annotations
 
 import os
-import traceback
 
 from robosmi import plugins
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, MissingToolError, RobosmiError, RuleError, SourceError
+from robosmi.errors import InternalError, MissingToolError, RobosmiError, SourceError
 from robosmi.inputs import fix_of
 
 
-def as_error(error: Exception) -> RobosmiError:
+def as_error(error: Exception | SystemExit) -> RobosmiError:
     """The error to report for whatever a command ended with.
 
     Args:
@@ -36,26 +35,12 @@ def as_error(error: Exception) -> RobosmiError:
         )
     if isinstance(error, UnicodeEncodeError):
         return _unwritable_text(error)
-    if (raised := _of_plugin(error)) is not None:
+    if (raised := plugins.raised_by(error)) is not None:
         return raised
     return InternalError(
         f"{type(error).__name__}: {error}",
         fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",
     )
-
-
-def _of_plugin(error: Exception) -> RuleError | None:
-    """The error that names the plug-in whose code an exception came out of; None where it was no plug-in's."""
-    if not plugins.registry.cache_info().currsize:
-        return None
-    for frame, line in reversed(list(traceback.walk_tb(error.__traceback__))):
-        if owner := plugins.registry().provider(frame.f_globals.get("__name__", "")):
-            return RuleError(
-                f"the plug-in {owner} raised {type(error).__name__}: {error}",
-                location=Location(frame.f_code.co_filename, line),
-                fix=f"report it to the authors of {owner.partition(' ')[0]}; ROBOSMI_DEBUG=1 shows where it happened",
-            )
-    return None
 
 
 def _of_system(error: OSError) -> SourceError:

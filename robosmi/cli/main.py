@@ -118,7 +118,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 f"there is no command '{name}'{did_you_mean(name, COMMANDS)}", fix=f"use one of: {', '.join(COMMANDS)}"
             )
         parsed = build_parser(name).parse_args(words)
-        return _run(parsed)
+        try:
+            return _run(parsed)
+        except SystemExit as error:  # no command ends so: a plug-in does
+            return _failed(as_error(error), name, as_json, started)
     except KeyboardInterrupt:
         streams.complain("robosmi: interrupted")
         return 130

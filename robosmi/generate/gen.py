@@ -272,7 +272,7 @@ class Gen:
                 error.message = f"{error.message} (rule {rule.name}{about})"
                 raise
             raise failed(error, f"the {part} of {rule.name}", function, element[0] if element else None, self.models) from error
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise failed(error, f"the {part} of {rule.name}", function, element[0] if element else None, self.models) from error
 
     def _made(

@@ -168,7 +168,7 @@ class Templates:
                 pool.append(context)
         except Stop:
             pass
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise self._located(error, name) from error
         finally:
             self._environment.seen = outer
@@ -217,7 +217,7 @@ class Templates:
             fix="correct the template",
         )
 
-    def _located(self, error: Exception, name: str) -> RobosmiError:
+    def _located(self, error: BaseException, name: str) -> RobosmiError:
         """The error with the place in the template where it happened."""
         if isinstance(error, jinja2.TemplateSyntaxError):
             return self._unparsed(error)
@@ -233,7 +233,7 @@ class Templates:
             )
         return RuleError(f"{type(error).__name__}: {error}", location=place, fix="correct the template, or what it calls")
 
-    def _place(self, name: str, error: Exception | None) -> Location:
+    def _place(self, name: str, error: BaseException | None) -> Location:
         """The innermost place in a template that an error passed through, else the template."""
         template = self._environment.get_template(name)
         found = Location(template.filename or name)

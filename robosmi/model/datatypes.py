@@ -296,7 +296,7 @@ def _guarded(convert: FromText) -> FromText:
     def read(text: str) -> Any:
         try:
             return convert(text)
-        except Exception as error:  # a data type of the user's raises what it likes
+        except (Exception, SystemExit) as error:  # a data type of the user's raises what it likes
             raise ValueError(f"'{text}' is refused by its data type: {error}") from error
 
     return read

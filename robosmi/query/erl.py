@@ -157,7 +157,7 @@ class RuleBlocks(list[Callable[[], Any]]):
         for block in self:
             try:
                 block()
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 raise failed(error, f"the {what} block", block) from error
 
 

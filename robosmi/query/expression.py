@@ -92,7 +92,7 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
             )
     code = compile(_guarded(tree), "<expression>", "eval")
     try:
-        with Run(*views):
+        with Run(*views, closed=reachable.CLOSED):
             return then(eval(code, {"__builtins__": {}, **_GUARDS, _CALL: reachable.Caller(NAMES, code), **known}))
     except RobosmiError:
         raise

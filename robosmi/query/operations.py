@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 from pyecore.ecore import EClass, EEnumLiteral
 
-from robosmi.errors import RobosmiError
+from robosmi.errors import RobosmiError, UsageError
 from robosmi.model.driver import Model, TypeHandle, is_element
 from robosmi.query import types
 from robosmi.query.collections import Map, Q, collection
@@ -74,6 +74,8 @@ def _kinds(target: Any) -> tuple[str, ...]:
 
 
 def _built_in(target: Any, name: str) -> Callable[..., Any] | None:
+    if name in current_run().closed:
+        raise UsageError(f"an expression may not use the operation '{name}'", fix="see docs/reference/eol.md for what reads")
     for table in _tables(target):
         if (found := table.get(name)) is not None:
             return found

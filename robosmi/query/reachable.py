@@ -34,7 +34,7 @@ _READABLE = (
 )  # fmt: skip
 _HIDDEN = frozenset({"format", "format_map", "maketrans", "to_bytes", "from_bytes"})
 """Of Python's own values: what looks into other values, and what makes no value of queries."""
-_CLOSED = frozenset({"e_resource", "native_type", "get_native_type", "create_instance", "delete_element", "save"})
+CLOSED = frozenset({"e_resource", "native_type", "get_native_type", "create_instance", "delete_element", "save"})
 """Operations by name that give what is not a value, or change a model."""
 _BY_NAME = frozenset({"call", "call_built_in", "get", "get_safe", "get_all", "has_property"})
 _CALLING = FIRST_ORDER | {"sort", "and", "or", "both", "either", "xor", "implies", "elvis"}
@@ -79,8 +79,6 @@ def attribute(target: Any, name: str) -> Any:
         if isinstance(target, Model):
             return target[name]  # a type, or the error that there is none
         raise UsageError(f"an expression may not use '{name}'", fix="use features, and the functions of robosmi.query")
-    if isinstance(target, collections.Q) and snake(name) in _CLOSED:
-        _refuse_operation(name)
     return getattr(target, name)
 
 
@@ -93,10 +91,6 @@ def _may_read(target: Any, name: str) -> bool:
     if isinstance(target, types.EolType):
         return name == "name"
     return name not in _HIDDEN or isinstance(target, (collections.Q, Extended, collections.Tuple))
-
-
-def _refuse_operation(name: str) -> NoReturn:
-    raise UsageError(f"an expression may not use the operation '{name}'", fix="see docs/reference/eol.md for what reads")
 
 
 class Caller:
@@ -151,8 +145,6 @@ class Caller:
                     f"an expression may not use '{name}'", fix="names with underscores in front belong to Python itself"
                 )
             name, given = snake(name), arguments[2:]
-            if name in _CLOSED:
-                _refuse_operation(name)
         if name in _CALLING:
             given = given[1:] if given is arguments and name in ("both", "either", "implies", "elvis") else given
             for value in [*given, *(value for option, value in options.items() if option != "kind")]:

@@ -7,6 +7,7 @@ is one default run per thread of control, which holds model elements weakly. Not
 from __future__ import annotations
 
 import weakref
+from collections.abc import Set
 from contextvars import ContextVar, Token
 from typing import Any
 
@@ -18,10 +19,12 @@ class Run:
 
     Args:
         models: handles of the models it may name types of (`ModelView`), in the order in which unqualified names are looked up.
+        closed: built-in operations, named in Python's way, that the run may not use, however it comes to their names.
     """
 
-    def __init__(self, *models: Any) -> None:
+    def __init__(self, *models: Any, closed: Set[str] = frozenset()) -> None:
         self.models = models
+        self.closed = closed
         self._kept: dict[Any, tuple[Any, dict[Any, Any]]] = {}
         self._tokens: list[Token[Run]] = []
 

@@ -276,7 +276,7 @@ class Flock:
             return True
         try:
             return bool(guard(element))
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise failed(error, f"the guard of '{what}'", guard, element, [self.original]) from error
 
     def _fitting_rules(self, original: Any) -> list[MigrateRule]:
@@ -293,7 +293,7 @@ class Flock:
             if rule.body is not None:
                 try:
                     rule.body(original, migrated)
-                except Exception as error:
+                except (Exception, SystemExit) as error:
                     raise failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original]) from error
 
 

@@ -202,7 +202,7 @@ class BoundRule:
             satisfied = self.guard is None or bool(self.guard(source))
         except RuleError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             assert self.guard is not None
             raise failed(error, f"the guard of the rule {self.name}", self.guard, source, self.models) from error
         for base in self.own_bases:
@@ -222,13 +222,13 @@ class BoundRule:
         if self.rule.init is None:
             try:
                 return [make() for make in self.makers]
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 raise failed(error, f"making the targets of the rule {self.name}", self.body, source, self.models) from error
         made = []
         for make, init in zip(self.makers, self.init, strict=True):
             try:
                 made.append(make() if init is None else init(source) if arity(init) else init())
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 raise failed(error, f"a target of the rule {self.name}", init or self.body, source, self.models) from error
         return made
 
@@ -245,7 +245,7 @@ class BoundRule:
                 rule.body(source, *(targets if rule.width == len(targets) else targets[: rule.width]))
         except RuleError:
             raise  # of a rule that ran inside this one
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise failed(error, f"the rule {rule.name}", rule.body, source, self.models) from error
 
 

@@ -46,9 +46,11 @@ class OfferedFix:
                 recordings.append(open_recordings.enter_context(recorder()))
             try:
                 told(self._fix.do, self.of.element)
-            except Exception as error:
+            except BaseException as error:
                 for recording in recordings:
                     recording.undo()
+                if not isinstance(error, (Exception, SystemExit)):
+                    raise  # a person interrupts
                 what = f"the fix '{self.title}' of {self.of.constraint.name}"
                 raise failed(error, what, self._fix.do, self.of.element, self._models) from error
         self.of.fixed = True

@@ -113,9 +113,12 @@ def test_6_is_a_sketch_that_does_not_compile(migrated: Path) -> None:
     assert any("no_such_thing" in f["message"] and f["location"]["line"] for f in outcome.document["findings"])
 
 
-def test_70_is_our_own_bug_without_a_traceback(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("error", [KeyError("nowhere"), SystemExit(0)])
+def test_70_is_our_own_bug_without_a_traceback(
+    error: BaseException, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     def broken(_: object) -> NoReturn:
-        raise KeyError("nowhere")
+        raise error
 
     monkeypatch.setattr(doctor, "run", broken)
     assert main(["doctor", "--json"]) == 70

@@ -85,6 +85,18 @@ def test_an_exception_out_of_a_plug_in_names_the_plug_in(tmp_path: Path) -> None
     assert "bug of robosmi" not in finding["fix"]
 
 
+def test_a_plug_in_that_ends_the_program_is_an_error_and_no_success(tmp_path: Path) -> None:
+    (tmp_path / "robot.failing").write_text("x")
+    path = installed(tmp_path, "checks")
+    (finding,) = command("hardware", tmp_path / "robot.failing", path=path, code=3, CHECKS_PLUGIN="exits")["findings"]
+    assert finding["message"] == "the plug-in checks 2.1 raised SystemExit: 0"
+    assert finding["location"]["path"].endswith("checks_plugin.py")
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\n")
+    document = command("hardware", tmp_path / "wired.csv", path=path, CHECKS_PLUGIN="exits at once")
+    (finding,) = [finding for finding in document["findings"] if finding["rule"] == "RS908"]
+    assert "SystemExit" in finding["message"]
+
+
 def test_a_plug_in_brings_a_reader_with_its_ending_and_a_target(tmp_path: Path) -> None:
     plugin = tmp_path / "plugin"
     shutil.copytree(HERE / "beacon", plugin)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 
 from robosmi import quoting
 from robosmi.diagnostics import Finding, Location, Severity
@@ -23,6 +24,8 @@ Role = hardware.Role
 MAX_MAPPINGS = 20_000
 """Connections of pins to components in one drawing; the largest public one has under 100."""
 
+_NAMED = 3
+"""Pins of other boards that a finding names: of n boards on one net each would name all others."""
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 _BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
 _SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
@@ -47,6 +50,8 @@ class _State:
     known: PartNames
     path: str
     findings: list[Finding] = field(default_factory=list)
+    on_boards: dict[int, list[hardware.Connector]] = field(default_factory=dict)
+    """Of a net, by its identity: the connectors that boards have on it."""
 
     def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: object) -> None:
         self.findings.append(Finding(rule, severity, message, Location(self.path), fix=fix, evidence=evidence))
@@ -195,14 +200,15 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             net=net.name,
         )
         return
-    for other in net.connectors:
-        owner = other.component
-        if owner is not None and owner is not board and owner.role is Role.Board:
-            state.report(
-                "RS226",
-                Severity.info,
-                f"{label} of '{_title(board)}' is wired to {other.pin or other.name} of the board '{_title(owner)}'",
-            )
+    if id(net) not in state.on_boards:
+        state.on_boards[id(net)] = [c for c in net.connectors if c.component is not None and c.component.role is Role.Board]
+    others = (c for c in state.on_boards[id(net)] if c.component is not board)
+    named = [f"{c.pin or c.name} of the board '{_title(c.component)}'" for c in islice(others, _NAMED + 1)]  # type: ignore[arg-type]
+    if len(named) > _NAMED:
+        named[_NAMED:] = ["more"]
+    if named:
+        said = " and ".join(filter(None, [", ".join(named[:-1]), named[-1]]))
+        state.report("RS226", Severity.info, f"{label} of '{_title(board)}' is wired to {said}")
 
 
 def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:

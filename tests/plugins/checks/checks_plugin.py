@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,8 @@ taken = EVL()
 
 def register(registry: Registry) -> None:
     """The value of the entry point."""
+    if os.environ.get("CHECKS_PLUGIN") == "exits at once":
+        sys.exit(0)
     registry.add("constraints", "migration", "checks_plugin:plan")
     registry.add("drawing reader", "failing", "checks_plugin:read_circuit")
     registry.add_data(str(Path(__file__).parent / "data"))
@@ -37,5 +40,7 @@ def has_our_id(binding: migration.PortBinding) -> bool:
 
 
 def read_circuit(path: Path, project: Any = None, roles: Any = None, board: Any = None) -> Any:
-    """Ends with an exception whatever it is given."""
+    """Ends with an exception whatever it is given, or ends the program."""
+    if os.environ.get("CHECKS_PLUGIN") == "exits":
+        sys.exit(0)
     return dict[str, Any]()["wiring"]

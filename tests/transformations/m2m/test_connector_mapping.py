@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.connector_mapping import algorithm_1_as_printed
 from robosmi.transformations.queries.circuit import boards, component_named, hardware_report, port_interfaces, the_board
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.pin_table import read_circuit as read_table
+from tests.growing import DRAWINGS, drawing
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES, LABELS, SHARED, zipped
 
 UNO = load_mapping("arduino", load_board("uno"))
@@ -255,6 +256,20 @@ def test_several_boards_each_have_their_mappings() -> None:
         ("Duo", "D4", "ArmWriteP2"),
     ]
     assert {f.rule for f in findings} == {"RS221", "RS226"}
+
+
+@pytest.mark.parametrize(
+    ("count", "said"),
+    [
+        (1, "{pin} of the board 'Board0'"),
+        (2, "{pin} of the board 'Board0' and {pin} of the board 'Board1'"),
+        (30, "{pin} of the board 'Board0', {pin} of the board 'Board1', {pin} of the board 'Board2' and more"),
+    ],
+)
+def test_a_wire_among_boards_is_one_finding_of_each_pin(count: int, said: str, tmp_path: Path) -> None:
+    circuit, _ = read_circuit(drawing(tmp_path, DRAWINGS["boards"][0](count)))
+    found = [f.message for f in map_connectors(circuit)[1] if f.rule == "RS226" and "of 'Uno'" in f.message]
+    assert found == [f"{pin} of 'Uno' is wired to {said.format(pin=pin)}" for pin in ["A0"]]
 
 
 def test_names_are_identifiers_and_unique() -> None:
