@@ -119,6 +119,28 @@ class OpenFolder:
         if found is not None and not stat.S_ISREG(found.st_mode):
             what = _ODD.get(stat.S_IFMT(found.st_mode), "something that is no file")
             raise in_the_way(f"{self.path}/{name}", f"{what} stands where a file is to be written")
+        self.may_go(name)
+
+    def may_go(self, name: str) -> None:
+        """Make sure that a file can be replaced or removed, if it is there.
+
+        Raises:
+            SourceError: a link leads out of the folder.
+            OSError: it is another account's in a folder where only its own files may go, or no file there may be changed.
+        """
+        found = self.look(name)
+        if found is None or not hasattr(os, "geteuid"):
+            return
+        with self._named(name):
+            own, above = self._place(name)
+            around = self.identity() if above in (None, self._own) else os.fstat(above)
+            user = os.geteuid()
+            if around.st_mode & stat.S_ISVTX and user not in (0, found.st_uid, around.st_uid):
+                raise PermissionError(
+                    errno.EPERM, "the file belongs to another account, and the folder lets only that one replace it"
+                )
+            if user in (0, found.st_uid) and found.st_mode & 0o200 and not os.access(own, os.W_OK, dir_fd=above):
+                raise PermissionError(errno.EPERM, "the file is protected by the file system")
 
     # --- changing
 

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -11,6 +15,7 @@ from robosmi.errors import StoppedError
 from robosmi.model.recovery import STAGE
 from robosmi.transformations.chains.generate import generate
 from tests.fuzz import runs
+from tests.running import tree
 
 
 @pytest.fixture(autouse=True)
@@ -33,3 +38,50 @@ def test_a_plan_beside_an_interrupted_run_is_not_read(tmp_path: Path) -> None:
     for dry_run in (False, True):
         with pytest.raises(StoppedError, match="interrupted"):
             generate(out / "models" / "plan.xmi", tmp_path / "other", dry_run=dry_run)
+
+
+HOLDER = """
+import sys, time
+from pathlib import Path
+from robosmi.model.recovery import at_work
+out, mark = map(Path, sys.argv[1:])
+with at_work(out):
+    print("in", flush=True)
+    sys.stdin.readline()
+    time.sleep(0.5)
+    mark.write_text("the writer has ended")
+"""
+
+
+@contextmanager
+def living_writer(out: Path, mark: Path) -> Iterator[subprocess.Popen[str]]:
+    """A run of another process that is at work in a folder until it is given a line, and half a second more."""
+    words = [sys.executable, "-c", HOLDER, str(out), str(mark)]
+    with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as writer:
+        assert writer.stdout is not None
+        assert writer.stdout.readline() == "in\n"
+        yield writer
+        writer.kill()
+
+
+@pytest.mark.parametrize("output", ["out", "other"], ids=["into its own folder", "into another one"])
+def test_generate_waits_for_a_living_writer_in_the_folder_of_its_plan(
+    output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, mark = tmp_path / "out", tmp_path / "mark"
+    robosmi.migrate([runs.programs(tmp_path)[0]], out)
+    before = tree(out)
+    with living_writer(out, mark) as writer:
+        with monkeypatch.context() as patched:
+            patched.setattr("robosmi.model.runs.PATIENCE", 0.2)
+            with pytest.raises(StoppedError, match=rf"process {writer.pid}\) is at work"):
+                generate(out / "models" / "plan.xmi", tmp_path / output)
+        assert tree(out) == before
+        assert not (tmp_path / "other").exists()
+        assert writer.stdin is not None
+        writer.stdin.write("\n")
+        writer.stdin.flush()
+        assert not mark.exists()
+        generate(out / "models" / "plan.xmi", tmp_path / output)
+        assert mark.read_text() == "the writer has ended", "generate went on before"
+    assert (tmp_path / output / "models" / "plan.xmi").is_file()

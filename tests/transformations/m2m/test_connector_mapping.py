@@ -269,7 +269,7 @@ def test_several_boards_each_have_their_mappings() -> None:
 def test_a_wire_among_boards_is_one_finding_of_each_pin(count: int, said: str, tmp_path: Path) -> None:
     circuit, _ = read_circuit(drawing(tmp_path, DRAWINGS["boards"][0](count)))
     found = [f.message for f in map_connectors(circuit)[1] if f.rule == "RS226" and "of 'Uno'" in f.message]
-    assert found == [f"{pin} of 'Uno' is wired to {said.format(pin=pin)}" for pin in ["A0"]]
+    assert found == [f"{pin} of 'Uno' is wired to {said.format(pin='A0')}" for pin in ("A0", "A5")]
 
 
 def test_names_are_identifiers_and_unique() -> None:
