@@ -323,6 +323,10 @@ class Disposition(Decision):
     """The element."""
     inLoop: bool = EAttribute(eType=EBoolean)
     """True for a statement of main that belongs to the repeated part."""
+    runsIn: str = EAttribute(eType=EString, default_value="")
+    """Function of the target's program that is made for a statement of main behind its loop; empty for any other statement."""
+    goesOnIn: str = EAttribute(eType=EString, default_value="")
+    """Function of the target's program that goes on where a break or return leaves main's loop or main; empty for any other statement."""
     hoisted: TextCopy | None = EReference(containment=True)
     """The text of a declaration that moves out of main."""
 
@@ -343,6 +347,8 @@ class Disposition(Decision):
             reasons: Iterable[str] | None = None,
             element: Located | None = None,
             inLoop: bool | None = None,
+            runsIn: str | None = None,
+            goesOnIn: str | None = None,
             hoisted: TextCopy | None = None,
         ) -> None: ...
 

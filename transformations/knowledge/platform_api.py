@@ -30,6 +30,7 @@ class ApiIndex:
         self._facts = facts
         self._headers, self._entries = facts.headers, facts.entries
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
+        self._declared: dict[str, set[str]] = {}
 
     @staticmethod
     def load(name: str) -> ApiIndex:
@@ -102,14 +103,34 @@ class ApiIndex:
         """The one declaration that a program with these includes means.
 
         Headers that the includes bring in come first, those included earlier before later ones; then, for a program that forgot
-        the include, any header of the platform before standard ones. None for a name that the platform does not know.
+        the include, any header of the platform before standard ones. An alternative to an included header, which declares
+        functions of the same names, is not meant: then the included header has the name, and nothing is known of it. None for a
+        name that the platform does not know.
         """
         found = self.entries(name)
-        if len(found) <= 1:
-            return found[0] if found else None
+        if not found:
+            return None
         order = {header: i for i, header in enumerate(self.closure(includes))}
         outside = len(order)
-        return min(found, key=lambda e: (order.get(e.header, outside), self.kind_of(e) != "platform", e.header))
+        best = min(found, key=lambda e: (order.get(e.header, outside), self.kind_of(e) != "platform", e.header))
+        if best.header in order or best.kind != "function":
+            return best
+        meant = next((header for header in order if header in self._alternatives(best.header)), "")
+        return best._replace(header=meant, detail="", parameters="") if meant else best
+
+    def _alternatives(self, header: str) -> frozenset[str]:
+        """The headers of the platform that declare functions of the same names as a header, and neither brings in the other."""
+        if not self._declared:
+            for name, entries in self._entries.items():
+                for entry in entries:
+                    if entry.kind == "function" and entry.header and self.kind_of(entry) == "platform":
+                        self._declared.setdefault(entry.header, set()).add(name)
+        own = self._declared.get(header, set())
+        return frozenset(
+            other
+            for other, names in self._declared.items()
+            if other != header and names & own and other not in self.closure([header]) and header not in self.closure([other])
+        )
 
     def kind_of(self, entry: ApiEntry) -> str:
         """platform, standard or posix, as the entry's header is; builtins of the compiler are the platform's."""

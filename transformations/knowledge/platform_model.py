@@ -46,7 +46,7 @@ def build(
     for name in sorted({*names, *words}):
         entries = [entry for entry in api.entries(name) if entry.header in by_header] if units else []
         for found in (*entries, api.resolve(name, includes), *(api.resolve(name, unit) for unit in units)):
-            if found is not None:
+            if found is not None and (found.detail or found.kind != "function"):  # of others no header says what they are
                 by_header.setdefault(found.header, {})[name] = found
     settings = api.settings
     return pf.Platform(

@@ -15,6 +15,7 @@ from robosmi.query import all_of_kind
 from robosmi.transform import ETL
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts
+from robosmi.transformations.m2m.hoisting import BESIDE, HOIST, SPLIT
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.own_headers import file_of, own_header
 from robosmi.transformations.queries.program_model import ProgramModel
@@ -164,13 +165,16 @@ def mains(divisions: Collection[Division]) -> ETL:
     """main itself, its statements, what leaves it and what moves out of it."""
     t = ETL()
     reasons = {v.main: v.reason for v in divisions}
-    leaving = {s for v in divisions for s in (*v.returns, *v.continues)}
-    hoisted = {x for v in divisions for x in v.hoisted}
-    split = {x for v in divisions for x in v.split}
-    moved = {x.eContainer() for x in hoisted}
+    leaving = {s for v in divisions for s in (*v.returns, *v.continues, *v.breaks)}
+    ends = {s: v.end_name for v in divisions for s in v.returns}
+    ways = {s: v.after_name or v.end_name for v in divisions for s in v.breaks}
+    moved = {m.statement for v in divisions for m in v.moved}
+    first = {m.variables[0]: m for v in divisions for m in v.moved}
+    others = {x: m.variables[0] for v in divisions for m in v.moved for x in m.variables[1:]}
     once = {s for v in divisions for s in v.before} - leaving - moved
     loops = {v.loop for v in divisions}
     repeated = {s for v in divisions for s in statements_of(v.loop)} - leaving
+    direct = {s: v.after_name for v in divisions for s in v.after}
     unreachable = {s for v in divisions for s in v.unreachable}
 
     @t.rule(guard=lambda f: f in reasons)
@@ -181,13 +185,17 @@ def mains(divisions: Collection[Division]) -> ETL:
     def MainOnce(s: ccode.Statement, d: Disposition) -> None:
         decide(d, s, retain, "main-once", "runs once, in setup")
 
-    @t.rule(guard=lambda v: v in hoisted and v not in split)
+    @t.rule(guard=lambda v: v in first and not first[v].assigned)
     def HoistedLocal(v: ccode.Variable, d: Disposition) -> None:
-        decide(d, v, hoist, "hoist-local", "declared before the loop and used in it")
+        decide(d, v, hoist, HOIST, "declared before the loop and used in it")
 
-    @t.rule(guard=lambda v: v in split)
+    @t.rule(guard=lambda v: v in first and bool(first[v].assigned))
     def SplitLocal(v: ccode.Variable, d: Disposition) -> None:
-        decide(d, v, hoist, "hoist-local-split", "declared before the loop and used in it")
+        decide(d, v, hoist, SPLIT, "declared before the loop and used in it")
+
+    @t.rule(guard=lambda v: v in others)
+    def LocalBeside(v: ccode.Variable, d: Disposition) -> None:
+        decide(d, v, hoist, BESIDE, f"declared together with '{others[v].name}', which the loop needs")
 
     @t.rule(greedy=True, guard=lambda s: s in loops)
     def MainLoop(s: ccode.Loop, d: Disposition) -> None:
@@ -198,14 +206,30 @@ def mains(divisions: Collection[Division]) -> ETL:
         decide(d, s, retain, "main-repeated", "repeated, in loop")
         d.inLoop = True
 
+    @t.rule(greedy=True, guard=lambda s: s in direct and s not in leaving)
+    def MainAfter(s: ccode.Statement, d: Disposition) -> None:
+        decide(d, s, retain, "main-after", f"runs once the loop is left, in {direct[s]}")
+        d.runsIn = direct[s]
+
     @t.rule(greedy=True, guard=lambda s: s in unreachable)
     def Unreachable(s: ccode.Statement, d: Disposition) -> None:
         decide(d, s, drop, "unreachable", "nothing leads behind the endless loop")
 
-    @t.rule(guard=lambda s: s in leaving and not within(s, unreachable))
+    @t.rule(guard=lambda s: s in ends and not ends[s])
     def ReturnFromSetup(s: ccode.Return, d: Disposition) -> None:
         called = s.value is not None and all_of_kind(s.value, ccode.Call)
         decide(d, s, rewrite, "return-value-from-setup" if called else "return-from-setup", "setup has no value")
+
+    @t.rule(guard=lambda s: bool(ends.get(s)))
+    def EndOfMain(s: ccode.Return, d: Disposition) -> None:
+        called = s.value is not None and all_of_kind(s.value, ccode.Call)
+        decide(d, s, rewrite, "value-and-end-of-main" if called else "end-of-main", "main ends here, and nothing is repeated")
+        d.goesOnIn, d.runsIn = ends[s], direct.get(s, "")
+
+    @t.rule(guard=lambda s: s in ways)
+    def LeaveMainLoop(s: ccode.Break, d: Disposition) -> None:
+        decide(d, s, rewrite, "leave-main-loop", "the loop is left here, and what follows it runs once")
+        d.goesOnIn = ways[s]
 
     @t.rule(guard=lambda s: s in leaving)
     def ContinueMainLoop(s: ccode.Continue, d: Disposition) -> None:
@@ -218,15 +242,6 @@ def statements_of(loop: ccode.Loop | None) -> list[ccode.Statement]:
     """What a loop repeats."""
     body = loop.body if loop is not None else None
     return list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
-
-
-def within(element: object, others: Collection[object]) -> bool:
-    """Whether an element is one of these, or stands in one."""
-    while isinstance(element, ccode.Located):
-        if element in others:
-            return True
-        element = element.eContainer()
-    return False
 
 
 def externals(program: ccode.Program, known: Known) -> ETL:

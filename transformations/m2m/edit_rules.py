@@ -54,6 +54,15 @@ def _void_value(element: Any, choice: str, text: SourceText) -> list[Replacement
     return [(value.startOffset, value.startOffset, "(void)("), (value.endOffset, value.endOffset, ")")]
 
 
+def _go_on(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """A statement that leaves the loop of main goes on in the function of that name."""
+    return [(element.startOffset, _end(element, text), f"return {choice}()")]
+
+
+def _value_and_go_on(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    return [*_void_value(element, choice, text), (element.value.endOffset, element.value.endOffset, f", {choice}()")]
+
+
 def name_place(variable: ccode.Variable, data: bytes) -> int:
     """Offset of a variable's name in its declaration."""
     end = variable.initializer.startOffset if variable.initializer is not None else variable.endOffset
@@ -73,11 +82,6 @@ def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacem
 
 def _rename(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     return [(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
-
-
-def _undefine(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    start = text.line_start(element.startOffset)
-    return [(start, start, f"#undef {choice}\n")]
 
 
 def _convert(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -176,7 +180,7 @@ def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement
 
 
 RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
-    "platform-include": _line_with_comment,
+    "platform-include": _line,
     "standard-include": _line_with_comment,
     "posix-include": _line,
     "unknown-include": _line,
@@ -184,9 +188,11 @@ RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
     "return-from-setup": _keyword("return"),
     "return-value-from-setup": _void_value,
     "continue-main-loop": _keyword("return"),
+    "leave-main-loop": _go_on,
+    "end-of-main": _go_on,
+    "value-and-end-of-main": _value_and_go_on,
     "main-prototype": _out,
     "rename": _rename,
-    "redefine-macro": _undefine,
     "convert": _convert,
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,

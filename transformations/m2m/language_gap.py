@@ -24,6 +24,7 @@ from robosmi.transformations.queries.expression_type import (
     of_use,
     type_of,
 )
+from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.source_text import is_header
 
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
@@ -214,6 +215,25 @@ def _shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
             yield Change(variable, "share", "", "all files that include the header share it")
 
 
+def _constants_of_others(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A constant that other files use: in C++ it belongs to its own file alone, unless it is said to be extern."""
+    unit = view.unit
+    if is_header(unit) or unit.program is None:
+        return
+    seen = {id(u) for u in (unit, *included(unit))}
+    wanted: dict[str, bool] = {}
+    for other in unit.program.units:
+        for declared in other.declarations:
+            if isinstance(declared, ccode.Variable) and declared.storage.name == "externStorage":
+                wanted[declared.name] = wanted.get(declared.name, False) or id(other) in seen
+    for variable in unit.declarations:
+        use = variable.valueType if isinstance(variable, ccode.Variable) else None
+        if use is None or not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified":
+            continue
+        if use.constant and not use.pointerDepth and wanted.get(variable.name) is False:
+            yield Change(variable, "declare-only", "", "another file uses the constant")
+
+
 def _tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Globals that are declared twice: all but one become mere declarations."""
     by_name: dict[str, list[ccode.Variable]] = {}
@@ -254,7 +274,7 @@ def _extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
             yield Change(declaration, "define-extern", declaration.name, "the program defines it nowhere")
 
 
-RULES: tuple[Rule, ...] = (_enumerations, _conversions, *old_c.RULES, _tentative, _shared, _extern)
+RULES: tuple[Rule, ...] = (_enumerations, _conversions, *old_c.RULES, _tentative, _shared, _extern, _constants_of_others)
 TEXT_RULES = frozenset(
     {
         "empty-parentheses",

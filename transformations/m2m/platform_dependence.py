@@ -13,12 +13,14 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import ancestor_of_kind
 from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import COMPILER
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
+from robosmi.transformations.m2m.hoisting import hoist
 from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
 from robosmi.transformations.m2m.language_gap import changes
 from robosmi.transformations.m2m.placeholders import (
@@ -29,7 +31,7 @@ from robosmi.transformations.m2m.placeholders import (
     used_symbols,
     wanted_types,
 )
-from robosmi.transformations.m2m.renaming import REDEFINE, RENAME, redefined, renamings
+from robosmi.transformations.m2m.renaming import RENAME, renamings
 from robosmi.transformations.m2m.text_changes import change_texts
 from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView
@@ -86,7 +88,7 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names)
     reserved = names.declared | names.macros | names.keywords
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
-    result.divisions = [divide(main, reserved) for main in mains]
+    result.divisions = [divide(main, reserved, words) for main in mains]
     apart = {a.name for a in result.adapters if a.signatureSource is not OWN}
     code = ProgramModel(views)
     judged = dispositions(code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}))
@@ -196,12 +198,16 @@ def _change_unit_texts(
             verdict = judged.trace.equivalents(prototype)[0]
             verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name
     for view in views:
-        for macro in redefined(view.unit, names):
-            change(macro, REDEFINE, macro.name, f"the target has a macro '{macro.name}' of its own, which gives way")
         for found in changes(view, sources[view.unit.path], functions) if cplusplus else ():
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
     texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
     for disposition in result.dispositions:
         rules = zip(disposition.rules, disposition.reasons, strict=True)
-        change_texts(disposition, wanted.get(disposition) or [(rule, "", reason) for rule, reason in rules], texts)
+        word = disposition.goesOnIn
+        change_texts(disposition, wanted.get(disposition) or [(rule, word, reason) for rule, reason in rules], texts)
+    verdicts = {d.element: d for d in result.dispositions if isinstance(d.element, ccode.Variable)}
+    for division in result.divisions:
+        own = next(text for text in texts if text.unit is ancestor_of_kind(division.main, ccode.SourceUnit))
+        for moved in division.moved:
+            hoist(moved, verdicts, own)

@@ -1,8 +1,8 @@
 """Names of the program's own that the target needs for itself: what they are called in the sketch.
 
 C leaves words to programs that C++ has reserved, and a sketch shares its names with the target's core. Such a name is
-renamed wherever it stands; a macro of the program's own takes the place of the target's macro. A local that merely
-hides a name of the core stays.
+renamed wherever it stands, macros too, so that what is generated goes on meaning the core's. A local that merely hides a name of
+the core stays.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from robosmi.transformations.knowledge.target_platform import TargetNames
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.tokens import name_tokens
 
-RENAME, REDEFINE = "rename", "redefine-macro"
-"""Rules of dispositions: the name is another one in the sketch (`choice`); a macro that the target has is defined anew."""
+RENAME = "rename"
+"""Rule of dispositions: the name is another one in the sketch."""
 
 
 @dataclass(frozen=True)
@@ -24,13 +24,13 @@ class Renaming:
     """A name that changes.
 
     Attributes:
-        element: the first declaration with the name.
+        element: the first declaration or macro with the name.
         name: as it is.
         new: as it will be.
         reason: why, one sentence.
     """
 
-    element: ccode.Declaration
+    element: ccode.Located
     name: str
     new: str
     reason: str
@@ -47,7 +47,7 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
     found: dict[str, Renaming] = {}
     taken: set[str] | None = None
     for declaration, top in _declarations(views):
-        name = declaration.name
+        name = str(declaration.name or "")
         if not name or name in found or (name == "main" and isinstance(declaration, ccode.Function)):
             continue
         if name in names.keywords:
@@ -68,21 +68,13 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
     return list(found.values())
 
 
-def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration, bool]]:
-    """Every declaration of the program with whether it is visible outside of a function."""
+def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro, bool]]:
+    """Every declaration and macro of the program with whether it is visible outside of a function."""
     for view in views:
         if view.unit.language != "C":
             continue
+        yield from ((macro, True) for macro in view.unit.macros)
         top = {id(d) for d in view.unit.declarations}
         for declaration in view.of_kind(ccode.Declaration):
             literal = isinstance(declaration, ccode.EnumerationLiteral) and id(declaration.eContainer()) in top
             yield declaration, id(declaration) in top or literal
-
-
-def redefined(unit: ccode.SourceUnit, names: TargetNames) -> list[ccode.Macro]:
-    """The unit's macros that the target's core defines too, each at its first definition."""
-    first: dict[str, ccode.Macro] = {}
-    for macro in unit.macros:
-        if macro.name in names.macros:
-            first.setdefault(macro.name, macro)
-    return list(first.values())

@@ -15,7 +15,6 @@ from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement
-from robosmi.transformations.m2m.hoisting import HOIST, SPLIT, hoisted
 from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
@@ -32,12 +31,7 @@ def change_texts(disposition: migration.Disposition, wanted: Iterable[tuple[str,
     element, made = disposition.element, []
     for rule, word, reason in wanted if element is not None else ():
         assert element is not None
-        if rule in (HOIST, SPLIT):
-            text = _text(element, texts)
-            assert isinstance(element, ccode.Variable)
-            place, disposition.hoisted = hoisted(element, rule, text)
-            made.append(_change(text, place, rule, reason))
-        elif rule in RULES:
+        if rule in RULES:
             for text in texts if rule in EVERYWHERE else (_text(element, texts),):
                 made += [_change(text, place, rule, reason) for place in RULES[rule](element, word, text)]
     if disposition.changes:

@@ -38,12 +38,21 @@ class MainPart:
 def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[MainPart]:
     """The locals that move out of main, at file scope."""
     hoisted = _hoists(plan, main)
+    parameters = _parameters(main) if _loop(plan, main) is not None else []
+    for line in parameters:
+        yield MainPart(line, "generation", "parameter of main", [main])
     for disposition in hoisted:
         assert disposition.hoisted is not None
         text = source.copied(disposition.hoisted, disposition)
         yield MainPart(text + "\n", "code", "hoisted local", [disposition.element, disposition])
-    if hoisted:
+    if hoisted or parameters:
         yield MainPart("\n", "generation", "blank", [main])
+
+
+def _loop(plan: migration.MigrationPlan, main: ccode.Function) -> ccode.Loop | None:
+    """The loop of main that becomes `loop`, if one does."""
+    found = next((d.element for d in _inside(plan, main) if "main-loop" in d.rules), None)
+    return found if isinstance(found, ccode.Loop) else None
 
 
 def _inside(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
@@ -70,18 +79,24 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     """The parts that take main's place: `setup`, `loop`."""
     assert main.body is not None
     hoisted = _hoists(plan, main)
-    loop = next((d.element for d in _inside(plan, main) if "main-loop" in d.rules), None)
+    loop = _loop(plan, main)
     cuts = [(c.startOffset, c.endOffset) for d in hoisted if d.hoisted is not None for c in d.changes if _whole(c, d.hoisted)]
     body = main.body
     statements = list(body.statements)
     start, end = inside(source.data, body)
     start = _first_line(source, start)
     yield from _comments(source, main.startOffset, body.startOffset, main)
-    if not isinstance(loop, ccode.Loop):
-        yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, _parameters(main))
+    if loop is None:
+        lines = [f"  {line}" for line in _parameters(main)]
+        yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, lines)
         yield MainPart("\n", "generation", "blank", [main])
         yield MainPart("void loop() {\n}\n", "generation", "loop", [main])
         return
+    after, ends = _ends(plan, main)
+    for name in (*([after] if after else []), *ends):
+        yield MainPart(f"void {name}();\n", "generation", "end of main", [main])
+    if after or ends:
+        yield MainPart("\n", "generation", "blank", [main])
     place = statements.index(loop)
     border = source.line_start(loop.startOffset)
     border = border if source.blank(border, loop.startOffset) else loop.startOffset
@@ -101,7 +116,28 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
         yield from _comments(source, loop.startOffset, inner.startOffset, loop)
         last = source.statement_end(inner)
         yield from _function("loop", source, inner.startOffset, last, [inner], loop)
-    yield from _comments(source, last, body.endOffset, main)
+    if after:
+        following = list(statements[place + 1 :])
+        yield MainPart("\n", "generation", "blank", [main])
+        left = bool(following) and isinstance(following[-1], ccode.Return)
+        tail = [] if left else [f"  {ends[0]}();\n" if ends else _STAYS]
+        last = _first_line(source, source.statement_end(loop))
+        yield from _function(after, source, last, _last_line(source, end), following, main, tail=tail)
+    else:
+        yield from _comments(source, last, body.endOffset, main)
+    for name in ends:
+        text = f"\n// main has ended: nothing is repeated any more\nvoid {name}() {{\n{_STAYS}}}\n"
+        yield MainPart(text, "generation", "end of main", [main])
+
+
+_STAYS = "  for (;;) yield();\n"
+
+
+def _ends(plan: migration.MigrationPlan, main: ccode.Function) -> tuple[str, list[str]]:
+    """Names of the functions for what follows the loop and for the end of main: the first empty and the second none without."""
+    inside = _inside(plan, main)
+    after = next((str(d.runsIn) for d in inside if d.runsIn), "")
+    return after, sorted({str(d.goesOnIn) for d in inside if d.goesOnIn} - {after})
 
 
 def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[MainPart]:
@@ -115,7 +151,7 @@ def _parameters(main: ccode.Function) -> list[str]:
     """Declarations for main's parameters, which nobody gives a value on the target."""
     kinds = [(p.name, of_use(p.valueType)) for p in main.parameters if p.references]
     return [
-        f"  {kind.spelling}{'' if kind.spelling.endswith('*') else ' '}{name} = 0;\n" for name, kind in kinds if kind is not None
+        f"{kind.spelling}{'' if kind.spelling.endswith('*') else ' '}{name} = 0;\n" for name, kind in kinds if kind is not None
     ]
 
 
@@ -133,6 +169,7 @@ def _function(
     owner: ccode.Located,
     cuts: Sequence[tuple[int, int]] = (),
     first: Sequence[str] = (),
+    tail: Sequence[str] = (),
 ) -> Iterator[MainPart]:
     """`void name() { ... }` around copied text, one part for each run of lines.
 
@@ -144,6 +181,7 @@ def _function(
         owner: the element that the function comes from.
         cuts: ranges that are left out.
         first: lines that come first.
+        tail: lines that come last.
     """
     yield MainPart(f"void {name}() {{\n", "generation", name, [owner])
     for line in first:
@@ -161,6 +199,8 @@ def _function(
             yield MainPart(text if text.endswith("\n") else text + "\n", "code", "retained statement", _elements(piece))
         elif text:
             yield MainPart("\n", "code", "blank", [owner])
+    for line in tail:
+        yield MainPart(line, "generation", "end of main", [owner])
     yield MainPart("}\n", "generation", name, [owner])
 
 

@@ -66,7 +66,11 @@ def program_files(
     )
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         text = texts[unit]
-        return own_header(text) if is_header(unit) else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late)}
+        return (
+            own_header(text)
+            if is_header(unit)
+            else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late, texts)}
+        )
 
     @g.rule(template=templates.adapters, target=f"{plan.name}/adapters.h")
     def Adapters() -> dict[str, Any]:

@@ -6,7 +6,7 @@ text is copied from the stored source (see `queries.source_text`), in the order 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,6 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
+from robosmi.transformations.queries.own_headers import undeclared, unit_of
 from robosmi.transformations.queries.plan import keeps_main, target_of
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 from robosmi.transformations.queries.text_changes import decision_of
@@ -39,7 +40,10 @@ def own_header(source: SourceText) -> dict[str, Any]:
 
 
 def program_text(
-    plan: migration.MigrationPlan, source: SourceText, with_own_types: Sequence[migration.AdapterUse]
+    plan: migration.MigrationPlan,
+    source: SourceText,
+    with_own_types: Sequence[migration.AdapterUse],
+    texts: Mapping[ccode.SourceUnit, SourceText],
 ) -> dict[str, Any]:
     """What the file of any other unit shows.
 
@@ -47,6 +51,7 @@ def program_text(
         plan: the plan.
         source: the unit's text.
         with_own_types: the adapters that can only stand behind the program's own types.
+        texts: the text of each unit.
 
     Returns:
         `origin`, `includes`, `libraries` for its head; `types` (its code up to the first function, where something must stand
@@ -60,6 +65,7 @@ def program_text(
         if isinstance(declared, ccode.Function) and not declared.definition:
             prototypes.setdefault(declared.name, []).append(declared)
     ahead = [f for f in functions if f is not main and _used_before(f, unit, prototypes.get(f.name, ()))]
+    ahead += undeclared(unit)
     late = [a for a in with_own_types if _called_in(a, unit)]
     first = min((f.startOffset for f in functions), default=len(source.data))
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
@@ -70,7 +76,7 @@ def program_text(
         "libraries": _libraries(plan),
         "types": _retained([], source.unit, source.pieces(0, start, _elements(unit))),
         "adapters": adapters(plan, late),
-        "prototypes": [{"function": f, "head": _prototype(f, source, plan)} for f in ahead],
+        "prototypes": [{"function": f, "head": _prototype(f, texts[unit_of(f)], plan)} for f in ahead],
         "code": _code(plan, source, start, main),
     }
 

@@ -6,14 +6,21 @@ it, or why the whole body has to stay in one piece, which is always correct. It 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
-from robosmi.transformations.queries.expression_type import declared_with_others
-from robosmi.transformations.queries.main_program import MainStructure, main_structure
+from robosmi.transformations.queries.main_locals import (
+    MovedDeclaration,
+    Surroundings,
+    free_name,
+    locals_of,
+    moved_declarations,
+    outlives,
+)
+from robosmi.transformations.queries.main_program import MainStructure, main_structure, ways_out
 
 
 @dataclass(frozen=True)
@@ -24,22 +31,28 @@ class Division:
         main: the function.
         loop: its endless loop, or None when everything stays in one piece.
         before: statements that run once.
-        hoisted: locals declared before the loop and used in it.
-        split: those of `hoisted` whose initial value is not constant, so that it is assigned where it was declared.
+        moved: declarations before the loop of locals that it or what follows it needs.
+        after: statements that run when the loop is left.
         unreachable: statements after the loop that nothing leads to.
         continues: `continue` statements of that loop.
+        breaks: `break` statements of that loop.
         returns: `return` statements of main.
+        after_name: what the function is called that `after` runs in, empty without these.
+        end_name: what the function is called in which the program stays when main has ended, empty where main does not end.
         reason: why it is so, one sentence.
     """
 
     main: ccode.Function
     loop: ccode.Loop | None
     before: tuple[ccode.Statement, ...] = ()
-    hoisted: tuple[ccode.Variable, ...] = ()
-    split: tuple[ccode.Variable, ...] = ()
+    moved: tuple[MovedDeclaration, ...] = ()
+    after: tuple[ccode.Statement, ...] = ()
     unreachable: tuple[ccode.Statement, ...] = ()
     continues: tuple[ccode.Continue, ...] = ()
+    breaks: tuple[ccode.Break, ...] = ()
     returns: tuple[ccode.Return, ...] = ()
+    after_name: str = ""
+    end_name: str = ""
     reason: str = ""
 
 
@@ -48,74 +61,65 @@ def main_of(unit: ccode.SourceUnit) -> ccode.Function | None:
     return next((d for d in unit.declarations if isinstance(d, ccode.Function) and d.name == "main" and d.definition), None)
 
 
-def divide(main: ccode.Function, reserved: Collection[str] = ()) -> Division:
+def divide(main: ccode.Function, reserved: Collection[str] = (), words: Collection[str] = ()) -> Division:
     """Divide main at its endless loop if that keeps its meaning.
 
     Args:
         main: a function with a body.
         reserved: names that nothing at file scope may have.
+        words: all words of the program, which no new name may be.
     """
     unit = ancestor_of_kind(main, ccode.SourceUnit)
     structure = main_structure(unit) if unit is not None else None
     returns = tuple(all_of_kind(main, ccode.Return))
-    if structure is None or structure.loop is None:
-        statements = tuple(main.body.statements) if main.body else ()
+    statements = tuple(main.body.statements) if main.body else ()
+    if unit is None or structure is None or structure.loop is None:
         return Division(main, None, statements, returns=returns, reason="main has no endless loop of its own")
-    loop, before, after = structure.loop, structure.before, structure.after
-    hoisted = tuple(v for v in _locals(before) if v in structure.hoisted or _outlives(v))
-    if reason := _obstacle(structure, hoisted, reserved):
-        statements = tuple(main.body.statements) if main.body else ()
+    loop, before = structure.loop, structure.before
+    breaks = tuple(e for e in ways_out(loop) if isinstance(e, ccode.Break))
+    after = tuple(structure.after) if breaks else ()
+    hoisted = [v for v in locals_of(before) if v in structure.hoisted or outlives(v) or _used_in(v, after)]
+    around = Surroundings(main, unit, reserved, words, _runs_again(before))
+    moved, reason = moved_declarations(hoisted, around)
+    reason = _obstacle(structure) or reason
+    if reason:
         return Division(main, None, statements, returns=returns, reason=f"main stays in one piece: {reason}")
+    kept = tuple(r for r in returns if breaks or not _used_in(r, structure.after))
+    taken = {*words, *reserved}
     return Division(
         main,
         loop,
         tuple(before),
-        hoisted,
-        tuple(v for v in hoisted if v.initializer is not None and not is_constant(v.initializer)),
-        tuple(after),
+        moved,
+        after,
+        () if breaks else tuple(structure.after),
         tuple(c for c in all_of_kind(loop, ccode.Continue) if ancestor_of_kind(c, ccode.Loop) is loop),
-        returns,
+        breaks,
+        kept,
+        free_name("after_loop", taken) if after else "",
+        free_name("end_of_main", taken) if breaks or kept else "",
         "main is divided at its endless loop",
     )
 
 
-def _locals(statements: Iterable[ccode.Statement]) -> list[ccode.Variable]:
-    """The variables that these statements themselves declare."""
-    declared = (d for s in statements if isinstance(s, ccode.DeclarationStatement) for d in s.declarations)
-    return [d for d in declared if isinstance(d, ccode.Variable)]
+def _used_in(element: Any, statements: Collection[ccode.Statement]) -> bool:
+    """Whether a variable is used in these statements, or another element stands in them."""
+    places = element.references if isinstance(element, ccode.Variable) else (element,)
+    return any(s.startOffset <= place.startOffset < s.endOffset for place in places for s in statements)
 
 
-def _outlives(variable: ccode.Variable) -> bool:
-    """Whether something may point to the variable when setup is over: its address is taken, or it is an array handed on."""
-    if variable.storage.name == "staticStorage":
-        return False
-    array = variable.valueType is not None and bool(variable.valueType.arrayDims)
-    for use in variable.references:
-        container = use.eContainer()
-        if isinstance(container, ccode.Unary) and container.operator == "&":
-            return True
-        if isinstance(container, (ccode.Index, ccode.Member)) and _address_taken(container):
-            return True
-        if array and not isinstance(container, (ccode.Index, ccode.SizeOf)):
-            return True
-    return False
-
-
-def _address_taken(expression: object) -> bool:
-    while isinstance(expression, (ccode.Index, ccode.Member)):
-        expression = expression.eContainer()
-    return isinstance(expression, ccode.Unary) and expression.operator == "&"
-
-
-def _obstacle(structure: MainStructure, hoisted: Iterable[ccode.Variable], reserved: Collection[str]) -> str:
+def _obstacle(structure: MainStructure) -> str:
     """Why the loop cannot be taken out of main, or an empty text."""
     main, loop = structure.function, structure.loop
-    if structure.exits:
-        return f"its loop is left in line {structure.exits[0].line}"
-    for statement in structure.before:
-        for inner in all_contents(statement):
-            if isinstance(inner, (ccode.Return, ccode.Goto, ccode.Label)):
-                return f"line {inner.line} may leave it before the loop"
+    unit = ancestor_of_kind(main, ccode.SourceUnit)
+    assert unit is not None
+    assert loop is not None
+    if reason := _jumps(structure):
+        return reason
+    expanded = [(use.startOffset, use.endOffset) for use in unit.macroUses]
+    for leaving in (*ways_out(loop), *all_of_kind(main, ccode.Return), *all_of_kind(loop, ccode.Continue)):
+        if any(start <= leaving.startOffset < end for start, end in expanded):
+            return f"a macro leaves the loop in line {leaving.line}"
     if isinstance(loop, ccode.For) and loop.initial is not None:
         return f"the loop in line {loop.line} has an initial clause"
     if isinstance(loop, ccode.For) and loop.step is not None:
@@ -125,17 +129,36 @@ def _obstacle(structure: MainStructure, hoisted: Iterable[ccode.Variable], reser
             isinstance(d, (ccode.Variable, ccode.Function)) for d in statement.declarations
         ):
             return f"line {statement.line} declares a type"
-    unit = ancestor_of_kind(main, ccode.SourceUnit)
-    if unit is not None and loop is not None and (line := _torn(unit, main, loop)):
+    if line := _torn(unit, main, loop):
         return f"the conditional directive in line {line} would be torn apart"
-    taken = {d.name for d in unit.declarations} | {m.name for m in unit.macros} if unit else set()
-    for variable in hoisted:
-        if reason := _stays(variable, taken) or _needs_macro(variable, unit, main):
-            return reason
-        if variable.name in reserved:
-            return f"'{variable.name}' at file scope would clash with a name of the target"
+    taken = {d.name for d in unit.declarations} | {m.name for m in unit.macros}
     names = {p.name for p in main.parameters if p.references}
-    return f"it uses its parameter '{min(names)}'" if names else ""
+    return f"its parameter '{min(names & taken)}' hides a name at file scope" if names & taken else ""
+
+
+def _jumps(structure: MainStructure) -> str:
+    """Which jump leads from one part of main to another, or an empty text."""
+    parts: dict[str, list[Any]] = {"before": structure.before, "in": [structure.loop], "behind": structure.after}
+    labels = {
+        str(inner.name): part
+        for part, statements in parts.items()
+        for statement in statements
+        for inner in (statement, *all_contents(statement))
+        if isinstance(inner, ccode.Label)
+    }
+    for part, statements in parts.items():
+        for statement in statements:
+            for inner in (statement, *all_contents(statement)):
+                if isinstance(inner, ccode.Goto) and labels.get(str(inner.labelName)) != part:
+                    return f"line {inner.line} jumps to '{inner.labelName}', which is not {part} its loop"
+                if isinstance(inner, ccode.UnknownStatement):
+                    return f"line {inner.line} is a statement that nothing is known of"
+    return ""
+
+
+def _runs_again(before: Iterable[ccode.Statement]) -> bool:
+    """Whether statements may run more than once: a label stands among them."""
+    return any(isinstance(inner, ccode.Label) for s in before for inner in (s, *all_contents(s)))
 
 
 def _torn(unit: ccode.SourceUnit, main: ccode.Function, loop: ccode.Loop) -> int:
@@ -160,73 +183,3 @@ def _torn(unit: ccode.SourceUnit, main: ccode.Function, loop: ccode.Loop) -> int
         if depth:
             return int(loop.line)
     return 0
-
-
-def _stays(variable: ccode.Variable, taken: set[str]) -> str:
-    """Why a local cannot become a global, or an empty text."""
-    use = variable.valueType
-    declared = use.declaration if use is not None else None
-    if variable.name in taken:
-        return f"'{variable.name}' would hide the global of that name"
-    if declared_with_others(variable):
-        return f"line {variable.line} declares '{variable.name}' together with other names"
-    if use is not None and use.arrayDims and not _constant_size(variable):
-        return f"the size of '{variable.name}' is not constant"
-    if use is not None and use.arrayDims and variable.initializer is not None and not is_constant(variable.initializer):
-        return f"the array '{variable.name}' has values that are not constant"
-    if declared is not None and ancestor_of_kind(declared, ccode.Function) is not None:
-        return f"the type of '{variable.name}' is declared in main"
-    return ""
-
-
-def _needs_macro(variable: ccode.Variable, unit: ccode.SourceUnit | None, main: ccode.Function) -> str:
-    """Why a local cannot move in front of main: a macro that is defined only in main is used in it."""
-    end = variable.endOffset
-    if variable.initializer is not None and not is_constant(variable.initializer):
-        end = variable.initializer.startOffset  # that stays where it is
-    for use in unit.macroUses if unit is not None else ():
-        defined = use.macro
-        if defined is not None and main.startOffset <= defined.startOffset and variable.startOffset <= use.startOffset < end:
-            return f"line {variable.line} uses the macro '{use.name}', which is defined in main"
-    return ""
-
-
-def _constant_size(variable: ccode.Variable) -> bool:
-    """Whether an array's size may be written at file scope: it is made of numbers and of names of no variable."""
-    use, unit = variable.valueType, ancestor_of_kind(variable, ccode.SourceUnit)
-    assert use is not None
-    first, _, rest = use.arrayDims.partition("]")
-    if not first.strip("[ ") and variable.initializer is None:
-        return False
-    names = set(re.findall(r"[A-Za-z_]\w*", use.arrayDims))
-    if not names:
-        return re.search(r"\[\s*\]", rest) is None
-    variables = {
-        d.name
-        for d in (all_contents(unit) if unit is not None else ())
-        if isinstance(d, (ccode.Variable, ccode.Parameter)) and not _constant_name(d)
-    }
-    return "sizeof" not in names and not names & variables
-
-
-def is_constant(expression: ccode.Expression) -> bool:
-    """Whether an expression may stand as the initial value of a global: literals, constants and operators on them."""
-    for inner in all_contents(expression):
-        if isinstance(inner, (ccode.Call, ccode.Assignment, ccode.UnknownExpression, ccode.Member, ccode.Index)):
-            return False
-        if isinstance(inner, ccode.Unary) and inner.operator in ("++", "--", "*"):
-            return False
-        if isinstance(inner, ccode.NameReference) and not _constant_name(inner.target):
-            return False
-    return True
-
-
-def _constant_name(target: ccode.Declaration | None) -> bool:
-    """Whether a name stands for the same value everywhere in the file."""
-    if isinstance(target, ccode.EnumerationLiteral):
-        return True
-    if isinstance(target, ccode.Variable) and isinstance(target.eContainer(), ccode.SourceUnit):
-        return bool(
-            target.valueType and target.valueType.constant and target.initializer is not None and is_constant(target.initializer)
-        )
-    return False

@@ -89,20 +89,25 @@ def _in_macro(unit: ccode.SourceUnit, loop: Any, variable: ccode.Variable) -> bo
 
 def exits(loop: Any) -> list[LoopExit]:
     """The breaks, returns and gotos that leave a loop, in text order."""
-    found: list[LoopExit] = []
+    return sorted((LoopExit(_KINDS[type(e)], int(e.line)) for e in ways_out(loop)), key=lambda e: e.line)
+
+
+_KINDS: dict[type, str] = {ccode.Break: "break", ccode.Return: "return", ccode.Goto: "goto"}
+
+
+def ways_out(loop: Any) -> list[ccode.Statement]:
+    """The statements in a loop that leave it, in text order."""
+    found: list[ccode.Statement] = []
     labels = {str(e.name) for e in all_contents(loop) if isinstance(e, ccode.Label)}
     pending: list[tuple[Any, bool]] = [(loop.body, True)] if loop.body is not None else []
     while pending:
         element, own = pending.pop()
         if isinstance(element, ccode.Break):
             if own:
-                found.append(LoopExit("break", int(element.line)))
-        elif isinstance(element, ccode.Return):
-            found.append(LoopExit("return", int(element.line)))
-        elif isinstance(element, ccode.Goto):
-            if str(element.labelName) not in labels:
-                found.append(LoopExit("goto", int(element.line)))
+                found.append(element)
+        elif isinstance(element, ccode.Return) or (isinstance(element, ccode.Goto) and str(element.labelName) not in labels):
+            found.append(element)
         elif isinstance(element, ccode.Statement):
             inner = own and not isinstance(element, (ccode.Loop, ccode.Switch))
             pending.extend((child, inner) for child in element.eContents if isinstance(child, ccode.Statement))
-    return sorted(found, key=lambda e: e.line)
+    return sorted(found, key=lambda e: int(e.startOffset))

@@ -1,8 +1,9 @@
-"""Headers of the program's own that are carried over with it."""
+"""Headers of the program's own that are carried over with it, and what of other files a file uses without them."""
 
 from __future__ import annotations
 
 from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.source_text import is_header
 
 
@@ -21,3 +22,37 @@ def own_header(include: ccode.Include) -> str:
         (wanted for u in (program.units if program is not None else ()) if is_header(u) and u.path.rpartition("/")[2] == wanted),
         "",
     )
+
+
+def unit_of(element: ccode.Located) -> ccode.SourceUnit:
+    """The unit that an element stands in."""
+    unit = ancestor_of_kind(element, ccode.SourceUnit)
+    assert unit is not None
+    return unit
+
+
+def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
+    """The program's own headers that a unit includes, those that they include too."""
+    program = unit.program
+    headers = {u.path.rpartition("/")[2]: u for u in (program.units if program is not None else ()) if is_header(u)}
+    found: dict[int, ccode.SourceUnit] = {}
+    pending = [unit]
+    while pending:
+        for include in pending.pop().includes:
+            header = headers.get(own_header(include))
+            if header is not None and id(header) not in found:
+                found[id(header)] = header
+                pending.append(header)
+    return list(found.values())
+
+
+def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
+    """The functions of other files that a unit calls and declares nowhere, as old C allows; by their first calls."""
+    declared = {d.name for u in (unit, *included(unit)) for d in u.declarations if isinstance(d, ccode.Function)}
+    found: dict[str, ccode.Function] = {}
+    for call in sorted(all_of_kind(unit, ccode.Call), key=lambda c: int(c.startOffset)):
+        callee = call.callee
+        if callee is None or not callee.definition or callee.name in declared or unit_of(callee) is unit:
+            continue
+        found.setdefault(str(callee.name), callee)
+    return list(found.values())

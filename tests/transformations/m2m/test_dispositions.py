@@ -21,6 +21,7 @@ PROGRAMS = Path(__file__).parent / "programs"
 SOURCES = {
     "every_verdict": [PROGRAMS / "every_verdict" / name for name in ("every_verdict.c", "wheel.c")],
     "whole_main": [PROGRAMS / "whole_main.c"],
+    "left_main": [PROGRAMS / "left_main.c"],
 }
 
 
@@ -70,6 +71,24 @@ def test_the_verdict_on_a_line(line: int, rule: str, verdict: str) -> None:
         (r, d) for r, d in judged(planned("every_verdict")) if isinstance(d.element, ccode.Located) and d.element.line == line
     ]
     assert (rule, verdict) in [(r, f"{d.action.name} {'+'.join(d.rules)}") for r, d in found]
+
+
+@pytest.mark.parametrize(
+    ("line", "rule", "verdict", "function"),
+    [
+        (6, "SplitLocal", "hoist hoist-local-split", ""),
+        (6, "LocalBeside", "hoist hoist-local-beside", ""),
+        (7, "EndOfMain", "rewrite end-of-main", "end_of_main"),
+        (9, "LeaveMainLoop", "rewrite leave-main-loop", "after_loop"),
+        (10, "EndOfMain", "rewrite value-and-end-of-main", "end_of_main"),
+        (13, "MainAfter", "retain main-after", ""),
+        (14, "EndOfMain", "rewrite end-of-main", "end_of_main"),
+    ],
+)
+def test_what_leaves_the_loop_goes_on_in_a_function(line: int, rule: str, verdict: str, function: str) -> None:
+    found = [(r, d) for r, d in judged(planned("left_main")) if isinstance(d.element, ccode.Located) and d.element.line == line]
+    assert (rule, verdict, function) in [(r, f"{d.action.name} {'+'.join(d.rules)}", d.goesOnIn) for r, d in found]
+    assert [d.runsIn for r, d in found if d.element.line > 12] == ["after_loop"] * (line > 12)
 
 
 def test_each_disposition_has_one_link_from_its_element(plan: migration.MigrationPlan) -> None:

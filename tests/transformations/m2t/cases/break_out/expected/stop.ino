@@ -5,14 +5,23 @@
 
 #include "adapters.h"
 
+void after_loop();
+void end_of_main();
+
 void setup() {
-  while (1) {
-    if (input(2)) break;
-    toggle(3);
-  }
-  low(3);
-  return;
 }
 
 void loop() {
+  if (input(2)) return after_loop();
+  toggle(3);
+}
+
+void after_loop() {
+  low(3);
+  return end_of_main();
+}
+
+// main has ended: nothing is repeated any more
+void end_of_main() {
+  for (;;) yield();
 }

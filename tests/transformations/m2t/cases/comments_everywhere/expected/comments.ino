@@ -5,6 +5,7 @@
 
 #include "adapters.h"
 
+// the library
 /* before main */
 /* between */
 void setup() {

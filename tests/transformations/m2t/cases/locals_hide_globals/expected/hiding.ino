@@ -9,13 +9,12 @@ int speed = 1;
 
 void show(void) { pause(speed); }
 
+int speed_ = 24;
+
 void setup() {
-  int speed = 24;
-  while (1) {
-    show();
-    pause(speed);
-  }
 }
 
 void loop() {
+  show();
+  pause(speed_);
 }

@@ -5,14 +5,14 @@
 
 #include "adapters.h"
 
+int a = 1, b = 2, *p;
+
 void setup() {
-  int a = 1, b = 2, *p = &a;
-  while (1) {
-    a = a + b;
-    *p = 3;
-    pause(a);
-  }
+  p = &a;
 }
 
 void loop() {
+  a = a + b;
+  *p = 3;
+  pause(a);
 }

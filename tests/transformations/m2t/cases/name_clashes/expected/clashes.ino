@@ -6,8 +6,7 @@
 #include "adapters.h"
 
 #define LOW_SPEED 2
-#undef min
-#define min(a, b) ((a) < (b) ? (a) : (b))
+#define min_(a, b) ((a) < (b) ? (a) : (b))
 
 int F_ = 3;
 int B1_ = 4;
@@ -20,17 +19,16 @@ void delay_(int n) { pause(n); }
 int abs_(int n) { return n < 0 ? -n : n; }
 int digitalRead_(int pin) { return input(pin) + F_ + B1_; }
 
+int A0_ = 2;
+int yield_ = 1;
+
 void setup() {
-  int A0 = 2;
-  int yield = 1;
   high(input_pin);
-  low(A0);
-  while (1) {
-    delay_(min(F_, abs_(-4)));
-    word_ = digitalRead_(5) + map_[0] + HIGH_ + yield;
-    if (word_ == OUTPUT_ON) toggle(A0);
-  }
+  low(A0_);
 }
 
 void loop() {
+  delay_(min_(F_, abs_(-4)));
+  word_ = digitalRead_(5) + map_[0] + HIGH_ + yield_;
+  if (word_ == OUTPUT_ON) toggle(A0_);
 }

@@ -7,12 +7,11 @@
 
 typedef unsigned char byte_;
 typedef int bool_;
-#define true 1
-#define false 0
-#undef PI
-#define PI 3
+#define true_ 1
+#define false_ 0
+#define PI_ 3
 
-bool_ on = false;
+bool_ on = false_;
 byte_ count;
 
 void setup() {
@@ -20,6 +19,6 @@ void setup() {
 
 void loop() {
   on = !on;
-  count += PI;
-  if (on == true) pause(count);
+  count += PI_;
+  if (on == true_) pause(count);
 }

@@ -5,15 +5,19 @@
 
 #include "adapters.h"
 
+void end_of_main();
+
 void setup() {
   if (!input(3))
-    return;
-  while (1) {
-    toggle(5);
-    pause(50);
-  }
-  return;
+    return end_of_main();
 }
 
 void loop() {
+  toggle(5);
+  pause(50);
+}
+
+// main has ended: nothing is repeated any more
+void end_of_main() {
+  for (;;) yield();
 }

@@ -1,0 +1,21 @@
+// robot: robot.c moved from propeller to Arduino Uno.
+// Made by RoboSMi. What is left to do is listed in MIGRATION.md.
+
+#include <Arduino.h>
+
+#include "adapters.h"
+
+static int counter = 1;
+extern const int limit;
+
+// Functions that are used before they are defined
+int twice(int x);
+void show();
+
+void setup() {
+}
+
+void loop() {
+  counter = twice(counter) % limit;
+  show();
+}
