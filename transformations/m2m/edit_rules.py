@@ -84,6 +84,12 @@ def _rename(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     return [(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
 
 
+def undefine(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """The target's macro goes before the program defines its own, as plans of version 0.1.0 have it."""
+    start = text.line_start(element.startOffset)
+    return [(start, start, f"#undef {choice}\n")]
+
+
 def _convert(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     return [(element.startOffset, element.startOffset, f"({choice})")]
 
@@ -179,7 +185,10 @@ def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement
     return [(written.start(), written.end(), wanted)]
 
 
-RULES: dict[str, Callable[[Any, str, SourceText], list[Replacement]]] = {
+EditRule = Callable[[Any, str, SourceText], list[Replacement]]
+"""Element, what the rule puts in, text of its unit -> what changes."""
+
+RULES: dict[str, EditRule] = {
     "platform-include": _line,
     "standard-include": _line_with_comment,
     "posix-include": _line,

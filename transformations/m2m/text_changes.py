@@ -8,32 +8,38 @@ that are in the plan and derives none. When a person binds a port otherwise in a
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, Replacement
+from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, EditRule, Replacement
 from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
 
 
-def change_texts(disposition: migration.Disposition, wanted: Iterable[tuple[str, str, str]], texts: Sequence[SourceText]) -> None:
+def change_texts(
+    disposition: migration.Disposition,
+    wanted: Iterable[tuple[str, str, str]],
+    texts: Sequence[SourceText],
+    table: Mapping[str, EditRule] = RULES,
+) -> None:
     """Give a disposition the changes of text that its rules ask for.
 
     Args:
         disposition: the disposition; what it had is replaced.
         wanted: (rule, what it puts in, why); rules that change no text are left out.
         texts: the text of each unit.
+        table: what the rules do.
     """
     element, made = disposition.element, []
     for rule, word, reason in wanted if element is not None else ():
         assert element is not None
-        if rule in RULES:
+        if rule in table:
             for text in texts if rule in EVERYWHERE else (_text(element, texts),):
-                made += [_change(text, place, rule, reason) for place in RULES[rule](element, word, text)]
+                made += [_change(text, place, rule, reason) for place in table[rule](element, word, text)]
     if disposition.changes:
         disposition.changes.clear()
     disposition.changes.extend(made)

@@ -7,7 +7,7 @@ contained in its platform and knew its name there. A target was not in the model
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -16,9 +16,13 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import ancestor_of_kind
 from robosmi.transform import Flock, ModelMigration
 from robosmi.transformations.m2m.adapter_uses import own_types, target_type
+from robosmi.transformations.m2m.edit_rules import RULES, undefine
+from robosmi.transformations.m2m.hoisting import HOIST, SPLIT, hoist
 from robosmi.transformations.m2m.text_changes import bind_texts, change_texts
+from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.signature_text import parameter_name, parameter_type, taken_apart
 from robosmi.transformations.queries.source_text import SourceText
 
@@ -57,7 +61,9 @@ def rules(f: Flock) -> None:
             words = o.choice.split(NEXT) if len(several) > 1 else [o.choice]
             pairs = zip(several, words, strict=False)
             why = dict(zip(several, m.reasons, strict=False))
-            change_texts(m, [(rule, word, why.get(rule, o.reason)) for rule, word in pairs], texts(program))
+            change_texts(m, [(rule, word, why.get(rule, o.reason)) for rule, word in pairs], texts(program), _RULES)
+            if isinstance(m.element, ccode.Variable) and m.rules[0] in (HOIST, SPLIT):
+                _hoist(m.element, m, texts(program))
 
     @f.post
     def targets() -> None:
@@ -68,6 +74,18 @@ def rules(f: Flock) -> None:
             plan.targetDescription = next((t for t in described if t.board is plan.board), None)
             if plan.program is not None:
                 bind_texts(plan, texts(plan.program))
+
+
+_RULES = {**RULES, "platform-include": RULES["standard-include"], "redefine-macro": undefine}
+"""What rules did to the text: comments went with includes of the platform, macros of the target gave way to the program's."""
+
+
+def _hoist(variable: ccode.Variable, verdict: migration.Disposition, texts: Sequence[SourceText]) -> None:
+    """Move a local, which is declared alone, as it was moved."""
+    statement = variable.eContainer()
+    assert isinstance(statement, ccode.DeclarationStatement)
+    moved = MovedDeclaration(statement, (variable,), (variable,) if SPLIT in verdict.rules else ())
+    hoist(moved, {variable: verdict}, next(text for text in texts if text.unit is ancestor_of_kind(variable, ccode.SourceUnit)))
 
 
 def _stored(path: Path) -> bytes:
