@@ -228,6 +228,8 @@ class Platform(Element, metaclass=MetaEClass):
     """Name of the processor architecture as libraries declare it."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the target's core that a project names."""
+    coreName: str = EAttribute(eType=EString, default_value="")
+    """Name of the core whose version that is, as boards name it (arduino:avr); empty where every board has that core."""
     mainHeader: str = EAttribute(eType=EString, default_value="")
     """Header that every program of the platform includes."""
     pinFunctions: MutableSequence[str] = EAttribute(
@@ -285,6 +287,7 @@ class Platform(Element, metaclass=MetaEClass):
             hasCogs: bool | None = None,
             architecture: str | None = None,
             coreVersion: str | None = None,
+            coreName: str | None = None,
             mainHeader: str | None = None,
             pinFunctions: Iterable[str] | None = None,
             standardHeaders: Iterable[str] | None = None,
@@ -588,6 +591,8 @@ class BoardMapping(Element, metaclass=MetaEClass):
     """Program memory in bytes that is left for a program."""
     ramBytes: int = EAttribute(eType=EInt)
     """Data memory in bytes."""
+    coreVersion: str = EAttribute(eType=EString, default_value="")
+    """Version of the core that the board is of, where that is not the platform's; empty where it is, or is unknown."""
     pinNames: MutableSequence[PinName] = EReference(upper=-1, containment=True)
     """How programs of the platform call the pins."""
 
@@ -604,6 +609,7 @@ class BoardMapping(Element, metaclass=MetaEClass):
             extraFlags: Iterable[str] | None = None,
             flashBytes: int | None = None,
             ramBytes: int | None = None,
+            coreVersion: str | None = None,
             pinNames: Iterable[PinName] | None = None,
         ) -> None: ...
 

@@ -13,13 +13,14 @@ from robosmi.report import Report
 def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("model", metavar="MODEL|DRAWING|PLAN", type=Path, help="a drawing, a stored plan.xmi or another model")
+    parser.add_argument("--metamodel", metavar="X.ecore", type=Path, help="metamodel of MODEL, which is XMI")
 
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("check")
     project = project_of(arguments.model)
-    done = content("chain", "check")(arguments.model)
+    done = content("chain", "check")(arguments.model, arguments.metamodel)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     return report

@@ -176,7 +176,7 @@ class _Reader:
             return self.ecore(path, referrer or Location(place))
         except Unreadable as error:
             self._refused.add(path)
-            known = f"known namespaces: {', '.join(self.metamodels.uris())}"
+            known = f"give its metamodel (--metamodel X.ecore); known namespaces: {', '.join(self.metamodels.uris())}"
             self.give_up(Location(place, error.line), error.text, error.fix or known)
             return None
         self.documents[path] = document

@@ -26,6 +26,7 @@ class Board:
         extra_flags: further arguments for every compile.
         flash_bytes: what a program may take.
         ram_bytes: the data memory.
+        folders: folders with headers of its own, which the flags name.
     """
 
     name: str
@@ -35,6 +36,7 @@ class Board:
     extra_flags: tuple[str, ...]
     flash_bytes: int
     ram_bytes: int
+    folders: tuple[Path, ...] = ()
 
     def fill(self) -> dict[str, str]:
         """A copy of the values."""

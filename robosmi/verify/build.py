@@ -205,6 +205,7 @@ class Build:
         sources = [path for path in files if path.suffix in self.toolchain.suffixes]
         for text in fill(self.toolchain.core.texts("board_files"), self.board.fill()):
             files += archives.files_below(self.installed.core / text)
+        files += [file for folder in self.board.folders for file in archives.files_below(folder)]
         try:
             return self._archive(self._name("core", files, sources, "core", []), sources, "core", [])
         except _Broken as broken:

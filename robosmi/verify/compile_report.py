@@ -20,6 +20,7 @@ TOO_BIG = "RS805"
 STAND_IN_USED = "RS806"
 LITTLE_RAM = "RS807"
 BADLY_NAMED = "RS808"
+OTHER_BOARD = "RS809"
 
 RULES = {
     COMPILER_ERROR: "the compiler reports an error",
@@ -30,6 +31,7 @@ RULES = {
     STAND_IN_USED: "a library is not installed; a stand-in of the repository took its place in the check",
     LITTLE_RAM: "the program fits, but little RAM is left for the stack",
     BADLY_NAMED: "the main file does not bear its folder's name",
+    OTHER_BOARD: "the program was made for the pins of another board",
 }
 """Every rule of the compile check: id -> meaning."""
 

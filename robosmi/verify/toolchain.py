@@ -17,7 +17,7 @@ from robosmi.plugins import content
 from robosmi.trust import acting
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.build import Build
-from robosmi.verify.compile_report import MISSING_HEADER, TOO_BIG, CompileReport
+from robosmi.verify.compile_report import MISSING_HEADER, OTHER_BOARD, TOO_BIG, CompileReport
 from robosmi.verify.libraries import LibraryFolders
 from robosmi.verify.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
@@ -62,8 +62,26 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
         others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
         report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
+    if (made_for := _other_board(sketch, chosen, boards, toolchain)) is not None:
+        report = replace(report, diagnostics=(made_for, *report.diagnostics))
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
     return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
+
+
+def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:
+    """What to say where a program is bound to its board by what the toolchain calls `bound_to`, and another one was asked for."""
+    key, given = toolchain.sketch.text("bound_to", ""), sketch.project_file
+    if not key or given is None or given.board is None:
+        return None
+    own = choose_board(sketch, boards, toolchain)
+    if own.values[key] == chosen.values[key]:
+        return None
+    message = (
+        f"the program was made for '{own.name}' ({own.values[key]}) and writes its pins by their ports; "
+        f"on '{chosen.name}' ({chosen.values[key]}) these are other pins"
+    )
+    fix = f"move the program to {chosen.name}, or compile it for {own.name}"
+    return Finding(OTHER_BOARD, Severity.warning, message, Location(str(given.path), given.board_line), fix=fix)
 
 
 def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -> Finding:

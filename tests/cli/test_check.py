@@ -12,7 +12,9 @@ import robosmi
 from robosmi.cli.main import main
 from robosmi.metamodels import migration
 from robosmi.model import load_model, save_model
+from robosmi.plugins import registry
 from robosmi.transformations.chains.models import load_models
+from robosmi.validate import EVL
 
 
 def run(*arguments: str | Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, dict[str, Any]]:
@@ -90,3 +92,34 @@ def test_checking_writes_nothing(sketch: Path) -> None:
     assert {p: p.read_bytes() for p in sketch.rglob("*") if p.is_file()} == before
     assert isinstance(load_model(sketch / "models" / "plan.xmi"), migration.MigrationPlan)
     assert callable(save_model)
+
+
+ECORE = """<?xml version="1.0" encoding="UTF-8"?>
+<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+    xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="shelf" nsURI="http://nowhere/shelf" nsPrefix="shelf">
+  <eClassifiers xsi:type="ecore:EClass" name="Shelf"/>
+</ecore:EPackage>
+"""
+
+
+def test_a_model_of_a_metamodel_of_ones_own_is_checked_with_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "shelf.ecore").write_text(ECORE)
+    model = tmp_path / "x.xmi"
+    model.write_text('<s:Shelf xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:s="http://nowhere/shelf"/>')
+    for words in (["check", str(model)], ["query", str(model), "1"]):
+        assert main(words) == 3
+        assert "give its metamodel (--metamodel X.ecore)" in capsys.readouterr().err
+    shelves = EVL()
+
+    @shelves.context("Shelf").critique(id="SH1")
+    def HasBooks(shelf: Any) -> bool:
+        return False
+
+    monkeypatch.setitem(registry().entries["constraints"], "shelf", "tests.cli.test_check:shelves")
+    monkeypatch.setattr("tests.cli.test_check.shelves", shelves, raising=False)
+    code, document = run("check", model, "--metamodel", tmp_path / "shelf.ecore", capsys=capsys)
+    assert code == 0
+    assert document["result"]["models"] == [{"model": "x", "elements": 1, "constraints": 1}]
+    assert [f["rule"] for f in document["findings"]] == ["SH1"]

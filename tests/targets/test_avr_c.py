@@ -80,7 +80,12 @@ def test_the_makefile_says_for_which_board_it_is(tmp_path: Path) -> None:
     make = (tmp_path / "out" / "beacon" / "Makefile").read_text()
     assert "BOARD := leonardo\nMCU := atmega32u4\nF_CPU := 16000000\n" in make
     assert compile_sketch(tmp_path / "out").board == "leonardo"
-    assert compile_sketch(tmp_path / "out", "mega").board == "mega"
+    other = compile_sketch(tmp_path / "out", "mega")
+    assert other.board == "mega"
+    said = [d for d in other.diagnostics if d.rule == "RS809"]
+    assert [d.severity.name for d in said] == ["warning"]
+    assert "made for 'leonardo' (atmega32u4)" in said[0].message
+    assert compile_sketch(tmp_path / "out", "micro").diagnostics == ()  # the same microcontroller
 
 
 @pytest.mark.parametrize("case", PROGRAMS, ids=lambda path: path.name)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
+from jinja2 import meta
 
 import robosmi
+from robosmi import resources
 from robosmi.errors import PlatformDataError, SourceError, UsageError
+from robosmi.generate.templates import Templates
 from robosmi.project import defaults
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.knowledge.target_platform import target_facts
@@ -142,3 +146,13 @@ def test_the_data_of_the_current_folder_count_where_the_program_has_none(
     assert outcome.code == 2
     outcome = run("migrate", project / "beacon.c", "--target", "my-mega", "--dry-run", "-o", tmp_path / "out")
     assert outcome.code in (0, 1), outcome.err
+
+
+@pytest.mark.parametrize("name", ["sketch.ino.j2", "sketch.yaml.j2", "adapters.h.j2", "own_header.h.j2"])
+def test_the_page_names_the_values_that_the_sketchs_templates_use(name: str) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "how-to" / "add-a-target.md").read_text(encoding="utf-8")
+    named = {word for row in re.findall(r"^\| (`[^|]+`) \|", page, re.MULTILINE) for word in re.findall(r"`(\w+)", row)}
+    template = (resources.built_in("templates") / "arduino" / name).read_text(encoding="utf-8")
+    used = meta.find_undeclared_variables(Templates()._environment.parse(template))
+    assert used
+    assert used <= named | {"annotations"}

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 import re
+import shutil
 from pathlib import Path
 
 import pytest
 
+import robosmi
 from robosmi.errors import PlatformDataError, UsageError
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.board_models import board_file, board_names, load_board, load_mapping, table_of
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.verify.boards import find_board, load_boards
+from robosmi.verify.toolchain import compile_sketch
 from tests.tools import KNOWN_PLACES, require_tools
 
 ARDUINO = "arduino"
 BOARDS = {name: load_board(name) for name in board_names()}
 MAPPINGS = {name: load_mapping(ARDUINO, board) for name, board in BOARDS.items()}
+OF_THE_CORE = [name for name, mapping in MAPPINGS.items() if mapping.boardId.startswith("arduino:avr:")]
 MICROCONTROLLERS = {str(b.microcontroller.name): b.microcontroller for b in BOARDS.values() if b.microcontroller is not None}
-ABILITIES = {"digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi"}
 
 
 def labels(board: platform.Board, ability: str) -> set[str]:
@@ -36,7 +39,6 @@ def test_a_board_holds_together(name: str) -> None:
     assert len(ports) == len(set(ports))
     interrupts = {name.pin: name.interrupt for name in mapping.pinNames}
     for pin in board.pins:
-        assert set(pin.abilities) <= ABILITIES
         assert bool(pin.timer) == ("pwm" in pin.abilities) == bool(pin.channel)
         assert (interrupts[pin] >= 0) == ("interrupt" in pin.abilities)
     assert board.led in labels(board, "digital")
@@ -81,7 +83,11 @@ def test_tone_takes_the_timer_that_the_core_gives_it(name: str) -> None:
     assert list(taken.timers) == [f"Timer{found[1]}"]
 
 
-@pytest.mark.parametrize("name", BOARDS)
+def test_most_boards_are_the_cores() -> None:
+    assert len(OF_THE_CORE) >= 16
+
+
+@pytest.mark.parametrize("name", OF_THE_CORE)  # a board of another core has no entry in this one's files
 def test_a_board_is_what_the_core_says(name: str) -> None:
     """PWM, ports, interrupts and memory as in the core's variants/*/pins_arduino.h and boards.txt."""
     require_tools("arduino-core-avr")
@@ -183,10 +189,33 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
 @pytest.mark.parametrize(
     ("part", "old", "new", "message"),
     [
-        ("arduino/boards", "ram_bytes = 2048", "ram_byte = 2048", r"'ram_bytes' is missing \(did you mean 'ram_byte'\?\)"),
+        ("arduino/boards", "ram_bytes = 2048", "ram_byte = 2048", r"'ram_byte' is no key of it \(did you mean 'ram_bytes'\?\)"),
         ("arduino/boards", "ram_bytes = 2048", 'ram_bytes = "2 K"', "'ram_bytes' must be a whole number"),
         ("arduino/boards", "interrupts = { D2", "interrupts = { D99", "'interrupts.D99' is no pin of this board"),
+        ("arduino/boards", 'define = "AVR_UNO"', "", "'define' is missing"),
+        ("arduino/boards", "fqbn =", "fbqn =", r"'fbqn' is no key of it \(did you mean 'fqbn'\?\)"),
+        (
+            "arduino/boards",
+            "arduino:avr:uno",
+            "arduino:avr:mini",
+            "'fqbn' is 'arduino:avr:mini', which the board 'mini' is called",
+        ),
         ("boards", 'label = "D4"', 'label = "D5"', "'pins' has D5 twice"),
+        ("boards", 'port = "PD4"', 'port = "PD5"', "'pins' has PD5 twice"),
+        (
+            "boards",
+            'abilities = ["digital", "pwm"]',
+            'abilities = ["digtal"]',
+            r"'pins\[5\].abilities' has 'digtal', which is none of",
+        ),
+        (
+            "boards",
+            'timer = "Timer2"',
+            'timer = "Timer7"',
+            r"'pins\[3\].timer' is 'Timer7', which is no timer of the microcontroller",
+        ),
+        ("boards", "aliases = []", "alias = []", r"'pins\[2\].alias' is no key of it \(did you mean 'aliases'\?\)"),
+        ("boards", "volts = 5.0", "volts = 5.0\nvolt = 5.0", "'volt' is no key of it"),
         ("boards", 'led = "D13"', 'led = "D31"', "'led' is 'D31', which is no pin of this board"),
         (
             "boards",
@@ -224,6 +253,54 @@ def test_a_drawn_connector_of_no_pin_is_an_error_of_the_boards_file(tmp_path: Pa
     monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
     with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is no pin of this board"):
         drawn_board("arduino_Uno_Rev3(fix)", "fritzing")
+
+
+def test_a_file_can_add_how_another_tool_draws_a_board(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "platform_repo" / "boards" / "uno.toml"
+    path.parent.mkdir(parents=True)
+    path.write_text('[[drawn_as]]\ntool = "gadget"\nmodules = ["Uno Rev3"]\n[drawn_as.connectors]\nD9 = ["9"]\n')
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    assert len(load_board("uno").pins) == 20
+    found = drawn_board("Uno Rev3", "gadget")
+    assert found is not None
+    assert (found.name, found.title, dict(found.pins)) == ("uno", "Arduino Uno", {"9": "D9"})
+    assert drawn_board("arduino_Uno_Rev3(fix)", "fritzing") is not None
+    assert drawn_board("uno", "pin table") is not None
+    path.write_text(path.read_text().replace("D9 =", "D99 ="))
+    with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is no pin of this board"):
+        drawn_board("Uno Rev3", "gadget")
+    path.rename(path.with_name("nobodys.toml"))
+    with pytest.raises(PlatformDataError, match="is of the board 'nobodys', which no other file has with its pins"):
+        drawn_board("Uno Rev3", "gadget")
+
+
+def test_a_board_of_another_core_with_another_order_of_pins(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its variant lies beside its file, its core's version is its own, and the program is compiled with both."""
+    require_tools("arduino-core-avr", "avr-gcc")
+    built_in = board_file("uno")
+    assert built_in is not None
+    place = tmp_path / "data" / "platform_repo" / "arduino"
+    (place / "boards").mkdir(parents=True)
+    shutil.copytree(KNOWN_PLACES["arduino-core-avr"].parents[2] / "variants" / "standard", place / "variants" / "crossed")
+    header = place / "variants" / "crossed" / "pins_arduino.h"
+    header.write_text(header.read_text().replace("#define LED_BUILTIN 13", "#define LED_BUILTIN 7"))
+    mapping = (built_in.parents[1] / "arduino" / "boards" / "uno.toml").read_text() + built_in.read_text()
+    for old, new in (("arduino:avr:uno", "acme:avr:crossed"), ('"standard"', '"crossed"'), ('name = "uno"', 'name = "crossed"')):
+        mapping = mapping.replace(old, new)
+    mapping = mapping[: mapping.index("# Connectors of the part in the drawing")]
+    (place / "boards" / "crossed.toml").write_text(mapping)
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path / "data"))
+    program = tmp_path / "robot.c"
+    program.write_text("int main(void) { for (;;) { } }\n")
+    robosmi.migrate([program], tmp_path / "out", target="crossed")
+    listed = tmp_path / "out" / "robot" / "sketch.yaml"
+    assert "      - platform: acme:avr\n" in listed.read_text()
+    sketch = tmp_path / "out" / "robot" / "robot.ino"
+    sketch.write_text(sketch.read_text() + 'static_assert(LED_BUILTIN == 7, "the variant is its own");\n')
+    assert compile_sketch(tmp_path / "out").ok
+    (place / "boards" / "crossed.toml").write_text('core = "2.0.1"\n' + mapping)
+    robosmi.migrate([program], tmp_path / "again", target="crossed")
+    assert "      - platform: acme:avr (2.0.1)\n" in (tmp_path / "again" / "robot" / "sketch.yaml").read_text()
 
 
 def test_one_file_can_hold_a_board_and_how_a_platform_calls_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

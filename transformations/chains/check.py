@@ -43,22 +43,25 @@ class Checked:
         return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
 
 
-def check(path: str | Path) -> Checked:
+def check(path: str | Path, metamodel: Path | None = None) -> Checked:
     """Check a model.
 
     Args:
         path: a drawing, a stored plan, or a model file of any technology.
+        metamodel: the `.ecore` of an XMI file whose metamodel is not known.
 
     Raises:
         SourceError: it cannot be read.
         ModelError: it contradicts its metamodel.
     """
     with project_of_input(path):
-        return _checked(Path(path))
+        return _checked(Path(path), metamodel)
 
 
-def _checked(file: Path) -> Checked:
+def _checked(file: Path, metamodel: Path | None) -> Checked:
     done = Checked()
+    if metamodel is not None:
+        return _validated(done, [open_model(file, "emf", metamodel=metamodel)])
     if is_drawing(file):
         read = read_drawing(file, project_of(file).roles)
         done.findings += read.findings

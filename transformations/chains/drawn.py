@@ -59,6 +59,10 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
     )
 
 
+def _tool(component: hw.Component) -> str:
+    return str(component.circuit.tool) if component.circuit is not None else "the tool"
+
+
 def _checked(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> platform.Board:
     """The drawn board, which is refused if nothing is known of it or it is not the target's.
 
@@ -69,7 +73,9 @@ def _checked(component: hw.Component, board: platform.Board | None, facts: Targe
     if board is None:
         raise SourceError(
             f"nothing is known of {what} ({component.partTitle or component.partId})",
-            location=Location(str(path)), fix=f"use a board of the target '{facts.target}' there",
+            location=Location(str(path)),
+            fix=f"use a board of the target '{facts.target}' there, or say how {_tool(component)} draws yours: [[drawn_as]] in "
+            f"boards/NAME.toml, with modules = ['{component.partId}']",
         )  # fmt: skip
     if board.name != facts.board and not facts.any_board:
         raise SourceError(

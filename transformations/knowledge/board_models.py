@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -22,7 +22,16 @@ from robosmi.resources import folders
 from robosmi.verify.tables import DataTable
 
 KIND = "platform_repo"
-_HAS_PINS = re.compile(r"^pins\b", re.MULTILINE)
+_HAS_PINS = re.compile(r"^\s*(?:pins\b|\[\[pins\]\])", re.MULTILINE)
+_IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
+ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
+"""What a pin may be able to do, as boards' files say it."""
+_PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
+_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "pins", "drawn_as")
+_MAPPING_KEYS = (
+    "fqbn", "fqbn_also", "variant", "define", "extra_flags", "flash_bytes", "ram_bytes", "core", "numbers", "interrupts",
+    "literals",
+)  # fmt: skip
 
 
 def board_names(project: Path | None = None) -> list[str]:
@@ -51,16 +60,21 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         known = board_names(project)
         raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
     table = table_of(path)
-    pins = [_pin(entry) for entry in table.tables("pins")]
+    _check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
+    chip = load_microcontroller(table.text("mcu"), project, table)
+    timers = [str(timer.name) for timer in chip.timers]
+    pins = [_pin(entry, timers) for entry in table.tables("pins")]
     labels = [pin.label for pin in pins]
-    if twice := {label for label in labels if labels.count(label) > 1}:
-        raise table.error("pins", f"has {', '.join(sorted(twice))} twice")
+    ports = [pin.port for pin in pins if pin.port]
+    for values in (labels, ports):
+        if twice := {value for value in values if values.count(value) > 1}:
+            raise table.error("pins", f"has {', '.join(sorted(twice))} twice")
     if (led := table.text("led", "")) and led not in labels:
         raise table.error("led", f"is '{led}', which is no pin of this board{did_you_mean(led, labels)}")
     return platform.Board(
         name=path.stem,
         title=table.text("title", path.stem),
-        microcontroller=load_microcontroller(table.text("mcu"), project, table),
+        microcontroller=chip,
         clockHertz=table.number("f_cpu"),
         volts=table.decimal("volts"),
         led=led,
@@ -68,7 +82,24 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     )
 
 
-def _pin(entry: DataTable) -> platform.Pin:
+def _check_keys(table: DataTable, known: Sequence[str]) -> None:
+    for key in table.values:
+        if key not in known:
+            raise table.error(key, f"is no key of it{did_you_mean(key, known)}")
+
+
+def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
+    """A pin, whose abilities and timer exist.
+
+    Raises:
+        PlatformDataError: one of them does not.
+    """
+    _check_keys(entry, _PIN_KEYS)
+    for ability in entry.texts("abilities", ()):
+        if ability not in ABILITIES:
+            raise entry.error("abilities", f"has '{ability}', which is none of: {', '.join(ABILITIES)}")
+    if (timer := entry.text("timer", "")) and timer not in timers:
+        raise entry.error("timer", f"is '{timer}', which is no timer of the microcontroller: {', '.join(timers)}")
     return platform.Pin(
         label=entry.text("label"),
         port=entry.text("port", ""),
@@ -152,6 +183,8 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
     path = mapping_file(platform_name, board.name, project)
     table = table_of(path) if path is not None else None
     chip = board.microcontroller
+    if table is not None:
+        _check_mapping(table, platform_name, board.name, project)
     literals = table.table("literals").values if table is not None and "literals" in table.values else {}
     interrupts = table.table("interrupts").values if table is not None and "interrupts" in table.values else {}
     labels = [pin.label for pin in board.pins]
@@ -166,6 +199,7 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         otherIds=list(table.texts("fqbn_also", ())) if table is not None else [],
         variant=table.text("variant", "") if table is not None else "",
         define=table.text("define", "") if table is not None else "",
+        coreVersion=table.text("core", "") if table is not None else "",
         extraFlags=list(table.texts("extra_flags", ())) if table is not None else [],
         flashBytes=table.number("flash_bytes") if table is not None else chip.flashBytes if chip is not None else 0,
         ramBytes=table.number("ram_bytes") if table is not None else chip.ramBytes if chip is not None else 0,
@@ -178,11 +212,52 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
     )
 
 
-def _literal_rules(platform_name: str, project: Path | None) -> list[DataTable]:
+def _check_mapping(table: DataTable, platform_name: str, board: str, project: Path | None) -> None:
+    """Make sure that a mapping says what the platform's tools need, and calls the board as no other is called.
+
+    Raises:
+        PlatformDataError: a key is missing or unknown, or another board has the name already.
+    """
+    _check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
+    for key in _settings(platform_name, project).texts("board_keys", ()):
+        table.text(key)
+    for full_name in (table.text("fqbn", ""), *table.texts("fqbn_also", ())):
+        for other in mapped_files(platform_name, project) if full_name else ():
+            if other.stem != board and f'"{full_name}"' in text_of(other):
+                theirs = table_of(other)
+                if full_name in (theirs.text("fqbn", ""), *theirs.texts("fqbn_also", ())):
+                    nearer = next(f for f in folders(KIND, project) if table.path.is_relative_to(f) or other.is_relative_to(f))
+                    own, far = (table, other) if table.path.is_relative_to(nearer) else (theirs, table.path)
+                    raise own.error("fqbn", f"is '{full_name}', which the board '{far.stem}' is called ({far})")
+
+
+def mapped_files(platform_name: str, project: Path | None = None) -> list[Path]:
+    """The files in which a platform maps boards, the first of each name in search order."""
+    found: dict[str, Path] = {}
+    for folder in folders(KIND, project):
+        if (place := folder / platform_name / "boards").is_dir():
+            for path in _listed(str(place), place.stat().st_mtime_ns):
+                found.setdefault(path.stem, path)
+    return list(found.values())
+
+
+def variant_folder(platform_name: str, variant: str, project: Path | None = None) -> Path | None:
+    """The folder of a variant that the repository has itself, beside the platform's boards; None for one of the core's."""
+    if not variant:
+        return None
+    places = (folder / platform_name / "variants" / variant for folder in folders(KIND, project))
+    return next((place for place in places if place.is_dir()), None)
+
+
+def _settings(platform_name: str, project: Path | None) -> DataTable:
     for folder in folders(KIND, project):
         if (path := folder / platform_name / "platform.toml").is_file():
-            return table_of(path).tables("pin_literals", needed=False)
-    return []
+            return table_of(path)
+    return DataTable(Path(platform_name), {})
+
+
+def _literal_rules(platform_name: str, project: Path | None) -> list[DataTable]:
+    return _settings(platform_name, project).tables("pin_literals", needed=False)
 
 
 def _literal(pin: platform.Pin, rules: list[DataTable]) -> str:
@@ -219,12 +294,24 @@ def mapped_boards(platform_name: str, project: Path | None = None) -> list[str]:
 
 def hardware_files(project: Path | None = None) -> Iterator[Path]:
     """The files of boards with their pins, in search order; a name may come again, the first counts."""
+    return (path for path in drawing_files(project) if not only_draws(path))
+
+
+def only_draws(path: Path) -> bool:
+    """Whether a file only says how a tool draws a board that another file has."""
+    text = text_of(path)
+    return _HAS_PINS.search(text) is None and _IS_DRAWN.search(text) is not None
+
+
+def drawing_files(project: Path | None = None) -> Iterator[Path]:
+    """The files that may say how tools draw boards, in search order: those with pins, and those that `only_draws`."""
     for folder in folders(KIND, project):
         if (place := folder / "boards").is_dir():
             yield from _listed(str(place), place.stat().st_mtime_ns)
         for own in sorted(entry.path for entry in os.scandir(folder) if entry.is_dir()):
             if os.path.isdir(boards := f"{own}/boards"):
-                yield from (p for p in _listed(boards, os.stat(boards).st_mtime_ns) if _HAS_PINS.search(text_of(p)))
+                listed = _listed(boards, os.stat(boards).st_mtime_ns)
+                yield from (p for p in listed if _HAS_PINS.search(text_of(p)) or _IS_DRAWN.search(text_of(p)))
 
 
 @cache

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
-from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards
+from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards, variant_folder
 from robosmi.verify.boards import Board
 
 
@@ -27,6 +27,8 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
     mapping, chip = load_mapping(platform_name, board, project), board.microcontroller
     if chip is None:
         raise PlatformDataError(f"the board '{board.name}' has no microcontroller", fix="add 'mcu' to its file")
+    variant = variant_folder(platform_name, str(mapping.variant), project)
+    own = (f"-I{variant}",) if variant is not None else ()  # before the core's folders
     return Board(
         name=str(board.name),
         title=str(board.title),
@@ -34,7 +36,8 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         values={
             "mcu": str(chip.name), "f_cpu": str(board.clockHertz), "variant": str(mapping.variant), "define": str(mapping.define),
         },
-        extra_flags=tuple(mapping.extraFlags),
+        extra_flags=(*own, *mapping.extraFlags),
         flash_bytes=int(mapping.flashBytes),
         ram_bytes=int(mapping.ramBytes),
+        folders=(variant,) if variant is not None else (),
     )  # fmt: skip

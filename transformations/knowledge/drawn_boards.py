@@ -1,7 +1,8 @@
 """How boards are drawn: which board a part of a drawing tool's catalogue is, and what the labels of its connectors mean.
 
-A board's file says so under `drawn_as`. Labels such as "D9 PWM", "~9" and "IO9" (all D9) are normalised for boards that have no
-file. The boards themselves are `board_models`' business.
+A board's file says so under `drawn_as`; a file of the same name nearer in search order may add to it for another tool. Labels
+such as "D9 PWM", "~9" and "IO9" (all D9) are normalised for boards that have no file. The boards themselves are the business of
+`board_models`.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from robosmi.errors import did_you_mean
-from robosmi.transformations.knowledge.board_models import hardware_files, table_of, text_of
+from robosmi.transformations.knowledge.board_models import board_file, drawing_files, only_draws, table_of, text_of
 from robosmi.verify.tables import DataTable
 
 PIN_TABLE = "pin table"
@@ -39,9 +40,9 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
     Raises:
         PlatformDataError: an entry is damaged.
     """
-    for path in hardware_files(project):
+    for path in drawing_files(project):
         if tool == PIN_TABLE:
-            if path.stem == part_id:
+            if path.stem == part_id and not only_draws(path):
                 table = table_of(path)
                 labels = [pin.text("label") for pin in table.tables("pins")]
                 return DrawnBoard(path.stem, table.text("title", path.stem), {label: label for label in labels})
@@ -51,8 +52,18 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
         table = table_of(path)
         for drawn in table.tables("drawn_as", needed=False):
             if drawn.text("tool") == tool and part_id in drawn.texts("modules"):
-                return DrawnBoard(path.stem, table.text("title", path.stem), _connectors(drawn, table))
+                board = _with_pins(path, table, project)
+                return DrawnBoard(path.stem, board.text("title", path.stem), _connectors(drawn, board))
     return None
+
+
+def _with_pins(path: Path, table: DataTable, project: Path | None) -> DataTable:
+    """The table of the board that a file is about: its own, or that of the board of its name where it only draws it."""
+    if not only_draws(path):
+        return table
+    if (hardware := board_file(path.stem, project)) is None:
+        raise table.error("drawn_as", f"is of the board '{path.stem}', which no other file has with its pins")
+    return table_of(hardware)
 
 
 def _connectors(drawn: DataTable, board: DataTable) -> dict[str, str]:

@@ -287,6 +287,7 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
             hasCogs=data["hasCogs"],
             architecture=data["architecture"],
             coreVersion=data["core"],
+            coreName=data.get("core_name", ""),
             mainHeader=data["include"],
             pinFunctions=data.get("pin_functions", ()),
             standardHeaders=data["standard_headers"],

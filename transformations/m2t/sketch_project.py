@@ -11,13 +11,18 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
     """The board's core, the chosen libraries, and these with all that they depend on as the file lists them."""
     assert plan.board is not None
     assert plan.target is not None
-    full_name = next((str(m.boardId) for m in plan.target.boardMappings if m.board is plan.board), "")
+    mapping = next((m for m in plan.target.boardMappings if m.board is plan.board), None)
+    full_name = str(mapping.boardId) if mapping is not None else ""
+    core = ":".join(full_name.split(":")[:2])  # arduino:avr of arduino:avr:uno
+    own = str(mapping.coreVersion) if mapping is not None else ""
+    version = own or (str(plan.target.coreVersion) if plan.target.coreName in ("", core) else "")
     versions = {library.name: library.version for library in plan.target.libraries}
     chosen = [c.chosen for c in plan.libraryChoices if c.chosen is not None]
     names = dict.fromkeys(name for library in chosen for name in (library.name, *library.depends))
     return {
         "board": full_name,
-        "platform": ":".join(full_name.split(":")[:2]),  # arduino:avr of arduino:avr:uno
+        "platform": core,
+        "core": f"{core} ({version})" if version else core,
         "chosen": chosen,
         "libraries": [f"{name} ({versions[name]})" if versions.get(name) else name for name in names],
     }

@@ -21,12 +21,15 @@ from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import hardware as hw
 from robosmi.model import load_model, save_model
 from robosmi.plugins import content, registry
+from robosmi.project import Project
 from robosmi.transformations.chains import readers
 from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.chains.readers import DRAWING, HEAD, RECOGNISER, is_drawing, reader_for
 
 HERE = Path(__file__).resolve().parent
 READERS = registry().names(DRAWING)
+PROGRAM = HERE.parents[3] / "docs" / "examples" / "line_follower" / "line_follower.c"
 ROBOT: dict[str, list[Any]] = json.loads((HERE / "robot.json").read_text(encoding="utf-8"))
 
 
@@ -52,6 +55,17 @@ def test_there_are_readers() -> None:
 @pytest.mark.parametrize("reader", READERS)
 def test_the_robot_has_the_same_pins_in_every_tool(reader: str) -> None:
     assert pins(drawing(reader, "robot")) == ROBOT
+
+
+@pytest.mark.parametrize("reader", READERS)
+@pytest.mark.parametrize("name", ["robot", "unknown"])
+def test_a_program_can_be_moved_to_the_board_of_a_drawing(reader: str, name: str) -> None:
+    """The tool's Arduino Uno is the repository's: its `drawn_as` tables say so."""
+    plan = plan_migration([PROGRAM], project=Project(), hardware=drawing(reader, name)).plan
+    assert plan.board is not None
+    assert plan.board.name == "uno"
+    assert plan.boardComponent is not None
+    assert all(c.pin is not None for c in plan.connections)
 
 
 @pytest.mark.parametrize("reader", READERS)

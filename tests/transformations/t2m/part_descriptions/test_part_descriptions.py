@@ -17,6 +17,7 @@ from robosmi.transformations.knowledge.part_roles import classify
 
 HERE = Path(__file__).parent
 TABLES = sorted(HERE.glob("*.csv"))
+BUILT_IN = ("eagle", "kicad", "wokwi")
 
 
 def described(table: Path) -> list[tuple[Part, str]]:
@@ -43,7 +44,7 @@ def described(table: Path) -> list[tuple[Part, str]]:
 @pytest.mark.parametrize("table", TABLES, ids=lambda table: table.stem)
 def test_parts_of_every_tool_get_the_role_that_a_person_gives_them(table: Path) -> None:
     found = [(part, role, classify(part)) for part, role in described(table)]
-    assert len(found) >= 40
+    assert len(found) >= (40 if table.stem in BUILT_IN else 10)
     assert {role for _, role, _ in found} <= {*ROLES}
     assert [f"{p.id}: {now.role} ({now.evidence}), not {role}" for p, role, now in found if now.role != role] == []
     assert all(now.evidence for _, _, now in found)
