@@ -111,6 +111,23 @@ def test_a_plug_in_brings_a_reader_with_its_ending_and_a_target(tmp_path: Path) 
     assert "arduino:avr:pro" in project
 
 
+def test_a_plug_in_brings_parts_with_the_ports_that_they_have(tmp_path: Path) -> None:
+    drawing = HERE.parent / "transformations" / "constraints" / "drawings" / "RS244_holds.fz"
+    text = drawing.read_text()
+    (tmp_path / "lamp.fz").write_text(text.replace("5mmColorLEDModuleID", "beacon_lamp_1"))
+
+    def lamp(path: Path) -> dict[str, Any]:
+        done = command("hardware", tmp_path / "lamp.fz", path=path)["result"]
+        found: dict[str, Any] = next(c for c in done["components"] if c["module_id"] == "beacon_lamp_1")
+        return found | {"names": [c["name"] for m in done["mappings"] for c in m["connectors"]]}
+
+    known, unknown = lamp(installed(tmp_path, "beacon")), lamp(tmp_path)
+    assert (known["part_title"], known["role"], known["evidence"]) == ("Beacon lamp", "Output", "it is lit")
+    assert unknown["role"] == "Unknown"
+    assert "IN" in known["names"]
+    assert "IN" not in unknown["names"]
+
+
 def test_without_the_plug_in_nobody_knows_its_files(tmp_path: Path) -> None:
     from tests.running import run
 
