@@ -122,7 +122,7 @@ def test_a_plug_in_brings_parts_with_the_ports_that_they_have(tmp_path: Path) ->
         return found | {"names": [c["name"] for m in done["mappings"] for c in m["connectors"]]}
 
     known, unknown = lamp(installed(tmp_path, "beacon")), lamp(tmp_path)
-    assert (known["part_title"], known["role"], known["evidence"]) == ("Beacon lamp", "Output", "it is lit")
+    assert (known["part_title"], known["role"], known["evidence"]) == ("Beacon lamp", "Output", "catalogue of parts: it is lit")
     assert unknown["role"] == "Unknown"
     assert "IN" in known["names"]
     assert "IN" not in unknown["names"]
