@@ -446,6 +446,8 @@ class LibraryChoice(Decision):
     """The candidates, best first."""
     recommendation: str = EAttribute(eType=EString, default_value="")
     """library, optional or none."""
+    included: bool = EAttribute(eType=EBoolean)
+    """True when the program includes the chosen library, since something in it uses it."""
 
     if TYPE_CHECKING:
 
@@ -463,6 +465,7 @@ class LibraryChoice(Decision):
             chosen: Library | None = None,
             candidates: Iterable[Library] | None = None,
             recommendation: str | None = None,
+            included: bool | None = None,
         ) -> None: ...
 
 

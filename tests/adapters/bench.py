@@ -15,6 +15,7 @@ from functools import cache
 from pathlib import Path
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece, read_adapter_file
+from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
@@ -63,7 +64,8 @@ class Uno:
         if needed.unserved:
             raise NotBuiltError(needed.unserved)
         setup = "".join(f"\n  {statement}" for piece in needed.pieces for statement in piece.setup)
-        text = f"#include <Arduino.h>\n{adapter_text(needed.pieces, self.ports, NO_PIN, self.numbers)}\n{program}"
+        elements = [adapter_element(piece) for piece in needed.pieces]
+        text = f"#include <Arduino.h>\n{adapter_text(elements, self.ports, NO_PIN, self.numbers)}\n{program}"
         return text.replace("void setup() {", f"void setup() {{{setup}", 1)
 
     def run(

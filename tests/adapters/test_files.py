@@ -15,6 +15,7 @@ import clang.cindex
 import pytest
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
+from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from tests.adapters.bench import NO_PIN, pieces
@@ -57,7 +58,8 @@ def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
     functions = [piece for piece in needed if piece.kind in ("adapter", "variable") and (piece.header, piece.name) in wanted]
     names = [piece.target_name or piece.name for piece in functions if "template" not in piece.text]
     taken = "".join(f"  (void)&{name};\n" for name in names)
-    return f"#include <Arduino.h>\n{adapter_text(needed, {}, NO_PIN)}\nvoid use() {{\n{taken}}}\n"
+    text = adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)
+    return f"#include <Arduino.h>\n{text}\nvoid use() {{\n{taken}}}\n"
 
 
 @pytest.mark.parametrize("mcu", VARIANTS)
@@ -86,7 +88,7 @@ def uses(header: str) -> dict[tuple[str, str], set[tuple[str, str]]]:
     """What each piece of a header names of other pieces, as libclang sees it."""
     wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header]
     needed = AdapterPieces(pieces()).needed(wanted, "atmega328p").pieces
-    text = f"#include <Arduino.h>\n{adapter_text(needed, {}, NO_PIN)}"
+    text = f"#include <Arduino.h>\n{adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)}"
     arguments = ["-target", "avr", "-mmcu=atmega328p", *DEFINES, "-nostdinc", "-isystem/usr/lib/avr/include"]
     arguments += [*folders("atmega328p"), *(f"-isystem{path}" for path in glob.glob("/usr/lib/gcc/avr/*/include"))]
     unit = clang.cindex.Index.create().parse("adapters.cpp", arguments, [("adapters.cpp", text)], options=1)

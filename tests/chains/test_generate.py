@@ -111,24 +111,27 @@ def test_a_port_that_was_open_is_closed_by_an_edit(migrated: Path) -> None:
     port = next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "P14")
     assert (port["pin"], port["open"], port["chosen_by"]) == ("D2", False, "person")
     assert not any("'P14'" in task["message"] for task in outcome.document["tasks"])
-    assert "P14 (left encoder) is D2" in (migrated / "line_follower" / "adapters.h").read_text()
 
 
-def test_the_sketch_follows_an_edited_library_choice(migrated: Path) -> None:
+def test_the_sketch_follows_adapters_that_were_taken_out_of_the_plan(migrated: Path) -> None:
+    """What nothing needs any more goes with them, and the library that they used."""
     plan = migrated / "models" / "plan.xmi"
 
-    def choose(root: Any) -> None:
-        for choice in root.libraryChoices:
-            if choice.component.title.startswith("Basic Servo"):
-                choice.chosen = next(c for c in choice.candidates if c.name == "ServoEasing")
+    def take_out(root: Any) -> None:
+        next(use for use in root.adapterUses if use.name == "drive_speed").adapter = None
 
-    rewritten(plan, choose)
-    assert run("generate", plan, "-o", migrated).code == 0
-    assert "#include <ServoEasing.hpp>" in sketch_of(migrated)
-    assert "#include <Servo.h>" not in sketch_of(migrated)
-    project = (migrated / "line_follower" / "sketch.yaml").read_text()
-    assert "- ServoEasing (" in project
-    assert "- Servo (" not in project
+    rewritten(plan, take_out)
+    outcome = run("generate", plan, "-o", migrated, "--json")
+    adapters = (migrated / "line_follower" / "adapters.h").read_text()
+    assert "inline void high(int32_t pin)" in adapters
+    assert "void drive_speed(int32_t left, int32_t right) {\n  // TODO: complete method" in adapters
+    assert "servo_slot" not in adapters
+    assert "#include <Servo.h>" not in sketch_of(migrated) + adapters
+    assert "- Servo (" not in (migrated / "line_follower" / "sketch.yaml").read_text()
+    sites = outcome.result["plan"]["call_sites"]
+    assert (sites["with_body"], sites["todo"]) == (9, 4)
+    assert sites["by_header"]["abdrive.h"] == {"total": 4, "with_body": 0, "todo": 4}
+    assert [t["rule"] for t in outcome.document["tasks"] if "drive_speed" in t["message"]] == ["RS501"]
 
 
 def test_a_library_choice_that_is_taken_back_is_open_again(migrated: Path) -> None:

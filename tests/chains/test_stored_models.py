@@ -124,7 +124,7 @@ def test_the_numbers_of_the_report_add_up(output: Path, plan: Any) -> None:
         re.findall(r"^\| \d+ \| .* \| (?:retain|adapt|drop|hoist|rewrite|unsupported) \| ", report, re.MULTILINE)
     )
     assert calls == with_body + todo
-    rows = re.findall(r"^\| `.*` \| \S+ \| (\d+) \| (?:todo|filled|care|unsupported) \|$", report, re.MULTILINE)
+    rows = re.findall(r"^\| `.*` \| \S+ \| (\d+) \| (?:todo|filled|care|unsupported) \| .* \|$", report, re.MULTILINE)
     assert (functions, calls) == (len(rows), sum(map(int, rows)))
     assert open_choices == sum(d.open for d in [*plan.portBindings, *plan.libraryChoices])
     assert report.count("- [ ] ") == len(plan.tasks)
@@ -132,7 +132,9 @@ def test_the_numbers_of_the_report_add_up(output: Path, plan: Any) -> None:
 
 def test_the_calls_of_the_plan_are_the_calls_of_the_program(case_study: Path, plan: Any) -> None:
     (unit,) = run("analyse", case_study, "--json").result["units"]
-    assert {a.name: len(a.calls) for a in plan.adapterUses} == {
+    standard = {a.name for a in plan.adapterUses if a.function.header.kind.name == "standard"}
+    assert standard <= {"sprintf"}  # what the target has, and does otherwise
+    assert {a.name: len(a.calls) for a in plan.adapterUses if a.name not in standard} == {
         c["name"]: c["count"] for c in unit["platform_calls"] if c["count"]
     }
 

@@ -16,7 +16,7 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import UsageError
+from robosmi.errors import UsageError, did_you_mean
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.plugins import content
@@ -34,8 +34,10 @@ from robosmi.transformations.chains.program import StoredProgram, program_files,
 from robosmi.transformations.chains.reading import check_source_platform
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
+from robosmi.transformations.knowledge.adapter_index import adapter_index
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
+from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
@@ -46,7 +48,10 @@ from robosmi.transformations.queries.plan import library_json
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
+    "adapters",
 )  # fmt: skip
+ADAPTERS = ("filled", "placeholders")
+"""What adapters can be: with bodies as far as there are any, or all still to be written."""
 """What a migration is told from outside; `migration_chain` says what each is used for."""
 
 
@@ -161,9 +166,21 @@ def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
     return earlier_choices(history, target)
 
 
-def judgement(program: StoredProgram, target: TargetFacts) -> tuple[Dependence, Trace]:
-    """What happens to each element of the program (paper 3.1), and from what that was made."""
-    return judge_program(program.views, target, program.copies)
+def judgement(
+    program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, adapters: str | None
+) -> tuple[Dependence, Trace]:
+    """What happens to each element of the program (paper 3.1), which adapters fill its calls, and from what that was made.
+
+    Raises:
+        UsageError: adapters are neither filled nor placeholders.
+    """
+    how = adapters or defaults()["migrate"]["adapters"]
+    if how not in ADAPTERS:
+        raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
+    index = adapter_index(target.platform, api.name)
+    mcu = board.microcontroller.name if board.microcontroller is not None else ""
+    choice = AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0])
+    return judge_program(program.views, target, choice, program.copies)
 
 
 def bindings(
@@ -250,6 +267,7 @@ def plan_migration(
     defines: Sequence[str] = (),
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
+    adapters: str | None = None,
     history: str | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
@@ -266,6 +284,7 @@ def plan_migration(
         defines: macros defined from outside.
         libraries: component -> library, before the project file.
         bind: port of the source -> target pin, before the project file.
+        adapters: one of `ADAPTERS`; what the defaults say if None.
         history: place of earlier choices, a file or a URL; the user's own if None.
         progress: told of each step.
         chain: steps of one's own, which make `models` of what is given; `migration_chain()` if None.
@@ -276,7 +295,8 @@ def plan_migration(
     """
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, history=history,
+        include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
+        history=history,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         made: MigrationModels = run.value("models")
@@ -314,8 +334,7 @@ def migrate(
         output: the output folder.
         dry_run: write nothing.
         strict: stop when a choice is open.
-        adapters: `placeholders`; bodies (`filled`) are not there yet.
-        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, history,
+        project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
             progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
 
@@ -324,14 +343,11 @@ def migrate(
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    if adapters == "filled":
-        raise UsageError(
-            "adapters with bodies are not part of this version", fix="leave out --adapters, or give --adapters placeholders"
-        )
     chosen = dict(libraries or {})
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
-        include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, history=history,
+        include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
+        history=history,
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():

@@ -32,6 +32,11 @@ def is_register(use: Any) -> bool:
     return use.macro is None if isinstance(use, ccode.MacroUse) else isinstance(use.target, (ccode.ExternalSymbol, type(None)))
 
 
+def is_lost_register(use: Any) -> bool:
+    """Whether a name is a register of the source platform that no adapter stands for."""
+    return is_register(use) and use.name not in the_move().served
+
+
 def starts_code(call: ccode.Call) -> bool:
     """Whether a call starts code of the program on another core, and the target has none."""
     return has_fewer_cores() and id(call) in the_move().cores.starts
@@ -42,8 +47,8 @@ def may_wait(loop: ccode.Loop) -> bool:
     return loop.condition is not None and not loop.endless and has_fewer_cores() and bool(the_move().cores.elsewhere)
 
 
-references = moved.context(ccode.NameReference, guard=is_register)
-expanded = moved.context(ccode.MacroUse, guard=is_register)
+references = moved.context(ccode.NameReference, guard=is_lost_register)
+expanded = moved.context(ccode.MacroUse, guard=is_lost_register)
 starts = moved.context(ccode.Call, guard=starts_code)
 loops = moved.context(ccode.Loop, guard=may_wait)
 units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
@@ -105,7 +110,8 @@ def DoesNotWait(unit: ccode.SourceUnit) -> Any:
         return True
     counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)
     names = ", ".join(f"{name} ({count})" if count > 1 else name for name, count in counted.most_common())
-    others = ", while code on other cores has to go on" if cores.starts or cores.by_libraries else ""
+    elsewhere = cores.starts or any(name not in the_move().served for name in cores.by_libraries)
+    others = ", while code on other cores has to go on" if elsewhere else ""
     return together(f"what is repeated for ever waits in {names}{others}", waits)
 
 

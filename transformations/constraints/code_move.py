@@ -71,7 +71,9 @@ class Move:
         functions = _functions(self.views)
         functions.update({a.name: target_types(a) for a in self.plan.adapterUses})
         sure = (s for s in self.plan.symbolUses if s.symbol is not None and s.symbol.typeName)  # a person gives the others theirs
-        symbols = {s.name: found[0] for s in sure if (found := _FIXED.search(s.placeholder or ""))}
+        wide = {str(w.sourceType): str(w.targetType) for w in self.target.widths}
+        declared = ((s.name, s.placeholder or wide.get(str(s.symbol.typeName), "") if s.symbol else "") for s in sure)
+        symbols = {name: found[0] for name, text in declared if (found := _FIXED.search(text))}
         return Numbers(self.there, functions, symbols, self._macros)
 
     @cached_property
@@ -105,6 +107,12 @@ class Move:
         """Where macros that stand for registers begin: their expansions are not uses of their own."""
         uses = (u for view in self.views for u in view.of_kind(ccode.MacroUse) if u.macro is None)
         return {int(u.startOffset) for u in uses if self.register(u.name) is not None}
+
+    @cached_property
+    def served(self) -> set[str]:
+        """Functions and other names of the source platform that adapters do on the target what they did there."""
+        functions = {str(use.name) for use in self.plan.adapterUses if use.adapter is not None}
+        return functions | {str(use.name) for use in self.plan.symbolUses if use.adapter is not None}
 
     @cached_property
     def cores(self) -> Cores:

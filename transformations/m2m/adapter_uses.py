@@ -8,7 +8,7 @@ say it. No function is known by its name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
@@ -22,20 +22,24 @@ _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
 """Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""
 
 
-def called_functions(views: Sequence[CodeView], target: TargetFacts, names: TargetNames) -> dict[str, CalledFunction]:
+def called_functions(
+    views: Sequence[CodeView], target: TargetFacts, names: TargetNames, adapts: Callable[[str, str], bool]
+) -> dict[str, CalledFunction]:
     """The functions that need an adapter, by name.
 
     Args:
         views: a view of each unit.
         target: the target.
         names: its names.
+        adapts: name, header -> whether there is an adapter for a function that the target's library has, since that does not do
+            there what it does on the source platform.
     """
     own = _own_names(views)
     found: dict[str, CalledFunction] = {}
     for view in views:
         for function in [*view.called().values(), *_referenced(view)]:
             there = function.header in target.standard_headers and function.name not in names.absent
-            there = there and not _RESERVED.match(function.name)
+            there = there and not _RESERVED.match(function.name) and not adapts(function.name, function.header)
             if there or function.name in own or (function.entry is None and not function.calls):
                 continue
             known = found.get(function.name)

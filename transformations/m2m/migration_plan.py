@@ -18,6 +18,7 @@ from robosmi.recommend.ranking import Choices as EarlierChoices
 from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_repository
+from robosmi.transformations.m2m.adapter_choice import AdapterChoice, settle_libraries
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
@@ -50,16 +51,19 @@ class Hardware:
     connections: Sequence[migration.Connection]
 
 
-def judge_program(views: Sequence[CodeView], target: TargetFacts, files: Mapping[str, bytes]) -> tuple[Dependence, Trace]:
+def judge_program(
+    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, files: Mapping[str, bytes]
+) -> tuple[Dependence, Trace]:
     """What happens to each element of the program, and from what that was made.
 
     Args:
         views: a view of each unit of the program; paths of units are relative to the models' folder.
         target: the target.
+        choice: the adapters that there are.
         files: path relative to the models' folder -> bytes of what was read.
     """
     trace = Trace()
-    return partition(views, target, files, trace), trace
+    return partition(views, target, choice, files, trace), trace
 
 
 def decide_libraries(
@@ -151,7 +155,17 @@ def put_together(
     for choice in d.choices:
         trace.link("library ranking", "libraries", [choice.component], [choice])
     words = words_of(d.files[unit.path] for unit in d.program.units)
+    for name in dict.fromkeys(library for piece in d.dependence.pieces for library in piece.libraries):
+        d.libraries.get(name)
     repository = target_repository(d.target, d.dependence.source, d.board, list(d.libraries.elements.values()), words)
+    target = d.target.model.platform
+    assert target is not None
+    target.adapters.clear()
+    target.adapters.extend(d.dependence.pieces)
+    target.unsupportedHeaders.clear()
+    target.unsupportedHeaders.extend(
+        platform.UnsupportedHeader(name=header.name, reason=header.reason) for header in d.dependence.unserved
+    )
     divided = any(division.loop is not None for division in d.dependence.divisions)
     plan = migration.MigrationPlan(
         name=d.name,
@@ -180,6 +194,7 @@ def put_together(
         adapterUses=d.dependence.adapters,
         symbolUses=d.dependence.symbols,
     )
+    settle_libraries(plan)
     bind_texts(plan, [SourceText(unit, d.files[unit.path], ()) for unit in d.program.units])
     complete(plan, [*d.findings, *check(plan)], d.paths)
     plan.trace = trace.to_model()

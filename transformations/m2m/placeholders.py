@@ -8,7 +8,7 @@ already is put aside for the program only (see `target_names`).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -188,8 +188,9 @@ def type_uses(
     signatures: Iterable[str],
     target: TargetFacts,
     names: TargetNames,
+    declare: Callable[[str, str], platform.Adapter | None],
 ) -> list[migration.SymbolUse]:
-    """The placeholders of types that nobody declares, in the program and in the signatures that are generated.
+    """What declares the types that nobody declares, in the program and in the signatures that are generated.
 
     Args:
         views: a view of each unit.
@@ -197,6 +198,7 @@ def type_uses(
         signatures: types as written in what is generated.
         target: the target.
         names: its names.
+        declare: name, header -> the piece of adapter text that declares the type.
     """
     there = _NO_TYPES | names.declared | names.keywords | _own(views)
     # A tag or typedef inside a function hides nothing here: the model links its uses to it.
@@ -208,13 +210,16 @@ def type_uses(
     made = []
     for name in sorted(found):
         entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
-        if entry is not None and entry.header in target.standard_headers:
+        piece = declare(name, entry.header if entry is not None else "")
+        if piece is not None:
+            text, status = "", migration.AdapterStatus.filled
+        elif entry is not None and entry.header in target.standard_headers:
             text, status = f"#include <{entry.header}>", migration.AdapterStatus.filled
         else:
             text, status = _type(name, views, sources, pointed=name in pointed), migration.AdapterStatus.todo
             if target.language == PLAIN_C and text.startswith("struct "):  # in C the tag alone names no type
                 text = f"typedef {text.removesuffix(';')} {name};"
-        made.append(migration.SymbolUse(name=name, placeholder=text, status=status))
+        made.append(migration.SymbolUse(name=name, placeholder=text, status=status, adapter=piece))
     return made
 
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2m.adapter_choice import settle_libraries, settle_use
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
@@ -72,6 +73,9 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
     for library in plan.libraryChoices:
         if library.choice != NO_LIBRARY or library.chosen is not None:
             _settle(library, library.chosen.name if library.chosen is not None else "")
+    for use in plan.adapterUses:
+        settle_use(use)
+    settle_libraries(plan)
     settle_bindings(plan, [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else [])
     kept = [t for t in plan.tasks if t.rule not in DERIVED]
     plan.tasks.clear()
@@ -105,16 +109,24 @@ def _where(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
     return f"in the {called(plan)}" if beside else "in adapters.h"
 
 
+_OPEN = (migration.AdapterStatus.todo, migration.AdapterStatus.unsupported)
+
+
 def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
     for adapter in plan.adapterUses:
-        if adapter.status is not migration.AdapterStatus.todo:
+        if adapter.adapter is not None or adapter.status not in _OPEN:
             continue
         count = len(adapter.calls)
+        why = f"; {adapter.reason}" if adapter.reason else ""
         yield Task(
             rule="RS501",
             severity=Level.warning,
-            message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}",
-            effort="medium" if adapter.function is not None and adapter.function.startsCog else "small",
+            message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}{why}",
+            effort="large"
+            if adapter.status is migration.AdapterStatus.unsupported
+            else "medium"
+            if adapter.function is not None and adapter.function.startsCog
+            else "small",
             fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does",
             elements=[adapter, *adapter.calls],
             **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
@@ -123,6 +135,8 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
     for symbol in plan.symbolUses:
+        if symbol.status is not migration.AdapterStatus.todo:
+            continue
         meaning = symbol.symbol.meaning if symbol.symbol is not None else ""
         yield Task(
             rule="RS502",

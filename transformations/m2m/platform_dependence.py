@@ -18,6 +18,7 @@ from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import COMPILER
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
+from robosmi.transformations.m2m.adapter_choice import TYPES, VALUES, AdapterChoice, UnservedHeader, serve
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.hoisting import hoist
@@ -49,28 +50,43 @@ TEXT_RULES = LANGUAGE_RULES | {RENAME}
 
 @dataclass
 class Dependence:
-    """The result of the partition, to become part of the plan."""
+    """The result of the partition, to become part of the plan.
+
+    Attributes:
+        dispositions: one for each element of the program.
+        adapters: the platform functions that are used.
+        symbols: other names of the platform that are used.
+        pieces: of adapter text that these refer to, and what they need, each behind what it needs.
+        unserved: headers of which the target can serve nothing.
+        source: the part of the source platform that is used.
+        divisions: how main is divided.
+    """
 
     dispositions: list[migration.Disposition] = field(default_factory=list)
     adapters: list[migration.AdapterUse] = field(default_factory=list)
     symbols: list[migration.SymbolUse] = field(default_factory=list)
+    pieces: list[platform.Adapter] = field(default_factory=list)
+    unserved: list[UnservedHeader] = field(default_factory=list)
     source: platform.Platform | None = None
     divisions: list[Division] = field(default_factory=list)
 
 
-def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[str, bytes], trace: Trace) -> Dependence:
+def partition(
+    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, sources: Mapping[str, bytes], trace: Trace
+) -> Dependence:
     """Judge every element of the program.
 
     Args:
         views: a view of each unit of the program.
         target: the target.
+        choice: the adapters that there are.
         sources: path of a unit -> its bytes.
         trace: where links are recorded.
     """
     result = Dependence()
     program, api = views[0].program, views[0].api
     names = target.names
-    called = called_functions(views, target, names)
+    called = called_functions(views, target, names, choice.adapts)
     used = used_symbols(views, called, target, names)
     includes = [i.header for u in program.units for i in u.includes]
     words = words_of(sources[u.path] for u in program.units)
@@ -84,8 +100,10 @@ def partition(views: Sequence[CodeView], target: TargetFacts, sources: Mapping[s
         adapter(c, known.get(name), prototypes.get(name), api.name, target, names, own, handed=name in values)
         for name, c in called.items()
     ]
+    serve(result.adapters, {name: c.header for name, c in called.items()}, choice, values)
     functions = {a.name: target_types(a) for a in result.adapters}
-    result.symbols = _symbols(result, views, used, functions, sources, api, target, names)
+    result.symbols = _symbols(result, views, used, functions, sources, api, target, names, choice)
+    result.pieces, result.unserved = choice.elements, choice.unserved
     reserved = names.declared | names.macros | names.keywords
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
     result.divisions = [divide(main, reserved, words) for main in mains]
@@ -121,8 +139,9 @@ def _symbols(
     api: ApiIndex,
     target: TargetFacts,
     names: TargetNames,
+    choice: AdapterChoice,
 ) -> list[migration.SymbolUse]:
-    """Placeholders: headers, then types, then values."""
+    """What declares other names than functions, pieces or placeholders: of headers, then types, then values."""
     assert result.source is not None
     there = {(h.name, s.name): s for h in result.source.headers for s in h.symbols}
     known = _resolved(there, api, used, [i.header for v in views for i in v.unit.includes])
@@ -133,6 +152,13 @@ def _symbols(
     values = []
     for number, (name, uses) in enumerate(used.items(), 1):
         symbol = known.get(name)
+        header = ancestor_of_kind(symbol, platform.Header) if symbol is not None else None
+        if (piece := choice.declare(name, header.name if header is not None else "", VALUES)) is not None:
+            if symbol is not None:
+                piece.symbols.append(symbol)
+            filled = migration.AdapterStatus.filled
+            values.append(migration.SymbolUse(name=name, status=filled, symbol=symbol, adapter=piece, uses=uses))
+            continue
         attribute = name in attributes or (symbol is None and not uses and name not in sizes)
         values.append(
             symbol_use(name, uses, symbol, number, attribute, wanted.get(name, ""), api.name, target, names, several=several)
@@ -140,11 +166,12 @@ def _symbols(
     written = [
         p
         for a in result.adapters
-        if a.signatureSource is not OWN
+        if a.signatureSource is not OWN and a.adapter is None
         for p in (functions[a.name].returns, *functions[a.name].parameters)
     ]
-    written += [known[n].typeName for n in used if n in known and known[n].typeName]
-    types = type_uses(views, sources, written, target, names)
+    placed = {v.name for v in values if v.adapter is None}
+    written += [known[n].typeName for n in used if n in placed and n in known and known[n].typeName]
+    types = type_uses(views, sources, written, target, names, lambda name, header: choice.declare(name, header, TYPES))
     headers = implied_headers(views, target, names)
     done = {t.placeholder for t in types}
     return [*(h for h in headers if h.placeholder not in done), *types, *values]

@@ -1,17 +1,21 @@
-"""The text of adapters in a sketch: the pieces that a program needs as one readable file."""
+"""The text of adapters in a program: the pieces that it needs as one readable file."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from robosmi.transformations.knowledge.adapter_files import AdapterPiece
+from robosmi.metamodels import platform
+
+WIDTH = 125
 
 
 def adapter_text(
-    pieces: Iterable[AdapterPiece], pins: Mapping[str, str], unbound: str, numbers: Mapping[int, str] = MappingProxyType({})
+    pieces: Sequence[platform.Adapter],
+    pins: Mapping[str, str],
+    unbound: str,
+    numbers: Mapping[int, str] = MappingProxyType({}),
 ) -> str:
     """The pieces as text, in their order: includes, the pins that they use by convention, and each with what is known of it.
 
@@ -21,18 +25,47 @@ def adapter_text(
         unbound: the literal for no pin.
         numbers: number of a port of the source -> the target's literal for its pin, for tables that ports are looked up in.
     """
-    pieces = list(pieces)
-    lines = [f"#include {header}" for header in dict.fromkeys(header for piece in pieces for header in piece.includes)]
-    ports = {port.constant: port for piece in pieces for port in piece.ports}
-    if ports:
-        lines.append("")
-    lines += [f"const uint8_t {port.constant} = {pins.get(port.name, unbound)};  // {port.name}" for port in ports.values()]
-    for table in dict.fromkeys(table for piece in pieces for table in piece.tables):
-        literals = ", ".join(numbers.get(number, unbound) for number in range(table.count))
-        lines += ["", f"const uint8_t {table.name}[{table.count}] = {{{literals}}};  // the pin of each port of the source"]
-    for piece in pieces:
-        lines.append("")
-        lines += [f"// {signature}" for signature in piece.signatures]
-        lines += [f"// Limit: {limit}" for limit in piece.limits]
-        lines.append(piece.text)
+    lines = [f"#include {header}" for header in includes(pieces)]
+    lines += declarations(pieces, pins, unbound, numbers)
+    for piece, above in zip(pieces, (None, *pieces), strict=False):
+        lines += [""] * apart(piece, above) + [f"// {line}" for line in comment(piece)] + [str(piece.text)]
     return "\n".join(lines) + "\n"
+
+
+def apart(piece: platform.Adapter, above: platform.Adapter | None) -> bool:
+    """Whether a blank line stands between a piece and the one above it: constants about which nothing is said stand together."""
+    return above is None or not all(
+        each.pieceKind is platform.PieceKind.constant and not comment(each) for each in (piece, above)
+    )
+
+
+def includes(pieces: Iterable[platform.Adapter]) -> list[str]:
+    """The headers of the target that pieces need, each once."""
+    return list(dict.fromkeys(str(header) for piece in pieces for header in piece.includes))
+
+
+def declarations(
+    pieces: Sequence[platform.Adapter], pins: Mapping[str, str], unbound: str, numbers: Mapping[int, str]
+) -> list[str]:
+    """What stands in front of pieces: the pins that they use by convention, and tables of ports; see `adapter_text`."""
+    ports = {str(port.constant): port for piece in pieces for port in piece.ports}
+    lines = [""] * bool(ports)
+    for port in ports.values():
+        pin = pins.get(str(port.name), unbound)
+        lines.append(f"const uint8_t {port.constant} = {pin};  // {port.name}{', which is not wired' if pin == unbound else ''}")
+    for table in {str(table.name): table for piece in pieces for table in piece.tables}.values():
+        literals = ", ".join(numbers.get(number, unbound) for number in range(table.count))
+        wrapped = textwrap.wrap(literals, WIDTH - 4)
+        lines += ["", f"// The pin of each port of the source, {unbound} where it is not wired"]
+        lines += [f"const uint8_t {table.name}[{table.count}] = {{", *(f"  {line}" for line in wrapped), "};"]
+    return lines
+
+
+def comment(piece: platform.Adapter) -> list[str]:
+    """What is known of a piece, line by line: for what it is, how faithful, what it does not do."""
+    lines = [str(signature) for signature in piece.signatures]
+    silent = not lines and piece.fidelity == "exact"
+    said = [f"{piece.fidelity[:1].upper()}{piece.fidelity[1:]}"] if piece.fidelity and not silent else []
+    for text in (*said, *(f"Limit: {limit}" for limit in piece.limits)):
+        lines += textwrap.wrap(text, WIDTH)
+    return lines

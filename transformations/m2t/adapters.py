@@ -1,18 +1,22 @@
-"""Adapters as templates show them: one for each platform function that is called (paper 3.4).
+"""Adapters as templates show them: pieces with bodies, and one placeholder for each platform function without (paper 3.4).
 
 An adapter keeps the function's signature, so that the calls of the retained code stay as they are (adapter pattern).
-Bodies are placeholders with a TODO; what is left is in the task list.
+A placeholder has a TODO; what is left is in the task list.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types, target_of
+from robosmi.transformations.queries.plan_adapters import emitted
+from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
 from robosmi.transformations.queries.source_text import is_header
 
 
@@ -58,9 +62,47 @@ def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: s
     )  # fmt: skip
 
 
+@dataclass(frozen=True)
+class PieceText:
+    """A piece of adapter text.
+
+    Attributes:
+        element: the piece.
+        uses: what of the plan it is for.
+        apart: whether a blank line stands above it.
+        comment: lines above it.
+        text: its text.
+    """
+
+    element: platform.Adapter
+    uses: list[migration.AdapterUse | migration.SymbolUse]
+    apart: bool
+    comment: list[str]
+    text: str
+
+
+def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
+    """What templates show of the adapters with bodies: `headers`, `declarations`, `pieces`."""
+    pieces = emitted(plan)
+    users: dict[platform.Adapter, list[migration.AdapterUse | migration.SymbolUse]] = {}
+    named: list[migration.AdapterUse | migration.SymbolUse] = [*plan.symbolUses, *plan.adapterUses]
+    for use in named:
+        if use.adapter is not None:
+            users.setdefault(use.adapter, []).append(use)
+    pins, numbers = port_literals(plan)
+    return {
+        "headers": includes(pieces),
+        "declarations": declarations(pieces, pins, UNBOUND, numbers),
+        "pieces": [
+            PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), str(piece.text))
+            for piece, above in zip(pieces, (None, *pieces), strict=False)
+        ],
+    }
+
+
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
-    """The adapters that are functions of their own; of others the body stands where the program declares them."""
-    return [use for use in plan.adapterUses if not beside_its_declaration(use)]
+    """The placeholders that are functions of their own; of others the body stands where the program declares them."""
+    return [use for use in plan.adapterUses if use.adapter is None and not beside_its_declaration(use)]
 
 
 def with_own_types(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:

@@ -14,6 +14,7 @@ from typing import Any
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.plan_adapters import setup_statements
 from robosmi.transformations.queries.source_text import Piece, SourceText, inside, reindent
 from robosmi.transformations.queries.text_changes import decision_of
 
@@ -87,8 +88,8 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     start = _first_line(source, start)
     yield from _comments(source, main.startOffset, body.startOffset, main)
     if loop is None:
-        lines = [f"  {line}" for line in _parameters(main)]
-        yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, lines)
+        ahead = [f"  {line}" for line in (*_setup(plan), *_parameters(main))]
+        yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, ahead)
         yield MainPart("\n", "generation", "blank", [main])
         yield MainPart("void loop() {\n}\n", "generation", "loop", [main])
         return
@@ -100,7 +101,7 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     place = statements.index(loop)
     border = source.line_start(loop.startOffset)
     border = border if source.blank(border, loop.startOffset) else loop.startOffset
-    yield from _function("setup", source, start, border, statements[:place], main, cuts)
+    yield from _function("setup", source, start, border, statements[:place], main, cuts, [f"  {line}" for line in _setup(plan)])
     yield MainPart("\n", "generation", "blank", [main])
     inner = loop.body
     if isinstance(inner, ccode.Block):
@@ -147,6 +148,11 @@ def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) ->
         yield MainPart(text + "\n", "code", "retained comment", [comment, owner])
 
 
+def _setup(plan: migration.MigrationPlan) -> list[str]:
+    """The statements that adapters need at the start."""
+    return [f"{statement}\n" for statement in setup_statements(plan)]
+
+
 def _parameters(main: ccode.Function) -> list[str]:
     """Declarations for main's parameters, which nobody gives a value on the target."""
     kinds = [(p.name, of_use(p.valueType)) for p in main.parameters if p.references]
@@ -185,7 +191,7 @@ def _function(
     """
     yield MainPart(f"void {name}() {{\n", "generation", name, [owner])
     for line in first:
-        yield MainPart(line, "generation", "parameter of main", [owner])
+        yield MainPart(line, "generation", "first statement", [owner])
     pieces: list[Piece] = []
     position = start
     for cut_start, cut_end in [*sorted(c for c in cuts if start <= c[0] < end), (end, end)]:

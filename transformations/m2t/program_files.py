@@ -13,7 +13,7 @@ from typing import Any
 
 from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, migration
-from robosmi.transformations.m2t.adapters import adapters, made_apart, with_own_types
+from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, made_apart, with_own_types
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuit import pin_literal
@@ -77,8 +77,9 @@ def program_files(
         listed = adapters(plan, made_apart(plan))
         return {
             "plan": plan,
+            **adapter_pieces(plan),
             "adapters": [a for a in listed if a.use not in late],
-            "renamed": [a for a in listed if a.name not in ("", a.use.name)],
+            "renamed": [use for use in plan.adapterUses if use.targetName not in ("", use.name)],
         }
 
     @g.rule(template=templates.project, target=f"{plan.name}/{templates.project_file}")

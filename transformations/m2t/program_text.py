@@ -97,10 +97,10 @@ def _includes(plan: migration.MigrationPlan, source: SourceText) -> list[dict[st
 
 
 def _libraries(plan: migration.MigrationPlan) -> list[tuple[str, list[migration.LibraryChoice]]]:
-    """The headers of the chosen libraries, each once, with the choices of its library."""
+    """The headers of the chosen libraries that something uses, each once, with the choices of its library."""
     found: dict[str, list[migration.LibraryChoice]] = {}
     for choice in plan.libraryChoices:
-        for header in list(choice.chosen.headers)[:1] if choice.chosen else []:
+        for header in list(choice.chosen.headers)[:1] if choice.chosen and choice.included else []:
             found.setdefault(header, [c for c in plan.libraryChoices if c.chosen is choice.chosen])
     return list(found.items())
 

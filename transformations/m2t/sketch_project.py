@@ -1,14 +1,18 @@
-"""What `sketch.yaml` says: board and libraries with their versions (Arduino CLI, sketch project file)."""
+"""What `sketch.yaml` says: board and libraries with their versions (Arduino CLI, sketch project file).
+
+The libraries are those that something in the sketch uses.
+"""
 
 from __future__ import annotations
 
 from typing import Any
 
 from robosmi.metamodels import migration
+from robosmi.transformations.queries.plan_adapters import emitted
 
 
 def project(plan: migration.MigrationPlan) -> dict[str, Any]:
-    """The board's core, the chosen libraries, and these with all that they depend on as the file lists them."""
+    """The board's core, the libraries that are used, and these with all that they depend on as the file lists them."""
     assert plan.board is not None
     assert plan.target is not None
     mapping = next((m for m in plan.target.boardMappings if m.board is plan.board), None)
@@ -17,7 +21,9 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
     own = str(mapping.coreVersion) if mapping is not None else ""
     version = own or (str(plan.target.coreVersion) if plan.target.coreName in ("", core) else "")
     versions = {library.name: library.version for library in plan.target.libraries}
-    chosen = [c.chosen for c in plan.libraryChoices if c.chosen is not None]
+    used = {str(name) for piece in emitted(plan) for name in piece.libraries}
+    included = [c.chosen for c in plan.libraryChoices if c.chosen is not None and c.included]
+    chosen = [*included, *(library for library in plan.target.libraries if library.name in used and library not in included)]
     names = dict.fromkeys(name for library in chosen for name in (library.name, *library.depends))
     return {
         "board": full_name,

@@ -11,8 +11,11 @@ from typing import Any
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.plan import call_sites, called, element_title, open_choices
+from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 
+RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
+"""How calls correspond -> how the paper writes it (3.4)."""
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
 
@@ -37,6 +40,7 @@ def report(plan: migration.MigrationPlan) -> dict[str, Any]:
         "libraries": [_library(c) for c in plan.libraryChoices],
         "groups": [_group(u, plan) for u in (plan.program.units if plan.program else [])] + _outside(plan),
         "adapters": [_adapter(a) for a in plan.adapterUses],
+        "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
 
 
@@ -128,7 +132,9 @@ def _with_counts(title: str, mine: Q[migration.Disposition], rows: list[dict[str
 
 def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
     header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
+    piece = adapter.adapter
     return {
         "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls),
-        "state": adapter.status.name,
+        "state": adapter.status.name, "kind": RELATIONS[piece.adapterKind.name] if piece is not None else "",
+        "fidelity": piece.fidelity if piece is not None else adapter.reason, "limits": "; ".join(limits(adapter)),
     }  # fmt: skip

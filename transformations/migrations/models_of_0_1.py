@@ -65,6 +65,10 @@ def rules(f: Flock) -> None:
             if isinstance(m.element, ccode.Variable) and m.rules[0] in (HOIST, SPLIT):
                 _hoist(m.element, m, texts(program))
 
+    @f.migrate("LibraryChoice")
+    def _(o: Any, m: migration.LibraryChoice) -> None:
+        m.included = o.chosen is not None  # whatever was chosen was included
+
     @f.post
     def targets() -> None:
         plans = [root for root in f.migrated.roots if isinstance(root, migration.MigrationPlan)]

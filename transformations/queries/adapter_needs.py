@@ -81,6 +81,10 @@ class AdapterPieces:
                 return found
         return None
 
+    def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
+        """All variants of a piece, those that count first in front."""
+        return [piece for group in self._of(key[0]).get(key[1], ()) for piece in group]
+
     def needed(self, wanted: Iterable[tuple[str, str]], mcu: str) -> Needed:
         """What a program that uses these (header, name) needs on a microcontroller.
 

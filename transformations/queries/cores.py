@@ -65,14 +65,14 @@ class Cores:
 
     Attributes:
         starts: identity of a call -> how it starts code of the program on another core.
-        by_libraries: whether a library that it uses does.
+        by_libraries: names of the functions that it calls and that start code of their library there.
         elsewhere: the variables that the code on other cores may change, by identity.
         blocking: names of the functions that are called and that wait.
     """
 
     def __init__(self, views: Sequence[CodeView]) -> None:
         self.starts: dict[int, CogStart] = {id(s.call): s for v in views for s in cogs_of(v)}
-        self.by_libraries = any(library_starts(v) for v in views)
+        self.by_libraries = {f.name for v in views for f in library_starts(v)}
         functions = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
         codes = [functions[s.function].body for s in self.starts.values() if s.function in functions]
         self.elsewhere = written(reached(codes)) if codes else {}

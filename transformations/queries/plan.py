@@ -9,6 +9,7 @@ from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
+from robosmi.transformations.queries.plan_adapters import limits
 
 
 def target_of(plan: migration.MigrationPlan) -> platform.Target:
@@ -63,12 +64,16 @@ def needs_own_types(adapter: migration.AdapterUse) -> bool:
     False for a function that the program itself declares, which gets its body there.
     """
     types = (adapter.result, *(p.valueType for p in adapter.parameters))
-    return not beside_its_declaration(adapter) and any(kind is not None and kind.declarations for kind in types)
+    return (
+        adapter.adapter is None
+        and not beside_its_declaration(adapter)
+        and any(kind is not None and kind.declarations for kind in types)
+    )
 
 
 def beside_its_declaration(adapter: migration.AdapterUse) -> bool:
-    """Whether the adapter's body stands where the program itself declares the function."""
-    return adapter.signatureSource is migration.SignatureSource.program
+    """Whether a body that is still to be written stands where the program itself declares the function."""
+    return adapter.signatureSource is migration.SignatureSource.program and adapter.adapter is None
 
 
 def decisions(plan: migration.MigrationPlan) -> Q[migration.Decision]:
@@ -146,7 +151,17 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
         "call_sites": call_sites(plan),
         "functions": functions_carried_over(plan),
         "adapters": [
-            {"name": a.name, "signature": a.signature, "header": header_name(a), "calls": len(a.calls), "status": a.status.name}
+            {
+                "name": a.name,
+                "signature": a.signature,
+                "header": header_name(a),
+                "calls": len(a.calls),
+                "status": a.status.name,
+                "kind": a.adapter.adapterKind.name if a.adapter is not None else None,
+                "fidelity": a.adapter.fidelity if a.adapter is not None else "",
+                "limits": limits(a),
+                "reason": a.reason,
+            }
             for a in plan.adapterUses
         ],
         "symbols": [{"name": s.name, "status": s.status.name} for s in plan.symbolUses],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from robosmi.transformations.knowledge.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.m2t.adapter_text import adapter_text
 
 FILE = """//# header pins.h
@@ -26,13 +27,17 @@ void go() { port(left_servo); }
 def test_pins_and_tables_are_declared_with_what_is_bound(tmp_path: Path) -> None:
     path = tmp_path / "pins.cpp"
     path.write_text(FILE)
-    text = adapter_text(read_adapter_file(path), {"pins.left": "9"}, "255", {1: "A0", 3: "5"})
+    pieces = [adapter_element(piece) for piece in read_adapter_file(path)]
+    text = adapter_text(pieces, {"pins.left": "9"}, "255", {1: "A0", 3: "5"})
     assert text.split("\n") == [
         "#include <Servo.h>",
         "",
         "const uint8_t left_servo = 9;  // pins.left",
         "",
-        "const uint8_t port_pins[4] = {255, A0, 255, 5};  // the pin of each port of the source",
+        "// The pin of each port of the source, 255 where it is not wired",
+        "const uint8_t port_pins[4] = {",
+        "  255, A0, 255, 5",
+        "};",
         "",
         "int port(int number) { return port_pins[number]; }",
         "",
@@ -41,4 +46,4 @@ def test_pins_and_tables_are_declared_with_what_is_bound(tmp_path: Path) -> None
         "void go() { port(left_servo); }",
         "",
     ]
-    assert "left_servo = 255;" in adapter_text(read_adapter_file(path), {}, "255")
+    assert "left_servo = 255;" in adapter_text(pieces, {}, "255")

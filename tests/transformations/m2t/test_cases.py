@@ -2,7 +2,8 @@
 
 case.toml: `about` (what the case shows); optional `files` (the units given, else all .c files of `input/`), `hardware` (an
 example whose drawing is taken), `[bind]` and `[libraries]` (as the flags), `compiles` (why the sketch cannot compile: the
-source's own fault).
+source's own fault), `adapters` (as the flag; placeholders for what a case expects of the program's text, since bodies are data
+that have tests of their own). Every case also has to compile with the bodies that there are.
 `expected/verdicts.txt` has one line for each element that was judged (line, element, action, rule; for main also why), and
 one for each place with a finding or task that is more than information.
 
@@ -41,16 +42,17 @@ def options(name: str) -> dict[str, Any]:
     return tomllib.loads((FOLDER / name / "case.toml").read_text())
 
 
-def migrated(name: str, folder: Path, examples: Path) -> Generated:
-    """A case's program, migrated in a copy of its folder."""
+def migrated(name: str, folder: Path, examples: Path, adapters: str | None = None) -> Generated:
+    """A case's program, migrated in a copy of its folder; with adapters as the case says where nothing else is asked for."""
     said = options(name)
     shutil.copytree(FOLDER / name / "input", folder / "input")
     named = said.get("files") or sorted(p.name for p in (folder / "input").glob("*.c"))
     drawing = next((examples / said["hardware"]).glob("*.fzz")) if "hardware" in said else None
     files = [folder / "input" / file for file in named]
     made: Generated = robosmi.migrate(
-        files, folder / "out", hardware=drawing, bind=said.get("bind"), libraries=said.get("libraries")
-    )
+        files, folder / "out", hardware=drawing, bind=said.get("bind"), libraries=said.get("libraries"),
+        adapters=adapters or said.get("adapters", "placeholders"),
+    )  # fmt: skip
     return made
 
 
@@ -95,7 +97,7 @@ def test_the_sketch_is_the_expected_one(name: str, tmp_path: Path, examples: Pat
 
 @pytest.mark.parametrize("name", CASES)
 def test_every_element_has_one_verdict_and_a_second_run_changes_nothing(name: str, tmp_path: Path, examples: Path) -> None:
-    made = migrated(name, tmp_path, examples)
+    made = migrated(name, tmp_path, examples, "filled")
     assert verdict_faults(made.models.plan) == []
     assert overlaps(made.models.plan) == []
     before = tree(tmp_path / "out")
@@ -110,13 +112,14 @@ def test_every_element_has_one_verdict_and_a_second_run_changes_nothing(name: st
 @pytest.mark.parametrize("name", CASES)
 def test_the_sketch_compiles(name: str, tmp_path: Path, examples: Path) -> None:
     require_tools("avr-gcc", "arduino-core-avr")
-    made = migrated(name, tmp_path, examples)
+    made = migrated(name, tmp_path, examples, "filled")
     report = robosmi.compile_sketch(tmp_path / "out")
     said = [d.message for d in report.diagnostics]
     if "compiles" in options(name):
         assert not report.ok
     else:
         assert report.ok, said
+        assert [d.message for d in report.diagnostics if d.location and d.location.path.endswith("adapters.h")] == []
     assert made.written
 
 

@@ -2,9 +2,12 @@
 
 int main(void)
 {
-  DIRA |= 1;  // RS320: DIRA
+  DIRA |= 1;
+  CTRA = 4 << 26;  // RS320: CTRA
+  FRQA = 53687;  // RS320: FRQA
   while (1) {
-    OUTA ^= 1;  // RS320: OUTA
-    waitcnt(CNT + CLKFREQ);  // RS320: CNT
+    OUTA ^= 1;
+    waitcnt(CNT + CLKFREQ);
+    PHSA = 0;  // RS320: PHSA
   }
 }

@@ -1,16 +1,13 @@
-// Adapters for what the program uses of propeller: each has the signature it had there, with the widths it had
-// there, and a body that is still to be written for Arduino Uno.
+// Adapters for Arduino Uno: what the program uses of propeller, with the signatures and widths it had there.
 #pragma once
 
 #include <Arduino.h>
 
-const int32_t CH_DN = 1;  // TODO: complete symbol
-
-const int32_t CH_UP = 2;  // TODO: complete symbol
+#define CH_DN 17
+#define CH_UP 16
+#define VOL_UP 18
 
 const int32_t MAX_LINE = 3;  // TODO: complete symbol
-
-const int32_t VOL_UP = 4;  // TODO: complete symbol
 
 // void high(int pin)  [simpletools.h]
 // called in line 9

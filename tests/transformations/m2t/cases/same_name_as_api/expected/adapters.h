@@ -1,11 +1,10 @@
-// Adapters for what the program uses of propeller: each has the signature it had there, with the widths it had
-// there, and a body that is still to be written for Arduino Uno.
+// Adapters for Arduino Uno: what the program uses of propeller, with the signatures and widths it had there.
 #pragma once
 
 #include <Arduino.h>
 
-// clock ticks a second
-static uint32_t CLKFREQ = 0;  // TODO: complete symbol
+// Exact; ticks of the virtual counter in a second, not the clock of the target
+#define CLKFREQ 80000000L
 
 // system counter, one step a clock tick
 static uint32_t CNT = 0;  // TODO: complete symbol

@@ -1,10 +1,10 @@
-// Adapters for what the program uses of propeller: each has the signature it had there, with the widths it had
-// there, and a body that is still to be written for Arduino Uno.
+// Adapters for Arduino Uno: what the program uses of propeller, with the signatures and widths it had there.
 #pragma once
 
 #include <Arduino.h>
 
-const int32_t CLREOL = 1;  // TODO: complete symbol
+// Limit: the Serial Monitor of the Arduino IDE does not obey it; a Parallax terminal does
+#define CLREOL 11L
 
 // void pause(int time)  [simpletools.h]
 // called in line 20

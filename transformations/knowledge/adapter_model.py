@@ -1,0 +1,56 @@
+"""Pieces of adapter files as elements of the platform metamodel, made for those that a plan refers to."""
+
+from __future__ import annotations
+
+from robosmi.metamodels import platform
+from robosmi.transformations.knowledge.adapter_files import AdapterPiece
+from robosmi.transformations.knowledge.platform_model import DIRECTIONS
+
+KINDS = {
+    "adapter": "adaptedFunction", "constant": "constant", "register": "register", "variable": "variable", "type": "dataType",
+    "helper": "helper",
+}  # fmt: skip
+"""How files call the kinds of pieces -> how the metamodel does."""
+_SAME = (
+    "signatures", "text", "fidelity", "limits", "includes", "setup", "libraries", "timers", "vectors", "mcus", "symmetric",
+)  # fmt: skip
+
+
+def adapter_element(piece: AdapterPiece) -> platform.Adapter:
+    """A piece as a new element, without what it needs."""
+    said = {name: value for name in _SAME if (value := getattr(piece, name))}
+    return platform.Adapter(
+        name=piece.name,
+        pieceKind=getattr(platform.PieceKind, KINDS[piece.kind]),
+        sourceHeader=piece.header,
+        adapterKind=getattr(platform.AdapterKind, piece.relation or "oneToOne"),
+        targetName=piece.target_name,
+        componentRole=piece.role,
+        source="/".join(piece.location.path.replace("\\", "/").split("/")[-3:]),
+        pins=[
+            platform.AdapterPin(
+                name=pin.name, capability=_capability(pin.capability), direction=_direction(pin.direction), signed=pin.signed,
+                componentRole=pin.role,
+            )
+            for pin in piece.pins
+        ],
+        ports=[
+            platform.ConventionalPort(
+                constant=port.constant, name=port.name, number=port.number, capability=_capability(port.capability),
+                direction=_direction(port.direction), componentRole=port.role,
+            )
+            for port in piece.ports
+        ],
+        tables=[platform.PortTable(name=table.name, count=table.count) for table in piece.tables],
+        **said,
+    )  # fmt: skip
+
+
+def _capability(word: str) -> platform.PinCapability:
+    found: platform.PinCapability = getattr(platform.PinCapability, word)
+    return found
+
+
+def _direction(word: str) -> platform.Direction:
+    found: platform.Direction = getattr(platform.Direction, DIRECTIONS[word])
+    return found

@@ -1,0 +1,181 @@
+"""Which adapter fills the calls of a platform function, and which piece declares another name of the platform (paper 3.4).
+
+The pieces are data of the platform repository, variants for microcontrollers among them. Where none fits, the plan says what is
+missing. Which functions and names a program uses is told in `adapter_uses` and `placeholders`, how the text comes into the
+program in the generators.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.knowledge.adapter_index import AdapterIndex
+from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_model import split_parameters
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plan_adapters import closure, emitted
+
+Status = migration.AdapterStatus
+NO_ADAPTER = "no adapter file has it"
+FUNCTIONS = ("adapter",)
+VALUES = ("constant", "register", "variable")
+TYPES = ("type",)
+
+
+@dataclass
+class UnservedHeader:
+    """A header of which the target can serve nothing, and why."""
+
+    name: str
+    reason: str
+
+
+class AdapterChoice:
+    """The adapters of one plan: elements are made when a use first needs them.
+
+    Args:
+        index: the adapter files.
+        api: the source platform.
+        mcu: the microcontroller.
+        filled: whether functions get bodies; constants have their values in any case.
+    """
+
+    def __init__(self, index: AdapterIndex, api: ApiIndex, mcu: str, *, filled: bool = True) -> None:
+        self.index, self.api, self.mcu, self.filled = index, api, mcu, filled
+        self.pieces = AdapterPieces(index)
+        self._made: dict[tuple[str, str], platform.Adapter] = {}
+        self._unserved: dict[str, UnservedHeader] = {}
+
+    @property
+    def elements(self) -> list[platform.Adapter]:
+        """What uses refer to and what that needs, each behind what it needs."""
+        return list(self._made.values())
+
+    @property
+    def unserved(self) -> list[UnservedHeader]:
+        """Headers that the program uses and the target cannot serve."""
+        return list(self._unserved.values())
+
+    def adapts(self, name: str, header: str) -> bool:
+        """Whether a function that the target's own library has is adapted all the same."""
+        return self.filled and self._key(name, header, FUNCTIONS) is not None
+
+    def choose(self, use: migration.AdapterUse, header: str, *, handed: bool = False) -> None:
+        """Give a use its adapter and state, or the reason why it has none.
+
+        Args:
+            use: of a function.
+            header: where that is declared, empty where nobody knows it.
+            handed: the function is also handed on as a value.
+        """
+        if not self.filled:
+            return
+        reason = self.index.unsupported(header) if header else ""
+        if reason:
+            self._unserved.setdefault(header, UnservedHeader(header, reason))
+            use.status, use.reason = Status.unsupported, reason
+            return
+        key = self._key(use.name, header, FUNCTIONS)
+        if key is None:
+            use.reason = NO_ADAPTER
+            return
+        needed = self.pieces.needed([key], self.mcu)
+        if why := needed.unserved.get(key):
+            use.reason = f"its adapter cannot be used here: {why}"
+            return
+        if misfit := _misfit(use.calls, needed.pieces[-1].signatures):
+            use.reason = misfit
+            return
+        if handed:
+            use.reason = "it is handed on as a value, and an adapter's types are others"
+            return
+        use.adapter = self._element(key)
+        use.targetName = use.adapter.targetName or use.adapter.name
+        if use.function is not None and use.function not in use.adapter.functions:
+            use.adapter.functions.append(use.function)
+        settle_use(use)
+
+    def declare(self, name: str, header: str, kinds: Sequence[str]) -> platform.Adapter | None:
+        """The piece that declares a name which is no function; None where there is none.
+
+        Args:
+            name: the name.
+            header: where it is declared, empty where nobody knows it.
+            kinds: of pieces, as files call them.
+        """
+        key = self._key(name, header, kinds if self.filled else [kind for kind in kinds if kind == "constant"])
+        return self._element(key) if key is not None and not self.pieces.needed([key], self.mcu).unserved else None
+
+    def _key(self, name: str, header: str, kinds: Sequence[str]) -> tuple[str, str] | None:
+        """The piece for a name of a header: the header's own, that of another one that declares the same or that includes it."""
+        declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
+        same = [other for other, signature in declared.items() if header and signature == declared.get(header)]
+        above = [other for other in self.index.headers if header and header in self.api.closure((other,))]
+        for place in dict.fromkeys((header, *same, *(other for other in above if other not in declared))):
+            key = self.pieces.key(f"{place}/{name}" if place else name)
+            variants = self.pieces.variants(key) if key is not None else []
+            if variants and variants[0].kind in kinds:
+                return key
+        return None
+
+    def _element(self, key: tuple[str, str]) -> platform.Adapter:
+        for piece in self.pieces.needed([key], self.mcu).pieces:
+            own = piece.header, piece.name
+            if own not in self._made:
+                made = self._made[own] = adapter_element(piece)
+                needs = (self.pieces.key(name, piece.header) for name in piece.needs)
+                made.needs.extend([self._made[need] for need in needs if need is not None])
+        return self._made[key]
+
+
+def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
+    """What a call gives that no signature takes; empty where all calls fit."""
+    taken = [_count(signature) for signature in signatures]
+    for call in calls:
+        given = len(call.arguments)
+        if not any(given == count or (more and given > count) for count, more in taken):
+            counts = " or ".join(str(count) for count in sorted({count for count, _ in taken}))
+            return f"line {call.line} calls it with {given} argument{'s' * (given != 1)}, and its adapter takes {counts}"
+    return ""
+
+
+def _count(signature: str) -> tuple[int, bool]:
+    """How many parameters a function takes, and whether more may follow."""
+    start = signature.find("(")
+    parts = [part for part in split_parameters(signature[start:]) if part != "void"] if start >= 0 else []
+    return len(parts) - ("..." in parts), "..." in parts
+
+
+def settle_use(use: migration.AdapterUse) -> None:
+    """Bring the state of a use up to its adapter, which a person may have taken out of a stored plan, or put in."""
+    if use.adapter is not None:
+        use.status = Status.care if any(piece.limits for piece in closure([use.adapter])) else Status.filled
+        use.reason = ""
+    elif use.status in (Status.filled, Status.care):
+        use.status, use.reason = Status.todo, "its adapter was taken out of the plan"
+
+
+def settle_libraries(plan: migration.MigrationPlan) -> None:
+    """Say of each chosen library whether an adapter of the plan uses it; a plan without adapters stays as it is."""
+    if plan.target is None or not plan.target.adapters:
+        return
+    used = {str(name) for piece in emitted(plan) for name in piece.libraries}
+    for choice in plan.libraryChoices:
+        choice.included = choice.chosen is not None and choice.chosen.name in used
+
+
+def serve(uses: Iterable[migration.AdapterUse], headers: Mapping[str, str], choice: AdapterChoice, handed: Iterable[str]) -> None:
+    """Choose the adapter of each use.
+
+    Args:
+        uses: of functions.
+        headers: name of a function -> the header that declares it.
+        choice: the adapters of the plan.
+        handed: functions that are also handed on as values.
+    """
+    values = set(handed)
+    for use in uses:
+        choice.choose(use, headers.get(str(use.name), ""), handed=str(use.name) in values)
