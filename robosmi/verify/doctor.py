@@ -6,6 +6,7 @@ installed here and nothing is raised for what is missing: that is the result.
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import metadata
@@ -14,6 +15,8 @@ from pathlib import Path
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content, registry
 from robosmi.trust import acting
+from robosmi.verify.host_model import HostModel, host_models, load_host_model
+from robosmi.verify.original_build import compiler_version, missing_tools
 from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
@@ -58,7 +61,8 @@ class ToolStatus:
 
 
 def tools(project: Path | None = None) -> list[ToolStatus]:
-    """Everything that is needed: Python packages, each toolchain's programs and core, simulators (one of them is enough).
+    """Everything that is needed: Python packages, each toolchain's programs and core, the compiler for originals, simulators
+    (one of them is enough).
 
     Args:
         project: the project folder (see `robosmi.resources`); the current folder if None.
@@ -72,6 +76,7 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         for toolchain in load_toolchains(project):
             result += _programs(toolchain)
             result.append(_core(toolchain))
+        result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
     return [*result, *map(_engine, engine_names()), *_plugins()]
 
 
@@ -89,6 +94,14 @@ def _engine(name: str) -> ToolStatus:
     engine: Engine = content("engine", name)()
     advice = engine.missing()
     return ToolStatus(name, "simulation", name if advice is None else None, engine.version(), advice)
+
+
+def _host_compiler(model: HostModel) -> ToolStatus:
+    advice = missing_tools(model)
+    path = shutil.which(model.compiler.text("command"))
+    version = None if advice or path is None else compiler_version(path)
+    name = f"{model.compiler.text('command')} {model.compiler.texts('machine')[0]}"
+    return ToolStatus(name, f"running originals ({model.title})", None if advice else path, version, advice)
 
 
 def _package(name: str, needed_for: str) -> ToolStatus:

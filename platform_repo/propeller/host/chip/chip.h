@@ -1,0 +1,63 @@
+/* What the parts of the simulated chip share: cogs, their registers, and the records that go to the other end of the pipe. */
+#ifndef ROBOSMI_CHIP_H
+#define ROBOSMI_CHIP_H
+#include "host.h"
+
+enum { COGS = 8, PINS = 32, CHANNELS = 8 };
+
+struct counter {
+  unsigned control, frequency, phase;  /* as the program has written them */
+  host_time since;                     /* the phase is that of this time */
+  host_time toggles;                   /* when its output changes next */
+  int level;                           /* its output */
+  int announced, announced_pin;        /* what was told of its wave, 0 for none, and at which pin */
+};
+
+struct cog {
+  int used;
+  host_time now;
+  unsigned registers[HOST_REGISTERS];  /* what the program reads and writes */
+  unsigned out, dir;                   /* what of it has taken effect */
+  unsigned phase_shown[2];
+  struct counter counter[2];
+  unsigned wait_mask, wait_state;      /* waits for pins when the mask is not 0 */
+  int wait_equal, wait_console;
+  void *context;                       /* its stack pointer while it does not run */
+  void (*function)(void *);
+  void *parameter;
+};
+
+extern struct cog cogs[COGS];
+extern int running;                    /* number of the cog that runs */
+extern host_time horizon, next_wake;   /* the end of the run; when the world acts next */
+
+/* cogs.c */
+void cogs_begin(void (*function)(void *));
+void cogs_reschedule(void);            /* another cog may have to run before this one goes on */
+void cogs_look(void);                  /* something may have to happen earlier than was planned */
+void cogs_wake(struct cog *cog, host_time when);
+host_time vary(host_time ticks, double factor);
+
+/* pins.c */
+void pins_commit(void);                /* let what the running cog has written take effect */
+void pins_update(host_time when);      /* work out the levels anew */
+void pins_cog_stopped(struct cog *cog);
+host_time pins_next(void);             /* when a counter's output changes next */
+void pins_advance(host_time when);     /* let counters toggle at that time */
+void pins_outside(int pin, int level, host_time when);
+unsigned pins_levels(void);
+
+/* link.c */
+enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_BUS_START, RECORD_BUS_WRITE, RECORD_BUS_READ,
+              RECORD_BUS_STOP, RECORD_END };
+extern unsigned watched;               /* pins at which a device is */
+extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us; unsigned limit_s; } settings;
+void link_open(void);
+void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsigned c);
+int link_sync(host_time when, enum record kind, unsigned a, unsigned b);  /* tell, and do what the world answers; its value */
+double link_noise(void);               /* from -1 to 1 */
+
+/* guard.c */
+void guard_begin(void);
+unsigned *guard_stack_top(int number);
+#endif

@@ -1,0 +1,50 @@
+/* Limits of the run: stacks with guard pages, faults that end it with their cause, no system call but reading and writing. */
+#define _GNU_SOURCE
+#include <linux/seccomp.h>
+#include <malloc.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include "chip.h"
+
+enum { STACK = 1 << 18, PAGE = 4096, ROOM = 1 << 22, MEMORY = 1 << 28 };
+static char stacks[COGS + 1][PAGE + STACK] __attribute__((aligned(PAGE)));  /* each begins with a page that nobody may touch */
+static char fault_stack[1 << 16];
+
+unsigned *guard_stack_top(int number) { return (unsigned *)stacks[number + 1]; }
+
+static void fault(int signal, siginfo_t *info, void *context) {
+  char *where = info->si_addr;
+  (void)context;
+  for (int i = 0; i < COGS; i++)
+    if (signal == SIGSEGV && where >= stacks[i] && where < stacks[i] + PAGE) host_end("recursion", "calls that do not end use up the stack");
+  if (signal == SIGFPE) host_end("crashed", "divides by zero");
+  if (signal == SIGILL) host_end("crashed", "runs into what is no instruction");
+  host_end("crashed", "reaches for memory that is not there");
+}
+
+static void limit(int kind, rlim_t most) { setrlimit(kind, &(struct rlimit){most, most}); }
+
+static int no_order(const void *a, const void *b) { return *(const char *)a - *(const char *)b; }
+
+void guard_begin(void) {
+  stack_t alternative = {.ss_sp = fault_stack, .ss_size = sizeof fault_stack};
+  struct sigaction action = {.sa_sigaction = fault, .sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER};
+  const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+  for (int i = 0; i < COGS + 1; i++) mprotect(stacks[i], PAGE, PROT_NONE);
+  sigaltstack(&alternative, 0);
+  for (unsigned i = 0; i < sizeof faults / sizeof *faults; i++) sigaction(faults[i], &action, 0);
+  mallopt(M_TOP_PAD, ROOM);        /* the C library asks for memory now, and never again */
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, 2 * ROOM);
+  free(malloc(ROOM / 2));
+  qsort(fault_stack, 4096, 1, no_order);  /* asks once how much memory there is */
+  limit(RLIMIT_CPU, settings.limit_s);
+  limit(RLIMIT_AS, MEMORY);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 0);
+  prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT, 0, 0, 0);
+}

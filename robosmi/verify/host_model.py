@@ -1,0 +1,123 @@
+"""How programs of a source platform run on this machine: a host model, which is data and C of the platform repository.
+
+A host model simulates the platform's time, cores and pins, and does what its libraries document. `original_build` makes a program
+of it and the user's files, `original_run` runs that program. What the entries of `host.toml` mean stands beside them there.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi import resources
+from robosmi.errors import MissingToolError
+from robosmi.verify.simulation import DeviceUse
+from robosmi.verify.tables import KIND, DataTable
+
+TOOLS = ("command", "linker", "names", "rename", "coverage", "archiver")
+"""The programs that building takes, as `host.toml` names them."""
+
+
+@dataclass(frozen=True)
+class HostModel:
+    """A host model.
+
+    Attributes:
+        folder: where it lies: `chip` and `libraries` hold its C files.
+        platform: the platform's name.
+        title: what it is called in reports.
+        headers: folders in which a program's headers are looked for after its own.
+        prefix: what the program and the libraries call `x` is linked as this prefix and `x`.
+        clock_hz: ticks of the virtual time in a second.
+        block_ticks, call_ticks: the nominal time of a basic block of the program, and of a call of a library's function.
+        pins: labels of the pins, by number.
+        channels: labels of the converter's channels, by number.
+        compiler: the table `compiler`: programs and their flags.
+        same: functions of the machine's C library that programs may use as they are.
+        devices: what the board has at its pins and buses by itself.
+    """
+
+    folder: Path
+    platform: str
+    title: str
+    headers: tuple[Path, ...]
+    prefix: str
+    clock_hz: int
+    block_ticks: int
+    call_ticks: int
+    pins: tuple[str, ...]
+    channels: tuple[str, ...]
+    compiler: DataTable
+    same: frozenset[str]
+    devices: tuple[DeviceUse, ...]
+
+    @property
+    def files(self) -> list[Path]:
+        """The C files of the chip and of the libraries, and their headers."""
+        inside = [path for path in self.folder.rglob("*") if path.suffix in (".c", ".h", ".toml")]
+        return sorted({*inside, *(path for folder in self.headers for path in folder.rglob("*.h"))})
+
+    def sources(self, part: str) -> list[Path]:
+        """The C files of a part: `chip` or `libraries`."""
+        return sorted((self.folder / part).glob("*.c"))
+
+    def tools(self) -> Mapping[str, str]:
+        """The programs that building takes: their role in `host.toml` -> their path.
+
+        Raises:
+            MissingToolError: one is not installed.
+        """
+        found = {role: shutil.which(self.compiler.text(role)) for role in TOOLS}
+        missing = sorted(self.compiler.text(role) for role, path in found.items() if path is None)
+        if missing:
+            raise MissingToolError(f"not installed: {', '.join(missing)}", fix=self.install)
+        return {role: path for role, path in found.items() if path is not None}
+
+    @property
+    def install(self) -> str:
+        """How what is missing is installed."""
+        return self.compiler.text("install")
+
+
+def host_models(project: Path | None = None) -> list[str]:
+    """The platforms that have a host model."""
+    places = (path for folder in resources.folders(KIND, project) for path in folder.glob("*/host/host.toml"))
+    return sorted({path.parents[1].name for path in places})
+
+
+def load_host_model(platform: str, project: Path | None = None) -> HostModel:
+    """The host model of a platform.
+
+    Args:
+        platform: its name, as its folder in the repository is called.
+        project: the project folder (see `robosmi.resources`); the current folder if None.
+
+    Raises:
+        PlatformDataError: it has none, or its data is damaged.
+    """
+    path = resources.find(KIND, f"{platform}/host/host.toml", project)
+    table = DataTable.read(path)
+    pin, channel = table.text("pin_label"), table.text("channel_label")
+    return HostModel(
+        folder=path.parent,
+        platform=platform,
+        title=table.text("title"),
+        headers=tuple((path.parent / name).resolve() for name in table.texts("headers")),
+        prefix=table.text("own_names"),
+        clock_hz=table.number("clock_hz"),
+        block_ticks=table.number("block_ticks"),
+        call_ticks=table.number("call_ticks"),
+        pins=tuple(f"{pin}{number}" for number in range(table.number("pins"))),
+        channels=tuple(f"{channel}{number}" for number in range(table.number("channels"))),
+        compiler=table.table("compiler"),
+        same=frozenset(table.table("compiler").texts("same")),
+        devices=tuple(map(_device, table.tables("devices", needed=False))),
+    )
+
+
+def _device(entry: DataTable) -> DeviceUse:
+    settings: dict[str, Any] = entry.table("settings").values if "settings" in entry.values else {}
+    return DeviceUse(entry.text("kind"), {}, settings)

@@ -1,0 +1,287 @@
+"""The original program as a program of this machine: the user's files, unchanged, compiled and linked with a host model.
+
+What the user's files and the model's libraries call `x` is linked as the model's prefix and `x`, so that no name of theirs can
+reach this machine's C library: what is not among the model's functions, nor among those that it lets through, ends the run with
+its name. As on the platform, a function of the program goes before the library's of the same name. Running it is
+`original_run`'s, what was covered `original_coverage`'s.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from time import monotonic
+
+from robosmi.diagnostics import Location
+from robosmi.errors import InternalError, MissingToolError, VerificationError
+from robosmi.verify import archives
+from robosmi.verify.host_model import HostModel
+from robosmi.verify.tools import tool_version
+
+_MODEL_NAME = re.compile(r"host_|__gcov|__sanitizer|__(?:start|stop)_program_|_GLOBAL_OFFSET_TABLE_")
+_ARITHMETIC = re.compile(
+    r"__(?:u?(?:div|mod|divmod|cmp)[sdt]i\d|(?:ash[lr]|lshr|mul|neg|ffs|clz|ctz|popcount|parity)[sd]i\d|fix\w+|float\w+)"
+)
+"""What gcc calls for arithmetic that the machine has no instruction for."""
+_COUNTERS = re.compile(r"__gcov0\.")
+_MESSAGE = re.compile(r"^(?P<path>[^\n:]+):(?P<line>\d+):(?:(?P<column>\d+):)? (?:fatal )?error: (?P<message>.*)$", re.MULTILINE)
+_TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
+_GENERATED = "unmodelled.c"
+
+
+@dataclass(frozen=True)
+class OriginalProgram:
+    """A program that is ready to run.
+
+    Attributes:
+        binary: the program; it lies in the folder that it was built in, with all that measuring its coverage takes.
+        model: the host model.
+        sources: the user's files.
+        compiler: name and version of the compiler.
+        unmodelled: functions that it calls and that neither it nor the model has; reaching one ends a run.
+        counters: place and size in bytes of each function's coverage counters in the data that a run leaves.
+    """
+
+    binary: Path
+    model: HostModel
+    sources: tuple[Path, ...]
+    compiler: str
+    unmodelled: tuple[str, ...]
+    counters: tuple[tuple[int, int], ...]
+
+
+def build_original(
+    sources: Sequence[Path],
+    model: HostModel,
+    folder: Path,
+    include_folders: Sequence[Path] = (),
+    headers: Mapping[str, str] | None = None,
+    limit_s: float = 60.0,
+) -> OriginalProgram:
+    """Compile and link a program.
+
+    Args:
+        sources: the user's C files; they are only read.
+        model: the host model of their platform.
+        folder: an empty folder of the caller's, in which everything is made.
+        include_folders: where headers of the program are looked for, beside the file that includes them.
+        headers: name -> text of further headers, looked for last.
+        limit_s: seconds of this machine's time for all of it.
+
+    Raises:
+        MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size.
+        VerificationError: the program does not compile or link, or that takes too long.
+    """
+    build = _Build(model, folder.resolve(), monotonic() + limit_s)
+    return build.program([path.resolve() for path in sources], [path.resolve() for path in include_folders], headers or {})
+
+
+def missing_tools(model: HostModel) -> str | None:
+    """What is not installed here to build programs with a host model, as an instruction that mends it; None if all is there."""
+    with tempfile.TemporaryDirectory(prefix="robosmi-original-") as place:
+        try:
+            _Build(model, Path(place), monotonic() + 10).probe()
+        except MissingToolError as error:
+            return error.fix
+    return None
+
+
+@dataclass
+class _Build:
+    model: HostModel
+    folder: Path
+    until: float
+
+    def program(self, sources: list[Path], include_folders: list[Path], headers: Mapping[str, str]) -> OriginalProgram:
+        self._find_tools()
+        library, known = self._library()
+        more = self.folder / "headers"
+        for name, text in headers.items():
+            (more / name).parent.mkdir(parents=True, exist_ok=True)
+            (more / name).write_text(text, encoding="utf-8")
+        flags = [*self._flags("machine"), *self._flags("program"), *self._flags("hooks")]
+        flags += [f"-I{path}" for path in include_folders] + self._headers() + ["-isystem", str(more)]
+        objects = [self.folder / f"{number}-{path.stem}.o" for number, path in enumerate(sources)]
+        jobs = [["command", *flags, "-c", str(path), "-o", str(target)] for path, target in zip(sources, objects, strict=True)]
+        for _ in self._map(jobs):
+            pass
+        joined, named = self.folder / "joined.o", self.folder / "program.o"
+        self._run("linker", "-r", "-m", self.model.compiler.text("linker_machine"), "-o", str(joined), *map(str, objects))
+        names = self._names(joined)
+        if "main" not in names.defined:
+            raise VerificationError("the program has no function main", fix="name the file that has it, too")
+        self._rename(
+            joined, named, names, "--rename-section", ".bss=program_data", "--rename-section", ".init_array=program_setup"
+        )
+        known |= {self.model.prefix + name for name in names.defined}
+        unmodelled = sorted(name for name in names.undefined if self._is_own(name) and self.model.prefix + name not in known)
+        binary = self.folder / "original"
+        self._link(binary, named, self._stubs(unmodelled), library)
+        return OriginalProgram(binary, self.model, tuple(sources), self.compiler, tuple(unmodelled), tuple(self._counters(named)))
+
+    # ---- the model, compiled once
+
+    def _library(self) -> tuple[Path, set[str]]:
+        flags = [*self._flags("machine"), *self._flags("program"), *self._flags("chip")]
+        name = f"host-{self.model.platform}-{archives.digest(self.model.files, self.compiler, flags)}.a"
+        library = archives.cached(name) or archives.keep(self._compile_model(name), name)
+        return library, set(self._names(library).defined)
+
+    def _compile_model(self, name: str) -> Path:
+        folder = self.folder / "model"
+        folder.mkdir(exist_ok=True)
+        include = f"-I{self.model.folder / 'include'}"
+        kinds = {"chip": [*self._flags("chip"), include], "libraries": [*self._flags("program"), "-O1", *self._headers()]}
+        jobs, objects = [], []
+        for part, flags in kinds.items():
+            for path in self.model.sources(part):
+                objects.append(folder / f"{part}-{path.stem}.o")
+                jobs.append(["command", *self._flags("machine"), *flags, "-c", str(path), "-o", str(objects[-1])])
+        self.probe()
+        for _ in self._map(jobs):
+            pass
+        for path in objects:
+            if path.name.startswith("libraries-"):
+                names = self._names(path)
+                weak = [word for each in names.defined for word in ("--weaken-symbol", self.model.prefix + each)]
+                self._rename(path, path, names)
+                self._run("rename", *weak, str(path))
+        library = folder / name
+        self._run("archiver", "rcs", str(library), *map(str, objects))
+        return library
+
+    def _find_tools(self) -> None:
+        self.tools = self.model.tools()
+        self.compiler = f"{self.model.compiler.text('command')} {compiler_version(self.tools['command'])}"
+
+    def probe(self) -> None:
+        """Make sure that the compiler makes programs of the platform's word size.
+
+        Raises:
+            MissingToolError: it does not, or is not there.
+        """
+        self._find_tools()
+        probe = self.folder / "probe.c"
+        probe.write_text("#include <stdio.h>\nint main(void) { return 0; }\n")
+        command = [
+            self.tools["command"],
+            *self._flags("machine"),
+            *self._flags("link"),
+            str(probe),
+            "-o",
+            str(self.folder / "probe"),
+        ]
+        done = self._start(command)
+        if done.returncode != 0:
+            raise MissingToolError(
+                f"{self.compiler} cannot make programs of this kind here ({' '.join(self._flags('machine')[:1])})",
+                fix=self.model.install,
+            )
+
+    # ---- names
+
+    def _is_own(self, name: str) -> bool:
+        return not (_MODEL_NAME.match(name) or _ARITHMETIC.fullmatch(name) or name in self.model.same)
+
+    def _names(self, path: Path) -> _Names:
+        said = self._run("names", str(path))
+        found = [line.split()[-2:] for line in said.splitlines() if len(line.split()) >= 2]
+        return _Names(
+            frozenset(name for kind, name in found if kind not in "Uw" and (kind.isupper() or kind in "vuw")),
+            frozenset(name for kind, name in found if kind in "Uw"),
+        )
+
+    def _rename(self, path: Path, target: Path, names: _Names, *more: str) -> None:
+        own = {name for name in names.undefined if self._is_own(name)}
+        own |= {name for name in names.defined if not _MODEL_NAME.match(name)}
+        table = target.with_suffix(".names")
+        table.write_text("".join(f"{name} {self.model.prefix}{name}\n" for name in sorted(own)))
+        self._run("rename", f"--redefine-syms={table}", *more, str(path), str(target))
+
+    def _counters(self, program: Path) -> Iterable[tuple[int, int]]:
+        for line in self._run("names", "-S", str(program)).splitlines():
+            words = line.split()
+            if len(words) == 4 and _COUNTERS.match(words[3]):
+                yield int(words[0], 16), int(words[1], 16)
+
+    # ---- linking
+
+    def _stubs(self, unmodelled: Iterable[str]) -> Path:
+        """Functions that end the run with their name."""
+        source, target = self.folder / _GENERATED, self.folder / "unmodelled.o"
+        source.write_text(
+            "void host_unmodelled(const char *name);\n"
+            + "".join(f'void {self.model.prefix}{name}(void) {{ host_unmodelled("{name}"); }}\n' for name in unmodelled)
+        )
+        self._run("command", *self._flags("machine"), "-c", str(source), "-o", str(target))
+        return target
+
+    def _link(self, binary: Path, *parts: Path) -> None:
+        command = [self.tools["command"], *map(str, parts), *self._flags("link"), "-o", str(binary)]
+        done = self._start(command)
+        if done.returncode != 0:
+            raise InternalError(f"the program cannot be linked with the host model: {done.stderr.strip()[-500:]}")
+
+    # ---- running tools
+
+    def _flags(self, name: str) -> tuple[str, ...]:
+        return self.model.compiler.texts(name)
+
+    def _headers(self) -> list[str]:
+        return [word for path in self.model.headers for word in ("-isystem", str(path))]
+
+    def _map(self, jobs: Sequence[Sequence[str]]) -> Iterable[str]:
+        with ThreadPoolExecutor() as pool:
+            yield from pool.map(lambda job: self._run(*job), jobs)
+
+    def _run(self, role: str, *arguments: str) -> str:
+        done = self._start([self.tools[role], *arguments])
+        if done.returncode == 0:
+            return done.stdout
+        if found := _MESSAGE.search(done.stderr):
+            place = Location(found["path"], int(found["line"]), int(found["column"] or 1))
+            raise VerificationError(
+                f"the original does not compile on this machine: {found['message']}", location=place,
+                fix="name the program's other files and folders of headers; or the model of its platform lacks that name",
+            )  # fmt: skip
+        if twice := set(_TWICE.findall(done.stderr)):
+            raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="keep one of them")
+        raise InternalError(f"'{self.model.compiler.text(role)}' failed: {done.stderr.strip()[-500:]}")
+
+    def _start(self, command: Sequence[str]) -> subprocess.CompletedProcess[str]:
+        try:
+            return subprocess.run(
+                command, check=False, cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
+                errors="replace", timeout=max(0.01, self.until - monotonic()), env=_environment(),
+            )  # fmt: skip
+        except subprocess.TimeoutExpired:
+            raise VerificationError("building the original took too long", fix="allow more time for it") from None
+        except OSError as error:
+            raise MissingToolError(f"'{command[0]}' cannot be started: {error}", fix=self.model.install) from error
+
+
+@dataclass(frozen=True)
+class _Names:
+    """The global names of an object or archive."""
+
+    defined: frozenset[str]
+    undefined: frozenset[str]
+
+
+def _environment() -> dict[str, str]:
+    """A compiler that speaks English and takes nothing from its surroundings but where programs are."""
+    import os
+
+    return {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C", "TMPDIR": tempfile.gettempdir()}
+
+
+@cache
+def compiler_version(path: str) -> str:
+    """The version that a compiler tells, `unknown` if it tells none."""
+    return tool_version(path, ["--version"])

@@ -1,0 +1,120 @@
+"""What runs of the original have reached of it: lines and branches of the user's files, as the compiler counts them.
+
+A run leaves its coverage counters. `reached` compares runs among each other, which is cheap; `coverage` asks the compiler's
+coverage tool which lines and branches they stand for.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import tempfile
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import InternalError, MissingToolError
+from robosmi.verify.original_build import OriginalProgram
+
+_COUNTER_BYTES = 8
+
+
+@dataclass(frozen=True)
+class SourceCoverage:
+    """How often runs have reached each line and branch.
+
+    Attributes:
+        lines: (file, line) -> count, for each line with code.
+        branches: (file, line, number of the branch on that line from 0) -> count, for each way out of a decision.
+    """
+
+    lines: Mapping[tuple[str, int], int]
+    branches: Mapping[tuple[str, int, int], int]
+
+    @property
+    def line_percent(self) -> float:
+        """Lines reached, of all with code; 100 where there are none."""
+        return _percent(self.lines.values())
+
+    @property
+    def branch_percent(self) -> float:
+        """Branches taken at least once, of all; 100 where there are none."""
+        return _percent(self.branches.values())
+
+    @property
+    def missed_branches(self) -> list[tuple[str, int, int]]:
+        """The branches that no run has taken: file, line, number on that line."""
+        return sorted(place for place, count in self.branches.items() if not count)
+
+
+def _percent(counts: Iterable[int]) -> float:
+    known = list(counts)
+    return 100.0 * sum(count > 0 for count in known) / len(known) if known else 100.0
+
+
+def reached(program: OriginalProgram, counts: bytes) -> frozenset[int]:
+    """The edges of the program's flow that a run has taken, as numbers that mean the same in each run of one program.
+
+    Args:
+        program: what ran.
+        counts: what the run left (`OriginalRun.counts`).
+    """
+    places = (at for begin, size in program.counters for at in range(begin, begin + size, _COUNTER_BYTES))
+    return frozenset(at for at in places if any(counts[at : at + _COUNTER_BYTES]))
+
+
+def coverage(program: OriginalProgram, runs: Iterable[bytes]) -> SourceCoverage:
+    """Lines and branches that runs have reached together.
+
+    Args:
+        program: what ran; the folder that it was built in must still be there.
+        runs: what each run left (`OriginalRun.counts`); runs that left nothing count for nothing.
+
+    Raises:
+        MissingToolError: the coverage tool is not installed.
+    """
+    folder = program.binary.parent
+    for old in folder.glob("*.gcda"):
+        old.unlink()
+    for counts in (*runs, b""):
+        _add(program, counts)
+    lines: dict[tuple[str, int], int] = {}
+    branches: dict[tuple[str, int, int], int] = {}
+    for data in sorted(folder.glob("*.gcda")):
+        for file in _ask(program, data)["files"]:
+            name = str((Path(_ask_folder(program)) / file["file"]).resolve())
+            for line in file["lines"]:
+                place = name, int(line["line_number"])
+                lines[place] = lines.get(place, 0) + int(line["count"])
+                for number, branch in enumerate(line["branches"]):
+                    branches[*place, number] = branches.get((*place, number), 0) + int(branch["count"])
+    return SourceCoverage(lines, branches)
+
+
+def _ask_folder(program: OriginalProgram) -> Path:
+    return program.binary.parent
+
+
+def _add(program: OriginalProgram, counts: bytes) -> None:
+    """Let the program write its coverage files from what a run left; they add up."""
+    size = max((begin + size for begin, size in program.counters), default=0)
+    if not counts and any(program.binary.parent.glob("*.gcda")):
+        return
+    given = counts or bytes(size)
+    subprocess.run([program.binary, "counters"], input=given, check=False, capture_output=True, cwd=program.binary.parent)
+
+
+def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
+    tool = program.model.tools()["coverage"]
+    with tempfile.TemporaryDirectory(prefix="robosmi-coverage-") as place:
+        command = [tool, "--json-format", "--stdout", "--branch-probabilities", str(data)]
+        try:
+            done = subprocess.run(command, check=False, capture_output=True, encoding="utf-8", errors="replace", cwd=place)
+        except OSError as error:
+            raise MissingToolError(f"'{tool}' cannot be started: {error}", fix=program.model.install) from error
+    try:
+        answer: dict[str, Any] = json.loads(done.stdout)
+    except ValueError:
+        raise InternalError(f"'{tool}' answered what is no coverage: {done.stderr.strip()[-300:]}") from None
+    return answer

@@ -1,0 +1,271 @@
+"""Running the original: in a process of its own and in virtual time, with the same devices at its pins as a simulator has.
+
+The process may read and write its two pipes and nothing else. It tells what happens at its pins, and asks when it comes to a
+time at which a device acts, or changes a pin at which one is; the devices, on a `Bench`, answer. So a run repeats exactly,
+however fast this machine is. A `Variation` makes the costs of the program's steps differ, to find out whether what it does
+depends on them.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import struct
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from time import monotonic
+
+from robosmi.errors import InternalError, UsageError
+from robosmi.plugins import content
+from robosmi.verify.bench import Bench
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
+
+STATES = {"running": "running", "finished": "done"}
+"""Status of a run -> state of its trace; any other is `crashed`."""
+
+_RECORD = struct.Struct("<QIIII")
+_COMMAND = struct.Struct("<iiq")
+_SETTINGS = struct.Struct("<QQQddddIIIIII")
+_FLOAT = struct.Struct("<f")
+_WORD = struct.Struct("<I")
+_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END = range(1, 10)
+_GO, _LEVEL, _VOLTAGE, _TYPED = range(4)
+_LET_GO = 2
+_NEVER = (1 << 62) - 1
+_MOST_RECORDS = 5_000_000
+
+
+@dataclass(frozen=True)
+class Variation:
+    """How a run differs from the nominal one.
+
+    Attributes:
+        seed: of the noise, and of what the program takes for random.
+        block_factor: what the program's own steps cost, as a multiple of the nominal cost: a loop that polls is faster or slower.
+        call_factor: the same for calls of the library's functions.
+        noise: by how much each cost differs at random, as a part of it: 0.1 is up to 10 % either way.
+        late_us: by how many microseconds at most a call that waits ends later.
+    """
+
+    seed: int = 0
+    block_factor: float = 1.0
+    call_factor: float = 1.0
+    noise: float = 0.0
+    late_us: float = 0.0
+
+
+@dataclass(frozen=True)
+class OriginalRun:
+    """What became of a run.
+
+    Attributes:
+        trace: what was seen until the run ended; its pins are the platform's, times are counted from the first statement of main.
+        status: `running` when the horizon was reached, `finished` when main and all other cores had ended, `unmodelled` when a
+            function without a model was called, `crashed`, `recursion` when calls used up the stack, `output limit`, or
+            `time limit`.
+        cause: the function that has no model, or what made it crash; empty otherwise.
+        counts: the program's static data, with its coverage counters; empty where the run did not come to an end of its own.
+    """
+
+    trace: PinTrace
+    status: str
+    cause: str
+    counts: bytes
+
+
+def run_original(
+    program: OriginalProgram,
+    horizon_us: float,
+    devices: Sequence[DeviceUse] = (),
+    variation: Variation | None = None,
+    limit_s: float = 60.0,
+) -> OriginalRun:
+    """Run a program to its end or to the horizon.
+
+    Args:
+        program: what to run.
+        horizon_us: how long, in microseconds of virtual time.
+        devices: what is connected to the platform's pins and channels.
+        variation: how the run differs from the nominal one.
+        limit_s: seconds of this machine's time.
+
+    Raises:
+        UsageError: a device is not known, or is used wrongly.
+        VerificationError: the program cannot be started.
+    """
+    bench = _HostBench(program)
+    bench.connect([*devices, *_boards_own(program, devices)])
+    with tempfile.TemporaryDirectory(prefix="robosmi-original-") as place, subprocess.Popen(
+        [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
+        bufsize=0, start_new_session=True,
+    ) as process:  # fmt: skip
+        try:
+            run = _Conversation(bench, process, monotonic() + limit_s)
+            run.begin(program, horizon_us, variation or Variation(), limit_s)
+            status, cause, counts = run.result()
+        finally:
+            process.kill()
+    trace = bench.trace(
+        f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
+    )
+    return OriginalRun(trace, status, cause, counts)
+
+
+def _boards_own(program: OriginalProgram, devices: Sequence[DeviceUse]) -> list[DeviceUse]:
+    """The devices that the board has by itself, but for those whose address on the bus is taken."""
+    taken = {_address(use) for use in devices} - {None}
+    return [use for use in program.model.devices if _address(use) not in taken]
+
+
+def _address(use: DeviceUse) -> object:
+    try:
+        known = content("device", use.kind).setting_names
+    except KeyError:
+        return None
+    return use.settings.get("address", known.get("address"))
+
+
+class _HostBench(Bench):
+    """The bench of a program that runs in a host model: its cycles are the ticks of the virtual time."""
+
+    def __init__(self, program: OriginalProgram) -> None:
+        model = program.model
+        super().__init__([*model.pins, *model.channels], model.clock_hz)
+        self.labels = model.pins
+        self.numbers = {label: number for names in (model.pins, model.channels) for number, label in enumerate(names)}
+        self.channels = frozenset(model.channels)
+        self.commands: list[bytes] = []
+        self.waves: list[Wave] = []
+        self.console: list[ConsoleByte] = []
+        self.tick = 0
+        self.next_wake = _NEVER
+        self._address = 0
+
+    @property
+    def cycle(self) -> int:
+        return self.tick
+
+    @property
+    def watched(self) -> int:
+        """The pins at which a device is, as bits."""
+        return sum(1 << number for number, label in enumerate(self.labels) if label in self._at_pin)
+
+    def wake_at(self, cycle: int) -> None:
+        self.next_wake = cycle
+
+    def set_level(self, pin: str, level: int | None) -> None:
+        self._command(_LEVEL, self.numbers[pin], _LET_GO if level is None else level)
+
+    def set_voltage(self, pin: str, millivolts: float) -> None:
+        if pin not in self.channels:
+            raise UsageError(f"there is no converter at '{pin}'", fix=f"use one of: {', '.join(sorted(self.channels))}")
+        self._command(_VOLTAGE, self.numbers[pin], round(millivolts))
+
+    def send(self, data: bytes) -> None:
+        for byte in data:
+            self._command(_TYPED, byte, 0)
+
+    def _command(self, kind: int, which: int, value: int) -> None:
+        self.commands.append(_COMMAND.pack(kind, which, value))
+
+    def answer(self, value: int = 0) -> bytes:
+        """What the world has done since it was asked last, and when it acts next."""
+        said = b"".join(self.commands) + _COMMAND.pack(_GO, value, self.next_wake)
+        self.commands.clear()
+        return said
+
+    def told(self, kind: int, a: int, b: int, c: int) -> int | None:
+        """Take a record; the value to answer with, None if it asks for no answer."""
+        if kind == _PIN:
+            pin = self.labels[a]
+            self.pin_changed(pin, "z" if b == _LET_GO else b)
+            return 0 if pin in self._at_pin else None
+        if kind == _WAVE:
+            hz, duty = (_FLOAT.unpack(_WORD.pack(bits))[0] for bits in (b, c))
+            self.waves.append(Wave(self.now, self.labels[a], hz, duty))
+            return None
+        if kind == _CONSOLE:
+            self.console.append(ConsoleByte(self.now, a))
+            return None
+        if kind == _SYNC:
+            due = self.wake()
+            self.next_wake = _NEVER if due is None else due
+            return 0
+        if kind == _BUS_START:
+            self._address = a
+            return int(self.bus_start(a, bool(b)))
+        if kind == _BUS_WRITE:
+            return int(self.bus_write(self._address, a))
+        if kind == _BUS_READ:
+            return self.bus_read(self._address)
+        if kind == _BUS_STOP:
+            self.bus_stop(self._address)
+            return 0
+        raise InternalError(f"the host model told a record of the unknown kind {kind}")
+
+
+class _Conversation:
+    """Records come in, answers go out, until the end or the time limit."""
+
+    def __init__(self, bench: _HostBench, process: subprocess.Popen[bytes], until: float) -> None:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        self.bench, self.process, self.until = bench, process, until
+        self._to, self._from = process.stdin.fileno(), process.stdout.fileno()
+        self._waiting = bytearray()
+
+    def begin(self, program: OriginalProgram, horizon_us: float, variation: Variation, limit_s: float) -> None:
+        model, bench = program.model, self.bench
+        settings = _SETTINGS.pack(
+            round(horizon_us * model.clock_hz / 1e6), 0, _MOST_RECORDS,
+            variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
+            model.block_ticks, model.call_ticks, bench.watched, variation.seed & 0xFFFFFFFF, int(limit_s) + 1, 0,
+        )  # fmt: skip
+        self._say(settings)
+
+    def result(self) -> tuple[str, str, bytes]:
+        """Status, cause and counters."""
+        while True:
+            data = self._read(_RECORD.size)
+            if data is None:
+                return self._broken_off()
+            tick, kind, a, b, c = _RECORD.unpack(data)
+            self.bench.tick = tick
+            if kind == _END:
+                parts = [self._read(size) for size in (a, b, c)]
+                self.bench.ended()
+                status, cause, counts = (part or b"" for part in parts)
+                return status.decode(), cause.decode("utf-8", "replace"), counts
+            value = self.bench.told(kind, a, b, c)
+            if value is not None:
+                self._say(self.bench.answer(value))
+
+    def _broken_off(self) -> tuple[str, str, bytes]:
+        self.bench.ended()
+        if monotonic() >= self.until:
+            return "time limit", "", b""
+        return "crashed", f"the process ended with {self.process.wait()}", b""
+
+    def _say(self, data: bytes) -> None:
+        try:
+            while data:
+                data = data[os.write(self._to, data) :]
+        except BrokenPipeError:
+            pass  # it has ended: reading tells how
+
+    def _read(self, size: int) -> bytes | None:
+        """So many bytes; None when the process has ended, or time is up."""
+        while len(self._waiting) < size:
+            left = self.until - monotonic()
+            if left <= 0 or not select.select([self._from], [], [], left)[0]:
+                return None
+            data = os.read(self._from, 65536)
+            if not data:
+                return None
+            self._waiting += data
+        taken = bytes(self._waiting[:size])
+        del self._waiting[:size]
+        return taken
