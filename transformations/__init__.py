@@ -32,6 +32,7 @@ _CONTENT = {
     ("chain", "plan"): "chains.migrate:plan_migration",
     ("chain", "generate"): "chains.generate:generate",
     ("chain", "check"): "chains.check:check",
+    ("chain", "simulate"): "chains.simulate:simulate",
     ("model migration", "http://robosmi.org/migration/1"): "migrations.models_of_0_1:models",
     ("model migration", "http://robosmi.org/platform/1"): "migrations.models_of_0_1:models",
     ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",

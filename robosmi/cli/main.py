@@ -40,6 +40,7 @@ COMMANDS = {
     "generate": "make the sketch again from a stored plan",
     "check": "hold a drawing, a plan or any model against its constraints",
     "compile": "compile a generated sketch",
+    "simulate": "run a generated program on a simulator, and see its console and pins",
     "history": "earlier choices of libraries",
     "libraries": "add installed libraries to the index",
     "run": "run a chain of load, validate, transform and generate; only what has changed",

@@ -1,0 +1,31 @@
+"""`robosmi simulate OUT`: run a generated program alone on a simulator, and print its console and what it does at its pins."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the program's own folder")
+    parser.add_argument("--scenario", metavar="FILE", type=Path, help="what its components show over time (TOML)")
+    parser.add_argument("--seconds", metavar="N", type=float, help="simulated seconds (default: the scenario's, else 5)")
+    parser.add_argument("--engine", metavar="NAME", help="simulator; the first that is installed if not given")
+    parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write the trace for a viewer of waveforms")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("simulate")
+    done = content("chain", "simulate")(
+        arguments.output, scenario=arguments.scenario, seconds=arguments.seconds, engine=arguments.engine, vcd=arguments.vcd
+    )
+    report.ok, report.failure_code = done.trace is not None, 6
+    report.result, report.findings, report.lines = done.result, done.findings, done.lines()
+    if done.written is not None:
+        report.artifacts.append({"path": str(done.written), "kind": "vcd"})
+    return report

@@ -1,0 +1,174 @@
+"""The chain `simulate`: a generated program alone on a simulator: compiled, run, and what it did at its pins told.
+
+With the models beside the program its components are at its pins, and a scenario says what they show; without them a scenario
+names pins. Nothing is written but the trace that was asked for.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import SourceError, UsageError
+from robosmi.metamodels import platform
+from robosmi.model.files import write_atomic
+from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.jobs import job
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, played
+from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.scenario import Scenario, read_scenario
+from robosmi.verify.simulation import PinTrace
+from robosmi.verify.simulation import simulate as run_job
+from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.vcd import vcd_text
+
+SECONDS = 5.0
+"""How long a program runs unless told otherwise, in simulated seconds."""
+MOST_EVENTS = 10_000
+"""So many events are told at most; all of them are in the VCD."""
+
+
+@dataclass
+class Simulated:
+    """What a program did on a simulator.
+
+    Attributes:
+        compiled: how it was compiled.
+        trace: what it did; None where it does not compile.
+        ports: its ports, where its models are known.
+        written: the VCD file, or None.
+    """
+
+    compiled: CompileReport
+    trace: PinTrace | None = None
+    ports: list[BoundPort] = field(default_factory=list)
+    written: Path | None = None
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What the compiler found, unless all is well; what is not played."""
+        return [f for f in self.compiled.diagnostics if f.severity is not Severity.info]
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's part of the document."""
+        trace = self.trace
+        if trace is None:
+            return {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0}
+        events = _events(trace)
+        return {
+            "engine": trace.engine,
+            "state": trace.state,
+            "simulated_s": round(trace.simulated_us / 1e6, 6),
+            "console": trace.text,
+            "events": events[:MOST_EVENTS],
+            "events_total": len(events),
+        }
+
+    def lines(self) -> list[str]:
+        """What a person reads: the console, and each pin with how often it changed."""
+        trace = self.trace
+        if trace is None:
+            return [f"does not compile for {self.compiled.board}"]
+        lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
+        if trace.state != "running":
+            lines.append("  the program stopped itself" if trace.state == "done" else "  the program crashed")
+        if trace.text:
+            lines += ["", "console:", *(f"  {line}" for line in trace.text.splitlines())]
+        titles = {port.target: port.title for port in self.ports if port.target}
+        changes = Counter(e["pin"] for e in _events(trace))
+        if changes:
+            lines += ["", "pins:"]
+        for pin, count in changes.items():
+            waves = [wave for wave in trace.waves if wave.pin == pin]
+            last = f", at the end {waves[-1].hz:g} Hz, {100 * waves[-1].duty:g} %" if waves else _last_level(trace, pin)
+            lines.append(f"  {pin:4} {count:6} events{last}{f'  ({titles[pin]})' if pin in titles else ''}")
+        return lines
+
+
+def _last_level(trace: PinTrace, pin: str) -> str:
+    level = trace.levels(pin)[-1][1]
+    return f", at the end {'high' if level == 1 else 'low'}" if level in (0, 1) else ""
+
+
+def _events(trace: PinTrace) -> list[dict[str, Any]]:
+    """The levels that the program drives and the waves that timers make, by time."""
+    found: list[tuple[float, dict[str, Any]]] = [
+        (c.at_us, {"t_us": round(c.at_us, 3), "pin": c.pin, "level": c.level}) for c in trace.changes if c.level in (0, 1)
+    ]
+    found += [
+        (w.at_us, {"t_us": round(w.at_us, 3), "pin": w.pin, "pwm": {"hz": round(w.hz, 6), "duty": round(w.duty, 6)}})
+        for w in trace.waves
+    ]
+    return [event for _, event in sorted(found, key=lambda each: each[0])]
+
+
+def simulate(
+    output: Path,
+    *,
+    scenario: Path | None = None,
+    seconds: float | None = None,
+    engine: str | None = None,
+    vcd: Path | None = None,
+) -> Simulated:
+    """Run a generated program alone.
+
+    Args:
+        output: the output folder of a migration, or the program's own folder.
+        scenario: file with what its components show over time.
+        seconds: simulated seconds; the scenario's, else five, if None.
+        engine: name of the simulator.
+        vcd: file for the trace.
+
+    Raises:
+        SourceError: there is no program, or a file cannot be read or written.
+        UsageError: the scenario names what is not there, or no simulator knows the board.
+        MissingToolError: compiler or simulator are not installed.
+        VerificationError: the simulator crashed or did not end.
+    """
+    asked = read_scenario(scenario) if scenario is not None else None
+    if seconds is not None and not 0 < seconds <= 600:
+        raise UsageError(f"{seconds:g} s cannot be simulated", fix="give more than 0 s and at most 600 s")
+    horizon_us = 1e6 * seconds if seconds is not None else 1e3 * asked.horizon_ms if asked is not None else 1e6 * SECONDS
+    plan_file = _plan_beside(output)
+    models = load_models(plan_file) if plan_file is not None else None
+    ports = bound_ports(models.plan) if models is not None else []
+    with tempfile.TemporaryDirectory(prefix="robosmi-simulate-") as folder:
+        report = compile_sketch(output, keep=Path(folder))
+        if not report.ok or report.elf is None or report.hex is None:
+            return Simulated(report)
+        stored = models.plan.board if models is not None else None
+        board = stored if stored is not None and stored.name == report.board else load_board(report.board)
+        devices = played(ports if models is not None else _bare(board, asked), asked, target=True)
+        trace = run_job(job(report.elf, report.hex, board, horizon_us, devices), engine)
+    if vcd is not None:
+        try:
+            write_atomic(vcd, vcd_text({str(board.name): trace}, f"{output} on {trace.engine}").encode())
+        except OSError as error:
+            raise SourceError(f"the trace cannot be written: {error.strerror or error}", fix="give another file") from error
+    return Simulated(report, trace, ports, vcd)
+
+
+def _plan_beside(output: Path) -> Path | None:
+    """The stored plan of a program: of the output folder, or of the one above the program's own."""
+    for folder in (output, output.parent, output.parent.parent):
+        if (path := folder / "models" / "plan.xmi").is_file():
+            return path
+    return None
+
+
+def _bare(board: platform.Board, scenario: Scenario | None) -> list[BoundPort]:
+    """The pins that a scenario names, each with a voltage where its values are more than levels."""
+    found = []
+    labels = {str(pin.label): pin for pin in board.pins}
+    for name, settings in (scenario.signals if scenario is not None else {}).items():
+        if name in labels:
+            values = {value for points in settings.values() for _, value in points}
+            kind = "levels" if values <= {0, 1, None} else "voltages"
+            found.append(BoundPort(name, name, name, device=kind, pin="pin"))
+    return found
