@@ -7,11 +7,13 @@ name alone. Nothing is imported before it is asked for: a registry holds `module
 
 from __future__ import annotations
 
+import dis
 import importlib
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
+from types import ModuleType
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -163,11 +165,14 @@ def load(target: str) -> Any:
 
     Raises:
         InternalError: the module or the attribute does not exist.
+        MissingToolError: a package that the module needs cannot be loaded.
     """
     module, _, attribute = target.partition(":")
     try:
         return getattr(importlib.import_module(module), attribute)
     except (ImportError, AttributeError) as error:
+        if (missing := unloadable(error)) is not None:
+            raise missing from error
         raise InternalError(f"'{target}' is registered but cannot be loaded: {error}") from error
 
 
@@ -192,6 +197,43 @@ def registry() -> Registry:
         else:
             result.take(offered, distribution)
     return result
+
+
+def unloadable(error: BaseException) -> MissingToolError | None:
+    """The error for a package that is not ours and cannot be loaded, whatever it raised; None for any other exception."""
+    if isinstance(error, ImportError) and error.name:
+        foreign = not _is_own(error.name)
+    elif isinstance(error, AttributeError) and isinstance(error.obj, ModuleType):
+        foreign = not _is_own(error.obj.__name__)
+    else:
+        foreign = _came_of_an_import(error)
+    if not foreign:
+        return None
+    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else f"{type(error).__name__}: {error}"
+    return MissingToolError(
+        f"a package that robosmi needs cannot be loaded: {cause}",
+        fix="install robosmi again in a fresh environment (robosmi doctor says what is there)",
+    )
+
+
+def _came_of_an_import(error: BaseException) -> bool:
+    """Whether the last code of ours on the way to an exception was importing something."""
+    own, importing = False, False
+    trace = error.__traceback__
+    while trace is not None:
+        module = trace.tb_frame.f_globals.get("__name__", "")
+        if _is_own(module):
+            own = True
+            importing = dis.opname[trace.tb_frame.f_code.co_code[trace.tb_lasti]].startswith("IMPORT_")
+        elif own and module.partition(".")[0] == "importlib":
+            importing = True
+        own = _is_own(module)
+        trace = trace.tb_next
+    return importing
+
+
+def _is_own(module: str) -> bool:
+    return module.partition(".")[0] == "robosmi"
 
 
 def raised_by(error: BaseException) -> RuleError | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -18,7 +19,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 EXAMPLE = ROOT / "docs" / "examples" / "line_follower"
 CODES = frozenset([0, 1, 2, 3, 4, 5, 6, 130])
-SECONDS = 60
+SECONDS, PATIENCE = 10.0, 300
+"""Of processor time for an input under 100 kB, and on the clock before a run is ended."""
 
 
 def commands(place: Path) -> dict[str, list[str]]:
@@ -70,7 +72,7 @@ class World:
     Attributes:
         name: what is odd.
         shell: how a POSIX shell runs the command `"$@"`.
-        changes: environment variables, None where one is to be missing.
+        changes: environment variables, None where one is to be missing; `{place}` in one is the prepared folder.
         before: what is done to the prepared folder first.
     """
 
@@ -82,11 +84,12 @@ class World:
 
 @dataclass(frozen=True)
 class Done:
-    """How a run ended."""
+    """How a run ended, and the seconds of processor time that it took."""
 
     code: int
     out: str
     err: str
+    seconds: float = 0.0
 
 
 def run(words: list[str], world: World, place: Path) -> Done:
@@ -94,20 +97,23 @@ def run(words: list[str], world: World, place: Path) -> Done:
     environment: dict[str, str | None] = {**os.environ, "ROBOSMI_HOME": str(place / "home"), **world.changes}
     environment.pop("ROBOSMI_DEBUG", None)
     world.before(place)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
         done = subprocess.run(
             ["bash", "-c", world.shell, "bash", sys.executable, "-m", "robosmi", *words],
             capture_output=True,
             text=True,
             errors="replace",
-            timeout=SECONDS,
+            timeout=PATIENCE,
             cwd=place,
             stdin=subprocess.DEVNULL,
-            env={name: value for name, value in environment.items() if value is not None},
+            env={name: value.replace("{place}", str(place)) for name, value in environment.items() if value is not None},
         )
     except subprocess.TimeoutExpired:
         return Done(124, "", "")
-    return Done(done.returncode, done.stdout, done.stderr)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return Done(done.returncode, done.stdout, done.stderr, seconds)
 
 
 def wrong(done: Done, *, as_json: bool = False, told: bool = True) -> str:
@@ -120,6 +126,8 @@ def wrong(done: Done, *, as_json: bool = False, told: bool = True) -> str:
     """
     if done.code == 124:
         return "it does not end"
+    if done.seconds > SECONDS:
+        return f"it takes {done.seconds:.1f} s of processor time"
     if done.code not in CODES:
         return f"exit code {done.code}"
     for sign in ("Traceback", "bug of robosmi", "Exception ignored", "Fatal Python"):

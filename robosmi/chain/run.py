@@ -20,7 +20,7 @@ from robosmi.chain.state import State, StepState, digest_of, digest_of_all, find
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
-from robosmi.plugins import raised_by
+from robosmi.plugins import raised_by, unloadable
 
 Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
@@ -229,7 +229,8 @@ class ChainRun:
         except SystemExit as error:
             from robosmi.query.erl import failed
 
-            raise raised_by(error) or failed(error, f"the step '{step.name}'", step.function or self._done) from error
+            what = f"the step '{step.name}'"
+            raise unloadable(error) or raised_by(error) or failed(error, what, step.function or self._done) from error
 
     def do(self, step: Step) -> StepResult:
         """Do a step, with the models that it needs."""

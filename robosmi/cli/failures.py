@@ -10,7 +10,7 @@ import os
 
 from robosmi import plugins
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, MissingToolError, RobosmiError, SourceError
+from robosmi.errors import InternalError, RobosmiError, SourceError
 from robosmi.inputs import fix_of
 
 
@@ -28,11 +28,8 @@ def as_error(error: Exception | SystemExit) -> RobosmiError:
         return SourceError("there is not enough memory for this input", fix="give a smaller input, or more memory")
     if isinstance(error, RecursionError):
         return SourceError("the input is nested too deeply to be read", fix="look for brackets or elements within each other")
-    if isinstance(error, ImportError) and not _ours(error):
-        return MissingToolError(
-            f"a package that robosmi needs cannot be loaded: {error}",
-            fix="install robosmi again in a fresh environment (robosmi doctor says what is there)",
-        )
+    if (missing := plugins.unloadable(error)) is not None:
+        return missing
     if isinstance(error, UnicodeEncodeError):
         return _unwritable_text(error)
     if (raised := plugins.raised_by(error)) is not None:
@@ -57,10 +54,6 @@ def _current_folder_is_there() -> bool:
     except OSError:
         return False
     return True
-
-
-def _ours(error: ImportError) -> bool:
-    return (error.name or "").partition(".")[0] in ("robosmi", "")
 
 
 def _unwritable_text(error: UnicodeEncodeError) -> SourceError:

@@ -6,10 +6,13 @@ installed here and nothing is raised for what is missing: that is the result.
 
 from __future__ import annotations
 
+import importlib
+import re
 import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import metadata
+from operator import attrgetter
 from pathlib import Path
 
 from robosmi.errors import MissingToolError
@@ -22,13 +25,14 @@ from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
 
 PACKAGES = {
-    "pyecore": "models",
-    "libclang": "reading C sources",
-    "lxml": "reading drawings, XMI",
-    "jinja2": "generating text",
-    "networkx": "connector mapping",
+    "pyecore": ("pyecore.ecore", "models"),
+    "libclang": ("clang.cindex:conf.lib", "reading C sources"),
+    "lxml": ("lxml.etree", "reading drawings, XMI"),
+    "jinja2": ("jinja2.sandbox", "generating text"),
+    "networkx": ("networkx", "connector mapping"),
+    "filelock": ("filelock:FileLock", "writing into output folders"),
 }
-"""The Python packages that are needed: distribution name -> what for."""
+"""The Python packages that are needed: distribution name -> what of it must be loaded for it to work, what for."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +75,7 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         PlatformDataError: a toolchain's data is damaged.
         SourceError: found data that names programs is not trusted.
     """
-    result = [_package(name, needed_for) for name, needed_for in PACKAGES.items()]
+    result = [_package(name, module, needed_for) for name, (module, needed_for) in PACKAGES.items()]
     with acting(project):
         for toolchain in load_toolchains(project):
             result += _programs(toolchain)
@@ -104,12 +108,44 @@ def _host_compiler(model: HostModel) -> ToolStatus:
     return ToolStatus(name, f"running originals ({model.title})", None if advice else path, version, advice)
 
 
-def _package(name: str, needed_for: str) -> ToolStatus:
+def _package(name: str, module: str, needed_for: str) -> ToolStatus:
+    """A package is there if it can be loaded, and has the version that this package asks for."""
+    wanted = _requirement(name)
     try:
         found = metadata.distribution(name)
     except metadata.PackageNotFoundError:
-        return ToolStatus(name, needed_for, None, None, f"pip install {name}")
+        return ToolStatus(name, needed_for, None, None, f"pip install '{wanted}'")
+    fix = f"pip install --force-reinstall '{wanted}'"
+    if not _fits(found.version, wanted):
+        return ToolStatus(name, f"{needed_for}; {wanted} is needed", None, found.version, fix)
+    path, _, attributes = module.partition(":")
+    try:
+        loaded = importlib.import_module(path)
+        if attributes:
+            attrgetter(attributes)(loaded)
+    except (Exception, SystemExit) as error:
+        return ToolStatus(name, f"{needed_for}; it cannot be loaded: {error}", None, found.version, fix)
     return ToolStatus(name, needed_for, str(found.locate_file("")), found.version, None)
+
+
+def _requirement(name: str) -> str:
+    """What this package asks for, as `lxml>=5`; the name alone where it is not installed itself."""
+    try:
+        listed = metadata.requires("robosmi") or []
+    except metadata.PackageNotFoundError:
+        listed = []
+    own = (entry for entry in listed if re.match(rf"{name}\b", entry, re.IGNORECASE) and ";" not in entry)
+    return next(own, name).replace(" ", "")
+
+
+def _fits(version: str, requirement: str) -> bool:
+    """Whether a version is within the bounds of a requirement; they are numbers between dots."""
+
+    def numbers(text: str) -> list[int]:
+        return [int(number) for number in re.findall(r"\d+", text)[:3]]
+
+    bounds = re.findall(r"(>=|<)([\d.]+)", requirement)
+    return all((numbers(version) >= numbers(bound)) is (sign == ">=") for sign, bound in bounds)
 
 
 def _programs(toolchain: Toolchain) -> Iterator[ToolStatus]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
-from tests.hostile_world import Done, run, worlds, wrong
+from robosmi.errors import MissingToolError
+from tests.broken_packages import worlds_of_packages
+from tests.hostile_world import EXAMPLE, Done, run, worlds, wrong
 from tests.running import run as run_here
 
 TRIED = {
@@ -52,3 +55,40 @@ def test_an_answer_that_is_too_long_to_be_shown_is_refused(tmp_path: Path) -> No
     outcome = run_here("query", tmp_path / "books.csv", "'x' * 6_000_000 + 'x' * 6_000_000")
     assert outcome.code == 2
     assert "more than 10,000,000 characters" in outcome.err
+
+
+PACKAGES = {world.name: world for world in worlds_of_packages()}
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("lxml without its shared library", ["hardware", "line_following_robot.fzz"]),
+        ("lxml of another version", ["hardware", "line_following_robot.fzz"]),
+        ("pyecore missing", ["analyse", "line_follower.c"]),
+        ("pyecore no Python", ["analyse", "line_follower.c"]),
+        ("pyecore ending the program", ["analyse", "line_follower.c"]),
+        ("clang missing", ["analyse", "line_follower.c"]),
+        ("clang with a text for a library", ["analyse", "line_follower.c"]),
+        ("clang with another library", ["analyse", "line_follower.c"]),
+    ],
+)
+def test_a_broken_package_is_named_and_no_bug_of_ours(name: str, words: list[str], tmp_path: Path) -> None:
+    done = run([words[0], str(EXAMPLE / words[1]), "--json"], PACKAGES[name], tmp_path)
+    assert wrong(done, as_json=True) == ""
+    assert done.code == 4
+    assert "cannot be loaded" in done.err or "not installed" in done.err
+    assert "\n  do: " in done.err
+    found = json.loads(run(["doctor", "--json"], PACKAGES[name], tmp_path / "again").out)["result"]["tools"]
+    (package,) = [tool for tool in found if tool["name"] == name.partition(" ")[0].replace("clang", "libclang")]
+    assert package["found"] is None
+    assert package["fix"].startswith("pip install --force-reinstall")
+
+
+def test_a_libclang_of_another_version_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    from robosmi.transformations.t2m.c_source import clang
+
+    clang.library()
+    monkeypatch.setattr(clang, "VERSION", 99)
+    with pytest.raises(MissingToolError, match=r"version 18\..*needs version 99"):
+        clang.library.__wrapped__()

@@ -2,7 +2,7 @@
 
 Usage: python -m tests.fuzz.c_source [--inputs N] [--seed N] [--seconds N] [--corpus FOLDER]. By hand (`make fuzz`), not in CI.
 The inputs are read in a process of their own with bounded memory, which is started again where it dies; an input that ends in
-anything but a model or a `RobosmiError`, takes longer than the limit, or whose numbers do not add up is kept beside its
+anything but a model or a `RobosmiError`, takes longer than the limit (`costs`), or whose numbers do not add up is kept beside its
 traceback. The same seed gives the same inputs.
 """
 
@@ -20,9 +20,12 @@ from collections import Counter
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+from tests.fuzz.costs import PATIENCE, SECONDS, Costs, megabytes, spent_by
+
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = (ROOT / "tests" / "transformations" / "t2m" / "c_source", ROOT / "docs" / "examples")
-SECONDS, MEGABYTES = 30, 3000
+ADDRESSES = 3000
+"""Megabytes of addresses that the reading process may have, more than it uses."""
 _ODD = (
     *(b"", b"(" * 300, b"{" * 300, b"!" * 3000, b"*" * 20, b"\0", b"\xff", b"\xef\xbb\xbf", b"#if 1\n", b"#else\n", b"#endif\n"),
     *(
@@ -98,18 +101,20 @@ def run_one(path: Path) -> str:
 
 def worker(connection: Connection) -> None:
     """Read the paths that come, answer with the state or the traceback."""
-    resource.setrlimit(resource.RLIMIT_AS, (MEGABYTES << 20, MEGABYTES << 20))
+    resource.setrlimit(resource.RLIMIT_AS, (ADDRESSES << 20, ADDRESSES << 20))
     while (path := connection.recv()) is not None:
         try:
-            connection.send((run_one(path), ""))
+            state, said = run_one(path), ""
         except BaseException:
-            connection.send(("failed", traceback.format_exc()))
+            state, said = "failed", traceback.format_exc()
+        connection.send((state, said, megabytes()))
 
 
 class Reader:
     """The reading process, started again where it died."""
 
     def __init__(self) -> None:
+        self.costs = Costs()
         self._start()
 
     def _start(self) -> None:
@@ -121,12 +126,19 @@ class Reader:
 
     def read(self, path: Path) -> tuple[str, str]:
         """State and traceback of one input."""
+        process = self._process.pid or 0
+        before, begun = spent_by(process), time.monotonic()
         self._connection.send(path)
         try:
-            if self._connection.poll(SECONDS):
-                state, text = self._connection.recv()
+            took = 0.0
+            while not (answered := self._connection.poll(1)) and took < SECONDS and time.monotonic() - begun < PATIENCE:
+                took = spent_by(process) - before
+            took = spent_by(process) - before
+            state, text, memory = self._connection.recv() if answered else ("", "", 0)
+            self.costs.add(took, time.monotonic() - begun, memory)
+            if answered and took < SECONDS:
                 return str(state), str(text)
-            reason = ("failed", f"took longer than {SECONDS} s")
+            reason = ("failed", f"took {took:.1f} s of processor time")
         except (EOFError, ConnectionError):
             self._process.join(5)
             reason = ("failed", f"the process died: exit code {self._process.exitcode}")
@@ -155,7 +167,7 @@ def main() -> int:
     ]
     programs = [(p.suffix, p.read_bytes()) for p in paths if p.is_file() and p.stat().st_size < 100_000]
     chance = random.Random(arguments.seed)
-    states, slowest, begun = Counter[str](), 0.0, time.monotonic()
+    states, begun = Counter[str](), time.monotonic()
     reader = Reader()
     with tempfile.TemporaryDirectory() as scratch:
         for number in range(arguments.inputs):
@@ -163,9 +175,7 @@ def main() -> int:
             data = mutated(data, chance.choice(programs)[1], chance)
             path = Path(scratch) / f"input{ending}"
             path.write_bytes(data)
-            started = time.monotonic()
             state, text = reader.read(path)
-            slowest = max(slowest, time.monotonic() - started)
             states[state] += 1
             if state == "failed":
                 arguments.keep.mkdir(parents=True, exist_ok=True)
@@ -175,8 +185,8 @@ def main() -> int:
             if arguments.seconds and time.monotonic() - begun > arguments.seconds:
                 break
     reader.close()
-    print(f"programs: {sum(states.values())} inputs from {len(programs)} programs: {dict(states)}; slowest {slowest:.2f} s")
-    return int(states["failed"] > 0)
+    print(f"programs: {sum(states.values())} inputs from {len(programs)} programs: {dict(states)}; {reader.costs}")
+    return int(states["failed"] > 0 or reader.costs.over())
 
 
 if __name__ == "__main__":

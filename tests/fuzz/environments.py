@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
+from tests.broken_packages import worlds_of_packages
 from tests.hostile_world import BAD_TEXTS, EXPRESSIONS, SETTINGS, World, commands, prepared, run, worlds, wrong
 
 PLACES = (
@@ -104,7 +105,7 @@ def cases(place: Path) -> Iterator[tuple[str, list[str], World, bool, bool]]:
         "migrate again": ["migrate", str(place / "in" / "line_follower.c"), "-o", str(place / "out")],
         "analyse database": ["analyse", str(place / "in" / "compile_commands.json")],
     }
-    for world in worlds():
+    for world in (*worlds(), *worlds_of_packages()):
         deaf = "output" in world.name or "streams" in world.name
         mute = "error" in world.name or "streams" in world.name
         for name in commands(place):
@@ -145,6 +146,7 @@ def main() -> int:
     arguments.add_argument("--only", default="", help="a word in the names of the cases to run")
     given = arguments.parse_args()
     found: Counter[str] = Counter()
+    slowest = 0.0
     with tempfile.TemporaryDirectory(prefix="robosmi-worlds-") as whole:
         first = Path(whole, "first")
         first.mkdir()
@@ -158,10 +160,11 @@ def main() -> int:
             done = run(words, world, place)
             verdict = wrong(done, as_json=as_json, told=told)
             found["wrong" if verdict else "ok"] += 1
+            slowest = max(slowest, done.seconds)
             if verdict:
                 print(f"WRONG {name}: {verdict}: {(done.err or done.out)[-300:]!r}")
                 sys.stdout.flush()
-    print(f"{sum(found.values())} runs: {dict(found)}")
+    print(f"environments: {sum(found.values())} runs: {dict(found)}; slowest {slowest:.2f} s of processor time")
     return 1 if found["wrong"] else 0
 
 

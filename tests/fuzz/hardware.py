@@ -1,8 +1,8 @@
 """Fuzz the reader of drawings and what follows it: damaged copies of real sketches, none of which may crash or hang.
 
 Usage: python -m tests.fuzz.hardware [--inputs N] [--seed N] [--corpus FOLDER]. Run by hand (`make fuzz`), not by CI. An input
-that ends in anything but a result or a `RobosmiError`, or takes longer than the limit, is kept beside its traceback. The same
-seed gives the same inputs.
+that ends in anything but a result or a `RobosmiError`, or takes longer than the limit (`costs`), is kept beside its traceback.
+The same seed gives the same inputs.
 """
 
 from __future__ import annotations
@@ -11,23 +11,20 @@ import argparse
 import json
 import random
 import re
-import signal
 import sys
 import tempfile
-import time
 import traceback
 import zipfile
 from collections import Counter
 from io import BytesIO
 from pathlib import Path
-from types import FrameType
 
 from robosmi.errors import InternalError, RobosmiError
+from tests.fuzz.costs import Costs, TooLong
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = (ROOT / "tests" / "transformations" / "t2m" / "fritzing" / "fixtures", ROOT / "docs" / "examples")
 PARTS = sorted(SOURCES[0].glob("*.fzp"))
-SECONDS = 20
 _VALUE = re.compile(rb'"[^"<>]{0,80}"')
 _ELEMENT = re.compile(rb"<(connect|connector|instance|property|wireExtras|geometry|nodeMember|bus|view\w*|\w+View)\b[^<>]*/?>")
 _ODD = (
@@ -35,10 +32,6 @@ _ODD = (
     *(b"WireModuleID", b"NetLabelModuleID", b"GroundModuleID", b"ResistorModuleID", b"arduino_Uno_Rev3(fix)", b"breadboardView"),
     *(b"999.999Stripboard2ModuleID", b"generic_ic_dip_999_300mil"),
 )
-
-
-class TooLong(BaseException):
-    """An input took longer than the limit. No `Exception`, so that nothing on the way catches it."""
 
 
 def mutated(data: bytes, other: bytes, chance: random.Random) -> bytes:
@@ -112,10 +105,6 @@ def run_one(path: Path) -> str:
     return "read"
 
 
-def _stop(number: int, frame: FrameType | None) -> None:
-    raise TooLong
-
-
 def main() -> int:
     """The command line; the exit code is 1 when an input crashed or hung."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -126,30 +115,24 @@ def main() -> int:
     arguments = parser.parse_args()
     sketches = _sketches([*SOURCES, *arguments.corpus])
     chance = random.Random(arguments.seed)
-    states = Counter[str]()
-    slowest = 0.0
-    signal.signal(signal.SIGALRM, _stop)
+    states, costs = Counter[str](), Costs()
     with tempfile.TemporaryDirectory() as scratch:
         for number in range(arguments.inputs):
             ending, data = input_of(sketches, chance)
             path = Path(scratch) / f"input{ending}"
             path.write_bytes(data)
-            started = time.perf_counter()
-            signal.alarm(SECONDS)
             try:
-                state = run_one(path)
+                with costs.input():
+                    state = run_one(path)
             except (Exception, TooLong):
                 state = "failed"
                 arguments.keep.mkdir(parents=True, exist_ok=True)
                 (arguments.keep / f"{arguments.seed}-{number}{ending}").write_bytes(data)
                 (arguments.keep / f"{arguments.seed}-{number}.txt").write_text(traceback.format_exc())
                 print(f"{number}: {traceback.format_exc(limit=-1).strip()}", file=sys.stderr)
-            finally:
-                signal.alarm(0)
             states[state] += 1
-            slowest = max(slowest, time.perf_counter() - started)
-    print(f"drawings: {sum(states.values())} inputs from {len(sketches)} sketches: {dict(states)}; slowest {slowest:.2f} s")
-    return int(states["failed"] > 0)
+    print(f"drawings: {sum(states.values())} inputs from {len(sketches)} sketches: {dict(states)}; {costs}")
+    return int(states["failed"] > 0 or costs.over())
 
 
 def _sketches(folders: list[Path]) -> list[bytes]:

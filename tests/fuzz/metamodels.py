@@ -19,6 +19,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
+from tests.fuzz.costs import Costs, TooLong
+
 CANARY = "robosmi-was-here"
 """Name of a file that code of a stranger would make in the current folder."""
 TEXTS = (
@@ -147,7 +149,7 @@ def faults(made: dict[str, bytes], folder: Path) -> list[str]:
     return [*found, *(["code of the metamodel ran"] if (folder / CANARY).exists() else [])]
 
 
-def check(seed: int, folder: Path) -> str:
+def check(seed: int, folder: Path, costs: Costs | None = None) -> str:
     """What became of a metamodel: "inert", "refused" with a message, or what is wrong."""
     from robosmi.errors import RobosmiError
     from robosmi.model.codegen import render
@@ -155,10 +157,11 @@ def check(seed: int, folder: Path) -> str:
     path = folder / "hostile.ecore"
     path.write_text(metamodel(seed), encoding="utf-8")
     try:
-        made = render([path]).files
+        with (costs or Costs()).input():
+            made = render([path]).files
     except RobosmiError:
         return "refused"
-    except Exception:
+    except (Exception, TooLong):
         return traceback.format_exc()
     return "\n".join(faults(made, folder)) or "inert"
 
@@ -169,15 +172,15 @@ def main() -> int:
     parser.add_argument("--metamodels", type=int, default=500)
     parser.add_argument("--seed", type=int, default=1, help="of the first metamodel")
     arguments = parser.parse_args()
-    states = Counter[str]()
+    states, costs = Counter[str](), Costs()
     for seed in range(arguments.seed, arguments.seed + arguments.metamodels):
         with tempfile.TemporaryDirectory() as scratch:
-            said = check(seed, Path(scratch))
+            said = check(seed, Path(scratch), costs)
         states[said if said in ("inert", "refused") else "wrong"] += 1
         if said not in ("inert", "refused"):
             print(f"{seed}: {said.strip().splitlines()[-1][:200]}", file=sys.stderr)
-    print(f"metamodels: {states.total()} hostile ones: {dict(states)}")
-    return int(states["wrong"] > 0)
+    print(f"metamodels: {states.total()} hostile ones: {dict(states)}; {costs}")
+    return int(states["wrong"] > 0 or costs.over())
 
 
 if __name__ == "__main__":

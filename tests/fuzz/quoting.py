@@ -11,17 +11,16 @@ import argparse
 import random
 import sys
 import tempfile
-import time
 import traceback
 from collections import Counter
 from pathlib import Path
 
 import yaml
 
+from tests.fuzz.costs import Costs, TooLong
 from tests.quoting import judges
 from tests.quoting.migration import declared_names, plan_with_titles, shape_of, texts_of, with_texts
 
-SECONDS = 10
 MARKUP = {"link_open", "image", "html_block", "html_inline"}
 
 
@@ -46,29 +45,28 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     counts = Counter[str]()
-    slowest = 0.0
+    costs = Costs()
     with tempfile.TemporaryDirectory() as scratch:
         shape = shape_of(texts_of(plan_with_titles(Path(scratch), ())))
         for number in range(arguments.inputs):
             chance = random.Random(f"{arguments.seed} {number}")
-            started = time.perf_counter()
             try:
-                models = plan_with_titles(Path(scratch), [judges.any_text(chance) for _ in range(7 * (number % 2))])
-                if number % 2 == 0:
-                    with_texts(models, lambda chance=chance: judges.any_text(chance))  # type: ignore[misc]
-                wrong = wrong_with(texts_of(models), shape)
+                with costs.input():
+                    models = plan_with_titles(Path(scratch), [judges.any_text(chance) for _ in range(7 * (number % 2))])
+                    if number % 2 == 0:
+                        with_texts(models, lambda chance=chance: judges.any_text(chance))  # type: ignore[misc]
+                    wrong = wrong_with(texts_of(models), shape)
+            except TooLong:
+                wrong = "hang"
             except Exception:
                 traceback.print_exc()
                 wrong = "crash"
-            took = time.perf_counter() - started
-            slowest = max(slowest, took)
-            wrong = wrong or ("hang" if took > SECONDS else "")
             counts[wrong or "text"] += 1
             if wrong:
                 print(f"input {number} of seed {arguments.seed}: {wrong}")
     bad = sum(counts.values()) - counts["text"]
-    print(f"quoting: {arguments.inputs} inputs, {bad} wrong {dict(counts)}, slowest {slowest:.2f} s")
-    return int(bad > 0)
+    print(f"quoting: {arguments.inputs} inputs, {bad} wrong {dict(counts)}; {costs}")
+    return int(bad > 0 or costs.over())
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.xmi_reader import read_documents
 from robosmi.model.xmi_writer import to_xmi
+from tests.fuzz.costs import Costs, TooLong
 
 TESTS = Path(__file__).resolve().parents[1]
 SEEDS = sorted((TESTS / "model" / "xmi").rglob("*.xmi"))
@@ -100,19 +101,22 @@ def main() -> int:
     seeds = [path.read_bytes() for path in SEEDS]
     folder = Path(tempfile.mkdtemp(prefix="robosmi-fuzz-"))
     found: Counter[str] = Counter()
+    costs = Costs()
     end = time.monotonic() + given.seconds
     while time.monotonic() < end:
         file = folder / "case.xmi"
         file.write_bytes(mutated(chance.choice(seeds), chance.choice(seeds), chance))
         try:
-            found[check(file, metamodel)] += 1
-        except (Exception, RecursionError) as error:
+            with costs.input():
+                state = check(file, metamodel)
+            found[state] += 1
+        except (Exception, TooLong) as error:
             kind = "an error of ours in the wrong place" if isinstance(error, RobosmiError) else type(error).__name__
             found[f"BROKEN: {kind}"] += 1
             file.rename(folder / f"broken{sum(found.values())}.xmi")
             traceback.print_exc()
-    print(f"{sum(found.values())} files, seed {given.seed}: {dict(found)}")
-    broken = any(name.startswith("BROKEN") for name in found)
+    print(f"models: {sum(found.values())} files, seed {given.seed}: {dict(found)}; {costs}")
+    broken = costs.over() or any(name.startswith("BROKEN") for name in found)
     if broken:
         print(f"kept in {folder}")
     return 1 if broken else 0

@@ -25,6 +25,8 @@ FOR_SERIALIZATION = 0x02 | 0x10
 """Options of a header that is to be precompiled: it is no whole program, and is saved."""
 MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 501, 502, 503
 """Kinds of the preprocessor's cursors."""
+VERSION = 18
+"""The version whose numbers of cursors and operators the reader knows."""
 ERROR, FATAL = 3, 4
 """Severities of complaints."""
 
@@ -124,6 +126,7 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "getDiagnosticLocation": ([c_void_p], SourceLocation),
     "getDiagnosticNumFixIts": ([c_void_p], c_uint),
     "getDiagnosticFixIt": ([c_void_p, c_uint, POINTER(SourceRange)], String),
+    "getClangVersion": ([], String),
     "getCString": ([String], c_char_p),
     "disposeString": ([String], None),
 }  # fmt: skip
@@ -139,6 +142,8 @@ class ClangLibrary:
             function.argtypes = arguments
             function.restype = result
             setattr(self, name, function)
+        if f" {VERSION}." not in (found := self.text(self.getClangVersion())):
+            raise OSError(f"it is {found or 'of an unknown version'}, and this reader needs version {VERSION}")
         self.index = self.createIndex(0, 0)
         self.own_index = self.createIndex(1, 0)
 
@@ -157,15 +162,19 @@ def library() -> ClangLibrary:
     """The library of this process, loaded at the first call, with its indexes.
 
     Raises:
-        MissingToolError: the package `libclang` is not installed or has no library for this system.
+        MissingToolError: the package `libclang` is not installed, is damaged, or has no library for this system.
     """
+    fix = "run: pip install --force-reinstall libclang==18.1.1"
     spec = find_spec("clang")
     for root in (spec.submodule_search_locations or []) if spec else []:
         for name in ("libclang.so", "libclang.dylib", "libclang.dll"):
             path = Path(root) / "native" / name
             if path.is_file():
-                return ClangLibrary(str(path))
-    raise MissingToolError("the C parser libclang is not installed", fix="run: pip install libclang==18.1.1")
+                try:
+                    return ClangLibrary(str(path))
+                except (OSError, AttributeError) as error:
+                    raise MissingToolError(f"the C parser libclang cannot be loaded: {error}", fix=fix) from error
+    raise MissingToolError("the C parser libclang is not installed", fix=fix)
 
 
 def unsaved(files: dict[str, bytes]) -> list[UnsavedFile]:
