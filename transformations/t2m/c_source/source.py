@@ -99,7 +99,8 @@ def read_source(path: str | os.PathLike[str]) -> ReadSource:
     data, encoding, codec = _decode(raw)
     source = ReadSource(name, data, data, encoding, hashlib.sha256(raw).hexdigest(), len(raw), _codec=codec)
     if codec != "utf-8":
-        source.parsed = bytes(byte if byte < 128 else 63 for byte in data)
+        mark = codecs.BOM_UTF8 if data.startswith(codecs.BOM_UTF8) else b""  # an editor's, before bytes of another encoding
+        source.parsed = mark + bytes(byte if byte < 128 else 63 for byte in data[len(mark) :])
     if b"\0" in data:
         source.parsed = source.parsed.replace(b"\0", b"?")
     source._lines = [0, *(match.end() for match in _LINE_END.finditer(data))]

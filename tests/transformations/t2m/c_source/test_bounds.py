@@ -182,6 +182,7 @@ def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
         ("int main() { high(1); }\n".encode("utf-16-be"), {"RS105"}),
         (b"/* \xe9 */ int main() { high(1); }\n", {"RS105"}),
         (b"int main() { high(1); } // \x80\x93\n", {"RS105"}),
+        (b"\xef\xbb\xbfint main() { high(1); } // \xe9\x80\n", {"RS105"}),
         (b"#error no\nint main() { high(1); }\n", {"RS101"}),
         (b"int main() { high(1); }\x1a", {"RS101"}),
         (b"int main()\r{ high(1); }\r", set()),
