@@ -26,6 +26,8 @@ from robosmi.verify.toolchain import compile_sketch
 ROOT = Path(__file__).parents[2]
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
 NO_PIN = "255"
+NOTHING_TO_DO = {"simpletools.h/ee_config"}
+"""Adapters with empty bodies, as the memory is in the microcontroller and has no pins: no case tells them from broken ones."""
 
 
 @cache
@@ -100,14 +102,14 @@ def proves(*adapters: str) -> Callable[[Case], Case]:
     return register
 
 
-def notices(case: Case, adapter: str, text: str) -> bool:
-    """Whether a case fails with that text in the place of an adapter's.
+def notices(case: Case, adapter: str, text: str, bench: type[Uno] = Uno) -> bool:
+    """Whether a case fails, on a bench, with that text in the place of an adapter's.
 
     Raises:
         NotBuiltError: that text does not compile, which judges nothing.
     """
     try:
-        case(Uno({adapter: text}))
+        case(bench({adapter: text}))
     except NotBuiltError:
         raise
     except Exception:  # an assertion, or a pulse that is not there to be looked at
@@ -122,11 +124,14 @@ _LAST_NAME = re.compile(r"(\w+)\s*$")
 def broken(piece: AdapterPiece) -> dict[str, str]:
     """An adapter broken in each way that makes sense for it: name of the way -> the text."""
     name = piece.target_name or piece.name
+    if macro := re.search(rf"#define {name}\(.*\) ", piece.text):
+        return {"does nothing": f"{piece.text[: macro.end()]}(int32_t)0"}
     found = next(match for match in _SIGNATURE.finditer(piece.text) if match["name"] == name)
     given = [each.strip() for each in found["parameters"].split(",") if each.strip() not in ("", "void")]
     line = piece.text[: found.start()].rsplit("\n", 1)[-1]
     returned = line.replace("inline", "").replace("static", "").strip()
-    nothing = "" if returned.endswith("void") else "return {}; "
+    zero = "0" if piece.location.path.endswith(".c") else "{}"
+    nothing = "" if returned.endswith("void") else f"return {zero}; "
     names = [match[1] for each in given if "..." not in each and (match := _LAST_NAME.search(each.split("=")[0]))]
     unused = "".join(f"(void){each}; " for each in names)
     ways = {"does nothing": f"{piece.text[: found.end()]} {unused}{nothing}}}"}

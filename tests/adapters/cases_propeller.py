@@ -15,6 +15,36 @@ def p(*names: str) -> list[str]:
     return [f"propeller.h/{name}" for name in names]
 
 
+@proves(*p("INA", "waitpeq", "waitpne"))
+def levels_at_the_pins_are_waited_for(uno: Uno) -> None:
+    program = """
+void show(uint32_t value) { Serial.print(value, HEX); Serial.print(' '); }
+void setup() { Serial.begin(115200); show(INA & 0x60); Serial.flush();
+  waitpeq(0x20, 0x60); show(micros() / 1000); waitpne(0x20, 0x60); show(micros() / 1000);
+} void loop() {}
+"""
+    wired = replace(uno, numbers={5: "2", 6: "3"})
+    devices = [
+        DeviceUse("levels", {"pin": "D2"}, {"points": [[0, 1], [3, 0], [12, 1]]}),
+        DeviceUse("levels", {"pin": "D3"}, {"points": [[0, 1], [10, 0], [20, 1]]}),
+    ]
+    trace = wired.run(program, p("INA", "waitpeq", "waitpne"), 50, devices)
+    first, second, third = (int(each, 16) for each in trace.text.split())
+    assert first == 0x60
+    assert (second, third) == (pytest.approx(12, abs=1), pytest.approx(20, abs=1))
+
+
+@proves(*p("_CNT", "_INA", "_OUTA", "_DIRA", "_clkfreq", "_CLKFREQ"))
+def registers_have_names_with_an_underscore_too(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); _DIRA |= 1 << 3; _OUTA |= 1 << 3; Serial.print(_OUTA, HEX); Serial.print(_DIRA, HEX);
+  Serial.print(_INA >> 3 & 1); uint32_t at = _CNT; delay(10); Serial.print((_CNT - at) / (_clkfreq / 1000));
+  Serial.print(_CLKFREQ); } void loop() {}
+"""
+    trace = replace(uno, numbers={3: "8"}).run(program, p("_CNT", "_INA", "_OUTA", "_DIRA", "_clkfreq", "_CLKFREQ"), 40)
+    assert trace.text == "88" + "1" + "10" + "80000000"
+
+
 @proves(*p("INA", "OUTA", "DIRA", "waitpeq", "waitpne"))
 def registers_of_the_pins_are_those_of_the_ports(uno: Uno) -> None:
     program = """

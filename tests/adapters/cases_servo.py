@@ -16,33 +16,33 @@ def servos_get_their_widths_every_20_ms_until_they_are_disabled(uno: Uno) -> Non
     program = """
 void say(int32_t number) { Serial.print(number); Serial.print(' '); }
 void setup() { Serial.begin(115200);
-  say(servo_get(5)); say(servo_setramp(5, 9)); say(servo_angle(5, 0)); say(servo_speed(6, -200)); delay(100);
-  say(servo_angle(5, 1800)); say(servo_get(5)); delay(100);
-  say(servo_setramp(5, 100)); say(servo_angle(5, 900)); delay(110); say(servo_get(5)); delay(110);
-  say(servo_set(7, 1234)); say(servo_disable(5)); say(servo_get(5)); delay(100);
-  servo_stop(); delay(100); say(servo_speed(7, 20)); say(servo_set(255, 1500)); }
+  say(servo_get(9)); say(servo_setramp(9, 9)); say(servo_angle(9, 0)); say(servo_speed(10, -200)); delay(100);
+  say(servo_angle(9, 1800)); say(servo_get(9)); delay(100);
+  say(servo_setramp(9, 100)); say(servo_angle(9, 900)); delay(110); say(servo_get(9)); delay(110);
+  say(servo_set(8, 1234)); say(servo_disable(9)); say(servo_get(9)); delay(100);
+  servo_stop(); delay(100); say(servo_speed(8, 20)); say(servo_set(255, 1500)); }
 void loop() {}
 """
     trace = uno.run(program, ALL, 740)
-    assert trace.text.split()[:8] == ["-4", "-4", "5", "6", "1", "2300", "5", "1"]
+    assert trace.text.split()[:8] == ["-4", "-4", "9", "10", "1", "2300", "9", "1"]
     ramped, *rest = map(int, trace.text.split()[8:])
     assert ramped in (1700, 1800, 1900)  # after 110 ms at 100 us every 20 ms
-    assert rest == [7, 1, -4, 1, 0]
-    widths = {pin: trace.pulses(f"D{pin}") for pin in (5, 6, 7)}
+    assert rest == [8, 1, -4, 1, 0]
+    widths = {pin: trace.pulses(f"D{pin}") for pin in (9, 10, 8)}
 
     def seen(pin: int, begin: float, end: float) -> list[float]:
         return [width for at, width in widths[pin] if begin * 1000 <= at < end * 1000]
 
-    assert seen(5, 0, 95) == pytest.approx([500] * len(seen(5, 0, 95)), abs=2)
-    assert seen(6, 0, 500) == pytest.approx([1300] * len(seen(6, 0, 500)), abs=2)
-    assert 23 <= len(seen(6, 0, 500)) <= 26
-    assert seen(5, 130, 195)[-1] == pytest.approx(2300, abs=2)
-    steps = [early - late for early, late in pairwise(seen(5, 200, 400))]
+    assert seen(9, 0, 95) == pytest.approx([500] * len(seen(9, 0, 95)), abs=2)
+    assert seen(10, 0, 500) == pytest.approx([1300] * len(seen(10, 0, 500)), abs=2)
+    assert 23 <= len(seen(10, 0, 500)) <= 26
+    assert seen(9, 130, 195)[-1] == pytest.approx(2300, abs=2)
+    steps = [early - late for early, late in pairwise(seen(9, 200, 400))]
     assert max(steps) <= 202  # the jitter of a frame may put two steps between two pulses
-    assert seen(5, 395, 415)[-1] == pytest.approx(1400, abs=2)
-    assert seen(5, 425, 740) == []
-    assert trace.levels("D5")[-1][1] == "z"
-    assert seen(7, 425, 515)[-1] == pytest.approx(1234, abs=2)
-    assert [seen(pin, 525, 615) for pin in (6, 7)] == [[], []]
-    assert seen(6, 625, 740)[-1] == pytest.approx(1300, abs=2)
-    assert seen(7, 625, 740)[-1] == pytest.approx(1520, abs=2)
+    assert seen(9, 395, 415)[-1] == pytest.approx(1400, abs=2)
+    assert seen(9, 425, 740) == []
+    assert trace.levels("D9")[-1][1] == "z"
+    assert seen(8, 425, 515)[-1] == pytest.approx(1234, abs=2)
+    assert [seen(pin, 525, 615) for pin in (10, 8)] == [[], []]
+    assert seen(10, 625, 740)[-1] == pytest.approx(1300, abs=2)
+    assert seen(8, 625, 740)[-1] == pytest.approx(1520, abs=2)

@@ -82,8 +82,9 @@ def single_items_are_written(uno: Uno) -> None:
 
     program = f"""
 void setup() {{ {calls("put", "")} {calls("write", "dport_ptr, ")}
-  print("%d %d %d %d ", putStr("12"), putStrLen("a b c", 4), putLine("x"), putln("yz"));
-  print("%d %d %d ", writeStr(dport_ptr, "123"), writeStrLen(dport_ptr, "abcdef", 3), writeLine(dport_ptr, "w"));
+  print("%d ", putStr("12")); print("%d ", putStrLen("a b c", 4)); print("%d ", putLine("x")); print("%d ", putln("yz"));
+  print("%d ", writeStr(dport_ptr, "123")); print("%d ", writeStrLen(dport_ptr, "abcdef", 3));
+  print("%d ", writeLine(dport_ptr, "w"));
   putChar('\\n'); putChar('\\r'); putByte('\\r'); writeChar(dport_ptr, '\\r'); writeChar(dport_ptr, 'k');
   writeByte(dport_ptr, '\\r'); }}
 void loop() {{}}
@@ -96,7 +97,7 @@ void loop() {{}}
         *shared, "-  42", "1010", "   101", "ffffffff", "  ff", "2.500000", "   -1.3", "end\n",
     ]  # fmt: skip
     tail = trace.text.split("|")[-1]
-    assert tail == "yz\nx\n   a b 12" + "2 4 1 2 " + "w\nabc123" + "3 6 1 " + "\n\n\r\nk\r"
+    assert tail == "122    a b 4 x\n1 yz\n2 1233 abc6 w\n1 \n\n\r\nk\r"
 
 
 @proves(

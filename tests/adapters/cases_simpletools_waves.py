@@ -116,7 +116,7 @@ def bits_are_taken_where_the_mode_says(uno: Uno) -> None:
     program = """
 void setup() { Serial.begin(115200); int32_t read[4];
   for (int32_t mode = 0; mode < 4; mode++) { pause(2); read[mode] = shift_in(7, 10, mode, 6); }
-  for (int32_t each : read) { Serial.print(each, BIN); Serial.print(' '); }
+  for (int mode = 0; mode < 4; mode++) { Serial.print(read[mode], BIN); Serial.print(' '); }
 } void loop() {}
 """
     names = s("shift_in", "pause")

@@ -94,3 +94,15 @@ void loop() {}
     assert trace.text.split("|") == [
         "110", "11,-1,0", "Testing,7", "0,70000 2.50\n11,T,-1,0,5", "031,-1", "Resting 1 2 3...\n1out1",
     ]  # fmt: skip
+
+
+@proves(*c("fflush"))
+def what_is_flushed_is_on_the_card(uno: Uno) -> None:
+    program = r"""
+void setup() { Serial.begin(115200); sd_mount(MISO, SCK, MOSI, 10); FILE *writing = fopen("a.txt", "w"); fputs("abc", writing);
+  FILE *reading = fopen("a.txt", "r"); Serial.print(fgetc(reading)); Serial.print(c_fflush(writing)); clearerr(reading);
+  Serial.print((char)fgetc(reading)); }
+void loop() {}
+"""
+    trace = uno.run(program, ["simpletools.h/sd_mount", *c("fopen", "fflush")], 60)
+    assert trace.text == "-1" + "0" + "a"

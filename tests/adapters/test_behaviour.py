@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
-from pathlib import Path
-
 import pytest
 
-from tests.adapters.bench import CASES, Uno, broken, notices, pieces
+from tests.adapters.bench import CASES, NOTHING_TO_DO, Uno, broken, notices, pieces
+from tests.adapters.cases import load_cases
 from tests.tools import require_engine, require_tools
 
-for module in sorted(Path(__file__).parent.glob("cases_*.py")):
-    importlib.import_module(f"tests.adapters.{module.stem}")
+load_cases()
 
 
 @pytest.fixture(autouse=True)
@@ -29,6 +26,12 @@ def test_cases_prove_what_is_there() -> None:
     known = {f"{piece.header}/{piece.name}" for piece in pieces() if piece.kind != "helper"}
     wrong = [(name, adapter) for name, (_, adapters) in CASES.items() for adapter in adapters if adapter not in known]
     assert wrong == []
+
+
+def test_every_adapter_is_proved() -> None:
+    proved = {adapter for _, adapters in CASES.values() for adapter in adapters}
+    bodies = {f"{piece.header}/{piece.name}" for piece in pieces() if piece.kind == "adapter"}
+    assert bodies - proved == NOTHING_TO_DO
 
 
 @pytest.mark.parametrize("name", sorted(CASES)[::10])

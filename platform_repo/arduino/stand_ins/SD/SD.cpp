@@ -6,13 +6,18 @@
 static const uint8_t ROOM = 96, FILES = 2;
 
 struct Kept {
-  char name[13];  // empty for a free place
-  uint8_t length;
+  char name[13];   // empty for a free place
+  uint8_t length;  // with what is not on the card yet
+  uint8_t stored;  // what is on the card, and what is read without writing
   uint8_t bytes[ROOM];
 };
 
 static Kept kept[FILES];
 static bool begun = false;
+
+static uint8_t length_of(const Kept &file, uint8_t mode) {
+  return mode & O_WRITE ? file.length : file.stored;
+}
 
 static uint8_t number_of(const char *name) {
   for (uint8_t number = 0; number < FILES; number++)
@@ -61,10 +66,12 @@ int File::peek() {
 }
 
 int File::available() {
-  return number && mode & O_READ ? kept[number - 1].length - at : 0;
+  return number && mode & O_READ ? length_of(kept[number - 1], mode) - at : 0;
 }
 
-void File::flush() {}
+void File::flush() {
+  if (number && mode & O_WRITE) kept[number - 1].stored = kept[number - 1].length;
+}
 
 bool File::seek(uint32_t to) {
   if (!number || to > size()) return false;
@@ -77,10 +84,11 @@ uint32_t File::position() {
 }
 
 uint32_t File::size() {
-  return number ? kept[number - 1].length : 0;
+  return number ? length_of(kept[number - 1], mode) : 0;
 }
 
 void File::close() {
+  flush();
   number = 0;
 }
 
@@ -114,7 +122,7 @@ File SDClass::open(const char *name, uint8_t mode) {
   uint8_t number = number_of(name);
   if (!number && mode & O_CREAT && (number = number_of(""))) strcpy(kept[number - 1].name, name);
   if (!number) return File();
-  if (mode & O_TRUNC) kept[number - 1].length = 0;
+  if (mode & O_TRUNC) kept[number - 1].length = kept[number - 1].stored = 0;
   return File(number, mode);
 }
 
@@ -126,7 +134,7 @@ bool SDClass::remove(const char *name) {
   if (!exists(name)) return false;
   Kept &file = kept[number_of(name) - 1];
   file.name[0] = 0;
-  file.length = 0;
+  file.length = file.stored = 0;
   return true;
 }
 

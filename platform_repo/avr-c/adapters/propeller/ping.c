@@ -1,0 +1,38 @@
+//# header ping.h
+// Ultrasonic ranger with one pin, in C. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Sensor/libping.
+
+//# adapter ping
+//#   for: int ping(int pin)
+//#   kind: oneToMany
+//#   needs: simpletools.h/low simpletools.h/pulse_out simpletools.h/pulse_in propeller.h/clock_wait
+//#   role: ranger
+//#   pin: pin digital both ranger
+//#   fidelity: microseconds of the echo; 0 without an echo
+static inline int32_t ping(int32_t pin) {
+  clock_wait(1);
+  low(pin);
+  pulse_out(pin, 10);
+  return pulse_in(pin, 1);
+}
+
+//# adapter ping_cm
+//#   for: int ping_cm(int pin)
+//#   kind: oneToOne
+//#   needs: ping
+//#   role: ranger
+//#   pin: pin digital both ranger
+//#   fidelity: whole centimetres, rounded down
+static inline int32_t ping_cm(int32_t pin) {
+  return ping(pin) / 58;
+}
+
+//# adapter ping_inches
+//#   for: int ping_inches(int pin)
+//#   kind: oneToOne
+//#   needs: ping
+//#   role: ranger
+//#   pin: pin digital both ranger
+//#   fidelity: whole inches, rounded down
+static inline int32_t ping_inches(int32_t pin) {
+  return ping(pin) / 148;
+}

@@ -1,0 +1,178 @@
+//# header servo.h
+// Servos with pulses in the background, in C. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Motor/libservo (servo.h, servo.c).
+// The library's cog makes a pulse for each of 14 servos every 20 ms; here Timer1 makes them one after the other.
+
+//# helper servo_slots
+//#   needs: simpletools.h/Io
+//#   include: <avr/interrupt.h>
+//#   timer: Timer1
+//#   vector: TIMER1_COMPA_vect
+//#   fidelity: eight servos at 20 ms, more of them at longer frames
+typedef struct {
+  uint8_t pin;
+  bool used, on;
+  int16_t asked, sent, step;  // microseconds; step: at most so many more or less each frame
+} ServoSlot;
+static volatile ServoSlot servo_slots[14];
+static volatile uint8_t servo_now = 14;  // whose pulse it is
+static volatile uint8_t *servo_out;      // its PORTx
+static uint8_t servo_mask;
+enum { servo_counts = F_CPU / 8000000UL };   // of Timer1 in a microsecond
+
+ISR(TIMER1_COMPA_vect) {
+  static uint16_t spent;
+  if (servo_now < 14) *servo_out &= ~servo_mask;
+  else spent = 0, servo_now = -1;
+  do servo_now++;
+  while (servo_now < 14 && !servo_slots[servo_now].on);
+  if (servo_now == 14) {
+    OCR1A += (spent < 19900 ? 20000 - spent : 100) * servo_counts;
+    return;
+  }
+  volatile ServoSlot *slot = &servo_slots[servo_now];
+  int16_t missing = slot->asked - slot->sent, step = slot->step;
+  slot->sent += missing > step ? step : missing < -step ? -step : missing;
+  Io io = io_at(slot->pin);
+  servo_out = io.in + IO_OUT;
+  servo_mask = io.mask;
+  OCR1A = TCNT1 + (slot->sent - 3) * servo_counts;  // less the way to the end of the pulse
+  *servo_out |= servo_mask;
+  spent += slot->sent;
+}
+
+static inline volatile ServoSlot *servo_slot(int32_t pin, bool make) {
+  volatile ServoSlot *empty = 0;
+  for (uint8_t number = 0; number < 14; number++) {
+    volatile ServoSlot *slot = &servo_slots[number];
+    if (slot->used && slot->pin == pin) return slot;
+    if (!slot->used && !empty) empty = slot;
+  }
+  if (!make || !empty) return 0;
+  empty->pin = pin;
+  empty->step = 2000;
+  empty->used = true;
+  return empty;
+}
+
+static inline void servo_begin(volatile ServoSlot *slot) {
+  io_drive(io_at(slot->pin), true);
+  if (!(TIMSK1 & _BV(OCIE1A))) {
+    TCCR1A = 0;
+    TCCR1B = _BV(CS11);
+    OCR1A = TCNT1 + 100;
+    TIFR1 = _BV(OCF1A);
+    TIMSK1 |= _BV(OCIE1A);
+  }
+  slot->on = true;
+}
+
+static inline void servo_end(volatile ServoSlot *slot) {  // a pulse under way is ended first
+  slot->on = false;
+  while (servo_now < 14 && &servo_slots[servo_now] == slot) {}
+  io_drive(io_at(slot->pin), false);
+}
+
+//# adapter servo_set
+//#   for: int servo_set(int pin, int time)
+//#   kind: semantic
+//#   needs: servo_slots simpletools.h/Io
+//#   include: <avr/interrupt.h>
+//#   pin: pin digital out servo
+//#   fidelity: widths within 4 us; returns the pin at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
+static inline int32_t servo_set(int32_t pin, int32_t time) {
+  if (!io_at(pin).mask) return 0;
+  volatile ServoSlot *slot = servo_slot(pin, false);
+  int32_t known = slot ? 1 : pin;
+  if (!time) {
+    if (slot) {
+      servo_end(slot);
+      slot->used = false;
+    }
+    return known;
+  }
+  bool fresh = !slot;
+  if (fresh) slot = servo_slot(pin, true);
+  if (!slot) return -3;
+  uint8_t old = SREG;
+  cli();
+  slot->asked = time;
+  if (fresh || slot->step >= 2000) slot->sent = time;
+  SREG = old;
+  for (uint8_t number = 0; number < 14; number++)  // those that servo_stop has ended go on, as they do when the library's cog starts again
+    if (servo_slots[number].used && !servo_slots[number].on) servo_begin(&servo_slots[number]);
+  return known;
+}
+
+//# adapter servo_angle
+//#   for: int servo_angle(int pin, int degreeTenths)
+//#   kind: oneToOne
+//#   needs: servo_set
+//#   pin: pin digital out servo
+//#   fidelity: 500 us and one more for each tenth of a degree, as there
+static inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
+  return servo_set(pin, degreeTenths + 500);
+}
+
+//# adapter servo_speed
+//#   for: int servo_speed(int pin, int speed)
+//#   kind: oneToOne
+//#   needs: servo_set
+//#   pin: pin digital out servo
+//#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
+static inline int32_t servo_speed(int32_t pin, int32_t speed) {
+  return servo_set(pin, speed + 1500);
+}
+
+//# adapter servo_get
+//#   for: int servo_get(int pin)
+//#   kind: oneToOne
+//#   needs: servo_slots
+//#   include: <avr/interrupt.h>
+//#   pin: pin digital out servo
+//#   fidelity: the width last sent in microseconds, on the way of a ramp too; -4 for a pin without a servo
+static inline int32_t servo_get(int32_t pin) {
+  volatile ServoSlot *slot = servo_slot(pin, false);
+  if (!slot) return -4;
+  uint8_t old = SREG;
+  cli();
+  int16_t sent = slot->sent;
+  SREG = old;
+  return sent;
+}
+
+//# adapter servo_setramp
+//#   for: int servo_setramp(int pin, int stepSize)
+//#   kind: semantic
+//#   needs: servo_slots
+//#   include: <avr/interrupt.h>
+//#   pin: pin digital out servo
+//#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
+static inline int32_t servo_setramp(int32_t pin, int32_t stepSize) {
+  volatile ServoSlot *slot = servo_slot(pin, false);
+  if (!slot) return -4;
+  uint8_t old = SREG;
+  cli();
+  slot->step = stepSize;
+  SREG = old;
+  return pin;
+}
+
+//# adapter servo_disable
+//#   for: int servo_disable(int pin)
+//#   kind: oneToOne
+//#   needs: servo_set
+//#   pin: pin digital out servo
+//#   fidelity: as there: the pin becomes an input; a pulse under way is ended first, for which it waits up to 3 ms
+static inline int32_t servo_disable(int32_t pin) {
+  return servo_set(pin, 0);
+}
+
+//# adapter servo_stop
+//#   for: void servo_stop(void)
+//#   kind: oneToMany
+//#   needs: servo_slots
+//#   fidelity: all pulses end and the pins become inputs; they go on with the next call of servo_set and its like, as there
+static inline void servo_stop(void) {
+  for (uint8_t number = 0; number < 14; number++)
+    if (servo_slots[number].used) servo_end(&servo_slots[number]);
+}
