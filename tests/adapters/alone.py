@@ -9,6 +9,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from tests.adapters import bench_c
 from tests.adapters.test_files import KEYS, VARIANTS, alone
 
 
@@ -16,14 +17,16 @@ def main(only: str = "") -> int:
     """Compile the adapters whose names contain a text; 1 if the compiler says something of one."""
     tried = wrong = 0
     with tempfile.TemporaryDirectory() as folder:
-        for mcu in VARIANTS:
-            for key in KEYS:
-                if only not in "/".join(key):
-                    continue
-                tried += 1
-                if said := alone(key, mcu, Path(folder)):
-                    wrong += 1
-                    print(f"{'/'.join(key)} for {mcu}:\n{said}", flush=True)
+        keys_in_c = [(piece.header, piece.name) for piece in bench_c.pieces() if piece.kind != "helper"]
+        for compiled, keys in ((alone, KEYS), (bench_c.alone, keys_in_c)):
+            for mcu in VARIANTS:
+                for key in keys:
+                    if only not in "/".join(key):
+                        continue
+                    tried += 1
+                    if said := compiled(key, mcu, Path(folder)):
+                        wrong += 1
+                        print(f"{'/'.join(key)} for {mcu}:\n{said}", flush=True)
     print(f"{tried} adapters compiled alone, {wrong} with a warning or an error")
     return int(bool(wrong))
 

@@ -15,6 +15,7 @@ from functools import cache, partial
 from pathlib import Path
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece, read_adapter_file
+from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
@@ -87,7 +88,8 @@ class UnoInC(Uno):
             raise NotBuiltError(needed.unserved)
         ports = {name: str(PINS[pin]) for name, pin in self.ports.items()}
         numbers = {number: str(PINS[pin]) for number, pin in self.numbers.items()}
-        return f"{HEAD}{adapter_text(needed.pieces, ports, NO_PIN, numbers)}\n{CORE}\n{in_c(program)}"
+        elements = [adapter_element(piece) for piece in needed.pieces]
+        return f"{HEAD}{adapter_text(elements, ports, NO_PIN, numbers)}\n{CORE}\n{in_c(program)}"
 
     def run(
         self, program: str, uses: Sequence[str], milliseconds: float, devices: Sequence[DeviceUse] = (), engine: str | None = None
@@ -111,6 +113,7 @@ def alone(key: tuple[str, str], mcu: str, folder: Path) -> str:
     needed = AdapterPieces(pieces()).needed([key], mcu)
     if needed.unserved:
         return ""
-    (folder / "adapter.c").write_text(f"{HEAD}{adapter_text(needed.pieces, {}, NO_PIN)}\nint main(void) {{ return 0; }}\n")
+    text = adapter_text([adapter_element(piece) for piece in needed.pieces], {}, NO_PIN)
+    (folder / "adapter.c").write_text(f"{HEAD}{text}\nint main(void) {{ return 0; }}\n")
     command = ["avr-gcc", f"-mmcu={mcu}", *FLAGS, "-c", "adapter.c", "-o", "adapter.o"]
     return subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder).stderr

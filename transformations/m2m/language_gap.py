@@ -30,18 +30,19 @@ from robosmi.transformations.queries.source_text import is_header
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
 
-def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> list[Change]:
+def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], *, cplusplus: bool = True) -> list[Change]:
     """What has to change in a unit.
 
     Args:
         view: the unit.
         data: its bytes.
         functions: what adapters take and give.
+        cplusplus: whether the target's language is C++; in C all stays but what the program nowhere defines.
     """
     if view.unit.language != "C":
         return []
     found: dict[tuple[int, int, str], Change] = {}
-    for rule in RULES:
+    for rule in RULES if cplusplus else (_extern,):
         for change in rule(view, data, functions):
             found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
     return list(found.values())

@@ -225,7 +225,7 @@ def _change_unit_texts(
             verdict = judged.trace.equivalents(prototype)[0]
             verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name
     for view in views:
-        for found in changes(view, sources[view.unit.path], functions) if cplusplus else ():
+        for found in changes(view, sources[view.unit.path], functions, cplusplus=cplusplus):
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
     texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]

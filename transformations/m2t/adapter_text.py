@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
@@ -9,6 +10,10 @@ from types import MappingProxyType
 from robosmi.metamodels import platform
 
 WIDTH = 125
+INTERRUPTS = "ADAPTERS_INTERRUPTS"
+"""The macro that the file of a program has whose adapters handle the interrupts, where there are several files."""
+_STATE = re.compile(r"static (?!inline\b|const\b|constexpr\b)(?!(?:[\w*]+ )+\*?\w+\([^;]*\)(?: \{|;))")
+_VECTOR = re.compile(r"ISR\(.*?^\}$", re.MULTILINE | re.DOTALL)
 
 
 def adapter_text(
@@ -59,6 +64,12 @@ def declarations(
         lines += ["", f"// The pin of each port of the source, {unbound} where it is not wired"]
         lines += [f"const uint8_t {table.name}[{table.count}] = {{", *(f"  {line}" for line in wrapped), "};"]
     return lines
+
+
+def shared(text: str) -> str:
+    """The text of a piece in a file that several units include: its state is there once, and one unit handles the interrupts."""
+    lines = [f"__attribute__((weak)) {line[7:]}" if _STATE.match(line) else line for line in text.split("\n")]
+    return _VECTOR.sub(rf"#ifdef {INTERRUPTS}\n\g<0>\n#endif", "\n".join(lines))
 
 
 def comment(piece: platform.Adapter) -> list[str]:

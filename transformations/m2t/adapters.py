@@ -10,10 +10,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes
+from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
+from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types, target_of
 from robosmi.transformations.queries.plan_adapters import emitted
 from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
@@ -49,8 +50,7 @@ class Adapter:
 
 def adapters(plan: migration.MigrationPlan, uses: Iterable[migration.AdapterUse]) -> list[Adapter]:
     """Adapters of a plan as templates show them."""
-    several = plan.program is not None and sum(not is_header(u) for u in plan.program.units) > 1
-    prefix = "static inline " if target_of(plan).language == "C" else "inline " if several else ""
+    prefix = "static inline " if target_of(plan).language == "C" else "inline " if several_units(plan) else ""
     return [_adapter(plan, use, prefix) for use in uses]
 
 
@@ -90,14 +90,28 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
         if use.adapter is not None:
             users.setdefault(use.adapter, []).append(use)
     pins, numbers = port_literals(plan)
+    written = shared if several_units(plan) else str
     return {
         "headers": includes(pieces),
         "declarations": declarations(pieces, pins, UNBOUND, numbers),
         "pieces": [
-            PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), str(piece.text))
+            PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
             for piece, above in zip(pieces, (None, *pieces), strict=False)
         ],
     }
+
+
+def several_units(plan: migration.MigrationPlan) -> bool:
+    """Whether several files of the program are compiled, each of which includes the adapters."""
+    return plan.program is not None and sum(not is_header(unit) for unit in plan.program.units) > 1
+
+
+def handles_interrupts(plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> bool:
+    """Whether a file is the one of several in which the adapters handle their interrupts: the one with main, else the first."""
+    if plan.program is None or not several_units(plan) or not any(piece.vectors for piece in emitted(plan)):
+        return False
+    units = [each for each in plan.program.units if not is_header(each)]
+    return unit is next((each for each in units if main_of(each) is not None), units[0])
 
 
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:

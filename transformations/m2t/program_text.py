@@ -12,7 +12,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2t.adapters import adapters
+from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.own_headers import undeclared, unit_of
@@ -54,8 +54,8 @@ def program_text(
         texts: the text of each unit.
 
     Returns:
-        `origin`, `includes`, `libraries` for its head; `types` (its code up to the first function, where something must stand
-        behind that), `adapters` and `prototypes` that must, `code` (all the rest).
+        `origin`, `includes`, `libraries`, `interrupts` for its head; `types` (its code up to the first function, where something
+        must stand behind that), `adapters` and `prototypes` that must, `code` (all the rest).
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
@@ -72,6 +72,7 @@ def program_text(
     start = first if ahead or late else 0
     return {
         "origin": unit.path.rpartition("/")[2],
+        "interrupts": handles_interrupts(plan, unit),
         "includes": _includes(plan, source),
         "libraries": _libraries(plan),
         "types": _retained([], source.unit, source.pieces(0, start, _elements(unit))),

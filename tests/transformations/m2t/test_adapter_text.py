@@ -6,7 +6,7 @@ from pathlib import Path
 
 from robosmi.transformations.knowledge.adapter_files import read_adapter_file
 from robosmi.transformations.knowledge.adapter_model import adapter_element
-from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.m2t.adapter_text import adapter_text, shared
 
 FILE = """//# header pins.h
 
@@ -47,3 +47,43 @@ def test_pins_and_tables_are_declared_with_what_is_bound(tmp_path: Path) -> None
         "",
     ]
     assert "left_servo = 255;" in adapter_text(pieces, {}, "255")
+
+
+def test_state_is_there_once_and_interrupts_are_handled_in_one_of_several_files() -> None:
+    text = """static volatile uint32_t rounds;
+static uint8_t pins[2] = {left, right};
+static void (*jobs[2])();
+static const uint8_t table[] = {1};
+static struct {
+  int16_t top;
+} drive = {200};
+
+ISR(TIMER0_OVF_vect, ISR_NOBLOCK) {
+  static uint16_t waited;
+  rounds++;
+}
+
+static inline uint32_t now(void) {
+  return rounds;
+}
+static Io io_at(int32_t number) { return number; }
+inline void act() {
+  static bool done;
+}"""
+    assert shared(text).split("\n") == [
+        "__attribute__((weak)) volatile uint32_t rounds;",
+        "__attribute__((weak)) uint8_t pins[2] = {left, right};",
+        "__attribute__((weak)) void (*jobs[2])();",
+        "static const uint8_t table[] = {1};",
+        "__attribute__((weak)) struct {",
+        "  int16_t top;",
+        "} drive = {200};",
+        "",
+        "#ifdef ADAPTERS_INTERRUPTS",
+        "ISR(TIMER0_OVF_vect, ISR_NOBLOCK) {",
+        "  static uint16_t waited;",
+        "  rounds++;",
+        "}",
+        "#endif",
+        *text.split("\n")[12:],
+    ]
