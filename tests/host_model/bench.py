@@ -10,7 +10,7 @@ from pathlib import Path
 from robosmi.verify.host_model import HostModel, load_host_model
 from robosmi.verify.original_build import OriginalProgram, build_original
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
-from robosmi.verify.simulation import DeviceUse
+from robosmi.verify.simulation import DeviceUse, PinTrace
 
 ROOT = Path(__file__).parents[2]
 
@@ -43,11 +43,16 @@ def run(
         return run_original(program, milliseconds * 1000, devices, variation, limit_s)
 
 
+def ended(text: str, milliseconds: float = 1000.0, devices: Sequence[DeviceUse] = ()) -> PinTrace:
+    """What a program has done that comes to its end."""
+    found = run(text, milliseconds, devices)
+    assert (found.status, found.cause) == ("finished", "")
+    return found.trace
+
+
 def said(
     statements: str, milliseconds: float = 1000.0, devices: Sequence[DeviceUse] = (), before: str = "", headers: str = ""
 ) -> list[str]:
     """The words that the statements of a main print; the program must come to its end."""
     includes = "".join(f"#include <{name}>\n" for name in ("simpletools.h", *headers.split()))
-    found = run(f"{includes}{before}\nint main() {{ {statements} }}\n", milliseconds, devices)
-    assert (found.status, found.cause) == ("finished", "")
-    return found.trace.text.split()
+    return ended(f"{includes}{before}\nint main() {{ {statements} }}\n", milliseconds, devices).text.split()

@@ -99,6 +99,10 @@ class ApiIndex:
         """All declarations of a name, in the order of their headers' names; empty for an unknown name."""
         return self._entries.get(name, ())
 
+    def declared(self, header: str) -> dict[str, ApiEntry]:
+        """What a header itself declares, by name."""
+        return {name: entry for name, entries in self._entries.items() for entry in entries if entry.header == header}
+
     def resolve(self, name: str, includes: Iterable[str]) -> ApiEntry | None:
         """The one declaration that a program with these includes means.
 

@@ -60,6 +60,11 @@ void *realloc(void *place, size_t size) {
   return moved;
 }
 
+char *strdup(const char *s) {
+  char *copy = malloc(strlen(s) + 1);
+  return copy ? strcpy(copy, s) : 0;
+}
+
 /* ---- the rest */
 
 /* The sequence is the host's, whatever the seed: no program can rely on the library's. Varied runs have other sequences. */

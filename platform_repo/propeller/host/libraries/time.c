@@ -17,6 +17,8 @@ time_t time(time_t *to) {
   return to ? *to = now : now;
 }
 
+double difftime(time_t end, time_t start) { return end - start; }
+
 int gettimeofday(struct timeval *to, void *zone) {
   (void)zone;
   host_call();

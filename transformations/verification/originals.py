@@ -1,0 +1,83 @@
+"""From a program to one that runs on this machine: headers of its platform without a model are made from what is known of them.
+
+What such a header declares ends the run with its name as soon as it is reached, so that a program that includes it and does
+without, or that never comes there, runs all the same.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.verify.host_model import HostModel
+from robosmi.verify.original_build import OriginalProgram, build_original
+
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
+
+
+def original_program(
+    sources: Sequence[Path], model: HostModel, folder: Path, include_folders: Sequence[Path] = (), limit_s: float = 60.0
+) -> OriginalProgram:
+    """Compile and link a program (see `build_original`), with headers of its platform that have no model.
+
+    Args:
+        sources: the user's C files.
+        model: the host model of their platform.
+        folder: an empty folder, in which everything is made.
+        include_folders: where headers of the program are looked for.
+        limit_s: seconds of this machine's time for all of it.
+
+    Raises:
+        MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size.
+        VerificationError: the program does not compile or link, or that takes too long.
+    """
+    return build_original(sources, model, folder, include_folders, stand_in_headers(sources, model, include_folders), limit_s)
+
+
+def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders: Sequence[Path] = ()) -> dict[str, str]:
+    """Headers of the platform that a program includes and the host model has not: name -> text."""
+    index = ApiIndex.load(model.platform)
+    wanted = _included(sources, include_folders)
+    own = {path.relative_to(folder).as_posix() for folder in model.headers for path in folder.rglob("*.h")}
+    return {name: _stand_in(name, index) for name in index.closure(sorted(wanted)) if name not in own}
+
+
+def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[str]:
+    """The names that files include, and those that headers of the program do that they include."""
+    pending, seen, found = [path.resolve() for path in sources], set[Path](), set[str]()
+    while pending:
+        path = pending.pop()
+        if path in seen:
+            continue
+        seen.add(path)
+        for name in _INCLUDE.findall(inputs.read_text(path, inputs.SOURCE, errors="replace")):
+            own = next((place for folder in (path.parent, *include_folders) if (place := folder / name).is_file()), None)
+            if own is None:
+                found.add(name)
+            else:
+                pending.append(own.resolve())
+    return found
+
+
+def _stand_in(header: str, index: ApiIndex) -> str:
+    lines = ['#include "host.h"', *(f"#include <{name}>" for name in index.includes(header))]
+    for name, entry in index.declared(header).items():
+        if entry.kind == "function":  # declared by being called; another header's function of that name is not meant
+            if len({each.header for each in index.entries(name)}) > 1:
+                lines.append(f"#define {name} {name}_of_{_word(header)}")
+            continue
+        if entry.kind == "type":
+            lines.append(f"typedef struct {name} {{ int unknown[64]; }} {name};")
+            continue
+        ends = f'(host_unmodelled("{name}"), 0)'
+        text = f"(*(int *){ends})" if entry.kind == "variable" else ends
+        lines.append(f"#ifndef {name}\n#define {name}{'(...)' if entry.kind == 'function_macro' else ''} {text}\n#endif")
+    guard = f"ROBOSMI_STAND_IN_{_word(header).upper()}"
+    return "\n".join([f"#ifndef {guard}", f"#define {guard}", *lines, "#endif", ""])
+
+
+def _word(header: str) -> str:
+    return re.sub(r"\W", "_", header.removesuffix(".h"))
