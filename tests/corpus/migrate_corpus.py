@@ -1,5 +1,7 @@
 """Migrate every program of a corpus without a drawing, generate it again from its plan, compile it, print what became of them.
 
+The figures of adapters are over calls of functions that the platform has and whose header the target can serve.
+
 Usage: python -m tests.corpus.migrate_corpus FOLDER [--keep OUT] [--only TEXT]. A program is a .c file with a main; the .c
 files beside it without one belong to it only if its folder has no other program. Run by hand, and by `test_corpus.py`
 where ROBOSMI_CORPUS names such a folder. A traceback, ModelError or InternalError here is a fault of ours.
@@ -12,7 +14,7 @@ import re
 import tempfile
 import traceback
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -34,6 +36,9 @@ class Outcome:
         errors, warnings: messages of the compiler about the sketch, each once.
         message: why it was refused or crashed.
         lost: elements without a disposition, or with more than one.
+        calls: `header/function` -> how many calls it has, for functions of the platform that the target can serve.
+        bodies: the same of those that reach an adapter with a body.
+        reasons: `header/function` -> why it has none.
     """
 
     path: str
@@ -42,6 +47,14 @@ class Outcome:
     warnings: tuple[str, ...] = ()
     message: str = ""
     lost: int = 0
+    calls: Mapping[str, int] = field(default_factory=dict)
+    bodies: Mapping[str, int] = field(default_factory=dict)
+    reasons: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def of_adapters(self) -> list[str]:
+        """What the compiler says of the adapters' text."""
+        return [said for said in (*self.errors, *self.warnings) if said.startswith("adapters.h:")]
 
 
 @dataclass
@@ -58,6 +71,26 @@ class Table:
         """The programs that showed a fault of ours."""
         return [o for o in self.outcomes if o.state == "crashed"]
 
+    @property
+    def share(self) -> float:
+        """How many of the calls that the target can serve reach a body."""
+        return sum(sum(o.bodies.values()) for o in self.outcomes) / max(sum(sum(o.calls.values()) for o in self.outcomes), 1)
+
+    def _adapters(self) -> list[str]:
+        calls, missing, reasons = Counter[str](), Counter[str](), dict[str, str]()
+        for outcome in self.outcomes:
+            calls.update(outcome.calls)
+            missing.update({key: count - outcome.bodies.get(key, 0) for key, count in outcome.calls.items()})
+            reasons.update(outcome.reasons)
+        of_adapters = [said for o in self.outcomes for said in o.of_adapters]
+        bodies = calls.total() - missing.total()
+        return [
+            f"calls that the target can serve: {calls.total()}, {bodies} with a body ({self.share:.1%}); "
+            f"messages located in adapters: {len(of_adapters)}",
+            *(f"  {said}" for said in sorted(set(of_adapters))),
+            *(f"  {n:4} without a body: {key}: {reasons.get(key, '')}" for key, n in missing.most_common() if n),
+        ]
+
     def lines(self) -> list[str]:
         """The table as text."""
         migrated = self.count("compiled") + self.count("not-compiled")
@@ -68,6 +101,7 @@ class Table:
             f"warnings in the sketch: {sum(len(o.warnings) for o in self.outcomes)} "
             f"in {sum(bool(o.warnings) for o in self.outcomes)} programs; "
             f"elements without exactly one verdict: {sum(o.lost for o in self.outcomes)}",
+            *self._adapters(),
         ]
         for title, kinds in (("errors", [o.errors for o in self.outcomes]), ("warnings", [o.warnings for o in self.outcomes])):
             counts = Counter(_QUOTED.sub("'...'", m.partition(": ")[2]) for messages in kinds for m in messages)
@@ -91,6 +125,8 @@ def programs(folder: Path) -> list[tuple[Path, ...]]:
 def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     """Migrate and compile one program."""
     import robosmi
+    from robosmi.metamodels import migration
+    from robosmi.transformations.queries.plan import header_name
     from tests.transformations.m2t.truth import verdict_faults
 
     path = str(files[0].relative_to(corpus))
@@ -112,8 +148,21 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
         if finding.rule in ("RS801", "RS802", "RS803", "RS804"):
             said[finding.severity].append(place + finding.message)
     errors, warnings = tuple(dict.fromkeys(said[Severity.error])), tuple(dict.fromkeys(said[Severity.warning]))
+    plan = made.models.plan
+    served = {
+        f"{header_name(use)}/{use.name}": use
+        for use in plan.adapterUses
+        if use.function is not None and use.status is not migration.AdapterStatus.unsupported
+    }
     return Outcome(
-        path, "compiled" if report.ok else "not-compiled", errors, warnings, lost=len(verdict_faults(made.models.plan))
+        path,
+        "compiled" if report.ok else "not-compiled",
+        errors,
+        warnings,
+        lost=len(verdict_faults(plan)),
+        calls={key: len(use.calls) for key, use in served.items()},
+        bodies={key: len(use.calls) for key, use in served.items() if use.adapter is not None},
+        reasons={key: str(use.reason) for key, use in served.items() if use.reason},
     )
 
 
