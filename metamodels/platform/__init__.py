@@ -1021,6 +1021,12 @@ class Adapter(Element, metaclass=MetaEClass):
     """Timers of the microcontroller that it takes."""
     vectors: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Interrupts that it handles."""
+    takenVectors: MutableSequence[str] = EAttribute(
+        eType=EString,
+        upper=-1,
+        unique=False,
+    )
+    """Interrupts that a library which it includes handles itself."""
     mcus: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Microcontrollers that this variant is for; none for all."""
     symmetric: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -1058,6 +1064,7 @@ class Adapter(Element, metaclass=MetaEClass):
             componentRole: str | None = None,
             timers: Iterable[str] | None = None,
             vectors: Iterable[str] | None = None,
+            takenVectors: Iterable[str] | None = None,
             mcus: Iterable[str] | None = None,
             symmetric: Iterable[str] | None = None,
             pins: Iterable[AdapterPin] | None = None,

@@ -27,7 +27,7 @@ RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
 """How calls correspond (paper 3.4): one to one, to several statements, several to one, another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
-_LISTS = ("needs", "include", "timer", "vector", "mcu", "library", "symmetric")
+_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
 _TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table")
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
@@ -105,6 +105,7 @@ class AdapterPiece:
         setup: statements for the start of the program.
         timers: timers that it takes.
         vectors: interrupts that it handles.
+        taken: interrupts that a library which it includes handles itself.
         mcus: microcontrollers that this variant is for; empty for all.
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
@@ -129,6 +130,7 @@ class AdapterPiece:
     setup: list[str] = field(default_factory=list)
     timers: list[str] = field(default_factory=list)
     vectors: list[str] = field(default_factory=list)
+    taken: list[str] = field(default_factory=list)
     mcus: list[str] = field(default_factory=list)
     pins: list[AdapterPin] = field(default_factory=list)
     ports: list[ConventionalPort] = field(default_factory=list)
@@ -247,7 +249,7 @@ def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, st
     if piece.kind == "adapter" and not piece.relation:
         raise _wrong(piece.location, f"the adapter '{piece.name}' has no kind", f"add `{MARK}   kind: ...`")
     before = next(number for number, line in enumerate(text) if line)
-    check_piece(piece, marks, max([piece.location.line, *marks.values()]) + 1 + before)
+    check_piece(piece, marks, max([piece.location.line or 0, *marks.values()]) + 1 + before)
     return piece
 
 

@@ -26,6 +26,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
         adapterKind=getattr(platform.AdapterKind, piece.relation or "oneToOne"),
         targetName=piece.target_name,
         componentRole=piece.role,
+        takenVectors=list(piece.taken),
         source="/".join(piece.location.path.replace("\\", "/").split("/")[-3:]),
         pins=[
             platform.AdapterPin(

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.adapter_index import AdapterIndex
 from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -48,6 +49,7 @@ class AdapterChoice:
         self.pieces = AdapterPieces(index)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
         self._unserved: dict[str, UnservedHeader] = {}
+        self._interrupts: dict[str, tuple[AdapterPiece, str]] = {}
 
     @property
     def elements(self) -> list[platform.Adapter]:
@@ -92,6 +94,12 @@ class AdapterChoice:
         if handed:
             use.reason = "it is handed on as a value, and an adapter's types are others"
             return
+        if conflict := self._conflict(needed.pieces):
+            use.reason = conflict
+            return
+        for piece in needed.pieces:
+            for vector in (*piece.vectors, *piece.taken):
+                self._interrupts.setdefault(vector, (piece, str(use.name)))
         use.adapter = self._element(key)
         use.targetName = use.adapter.targetName or use.adapter.name
         if use.function is not None and use.function not in use.adapter.functions:
@@ -120,6 +128,15 @@ class AdapterChoice:
             if variants and variants[0].kind in kinds:
                 return key
         return None
+
+    def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
+        """Which interrupt pieces need that another function's adapter has; empty for none."""
+        for piece in pieces:
+            for vector in (*piece.vectors, *piece.taken):
+                holder, user = self._interrupts.get(vector, (piece, ""))
+                if holder is not piece:
+                    return f"its adapter and that of '{user}' both need the interrupt {vector}, which only one can have"
+        return ""
 
     def _element(self, key: tuple[str, str]) -> platform.Adapter:
         for piece in self.pieces.needed([key], self.mcu).pieces:

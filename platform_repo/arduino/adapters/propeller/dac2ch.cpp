@@ -7,6 +7,10 @@ struct dac2ch {
   uint8_t bits;
   uint8_t pins[2];  // 255: none
 };
+
+//# type dac2ch_t
+//#   needs: dac2ch
+//#   fidelity: exact
 typedef dac2ch dac2ch_t;
 
 //# adapter dac2ch_start

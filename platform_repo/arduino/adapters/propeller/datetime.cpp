@@ -34,11 +34,15 @@
 //#   fidelity: exact
 #define _epoch 2440588L
 
-//# type datetime
+//# type datetime_st
 //#   fidelity: exact; the type of a point in time
 struct datetime_st {
   int32_t y, mo, d, h, m, s;
 };
+
+//# type datetime
+//#   needs: datetime_st
+//#   fidelity: exact
 typedef datetime_st datetime;
 
 //# helper clock_seconds
@@ -103,7 +107,7 @@ inline int32_t dte_timeETV(int32_t etv) {
 //# adapter dt_toEt
 //#   for: int dt_toEt(datetime dt)
 //#   kind: oneToOne
-//#   needs: _epoch datetime dte_toJD dte_toSPD
+//#   needs: _epoch datetime datetime_st dte_toJD dte_toSPD
 //#   fidelity: exact: seconds since 1970
 inline int32_t dt_toEt(datetime dt) {
   return (dte_toJD(dt.y, dt.mo, dt.d) - _epoch) * 86400 + dte_toSPD(dt.h, dt.m, dt.s);
@@ -184,7 +188,7 @@ inline char *clock_digits(char *to, int32_t first, int32_t second, int32_t third
 //# adapter dt_toDateStr
 //#   for: void dt_toDateStr(datetime dt, char *s)
 //#   kind: oneToOne
-//#   needs: datetime clock_digits
+//#   needs: datetime datetime_st clock_digits
 //#   fidelity: exact: 11/22/26
 inline void dt_toDateStr(datetime dt, char *s) {
   clock_digits(s, dt.mo, dt.d, dt.y % 2000 % 1900, '/');
@@ -193,7 +197,7 @@ inline void dt_toDateStr(datetime dt, char *s) {
 //# adapter dt_toTimeStr
 //#   for: void dt_toTimeStr(datetime dt, char *s)
 //#   kind: oneToOne
-//#   needs: datetime clock_digits
+//#   needs: datetime datetime_st clock_digits
 //#   fidelity: exact: 09:05:00
 inline void dt_toTimeStr(datetime dt, char *s) {
   clock_digits(s, dt.h, dt.m, dt.s, ':');
@@ -214,7 +218,7 @@ inline void clock_numbers(const char *from, int32_t *first, int32_t *second, int
 //# adapter dt_fromDateStr
 //#   for: datetime dt_fromDateStr(datetime dt, char *s)
 //#   kind: oneToOne
-//#   needs: datetime clock_numbers
+//#   needs: datetime datetime_st clock_numbers
 //#   fidelity: month, day and year of two digits: 39 to 99 are of the century of 1900, as there
 inline datetime dt_fromDateStr(datetime dt, const char *s) {
   clock_numbers(s, &dt.mo, &dt.d, &dt.y);
@@ -225,7 +229,7 @@ inline datetime dt_fromDateStr(datetime dt, const char *s) {
 //# adapter dt_fromTimeStr
 //#   for: datetime dt_fromTimeStr(datetime dt, char *s)
 //#   kind: oneToOne
-//#   needs: datetime clock_numbers
+//#   needs: datetime datetime_st clock_numbers
 //#   fidelity: hours, minutes and seconds
 inline datetime dt_fromTimeStr(datetime dt, const char *s) {
   clock_numbers(s, &dt.h, &dt.m, &dt.s);

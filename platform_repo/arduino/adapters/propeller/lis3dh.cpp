@@ -251,6 +251,10 @@
 struct lis3dh_t {
   int32_t tempcalC, adccal_m1000, adccal_b1000, tiltavgX, tiltavgY, tiltavgZ, tiltavg_factor, sdi_pin, sdo_pin, sck_pin, cs_pin;
 };
+
+//# type lis3dh
+//#   needs: lis3dh_t
+//#   fidelity: exact
 typedef lis3dh_t lis3dh;
 
 //# adapter lis3dh_readByte

@@ -43,6 +43,7 @@ template <uint8_t places> inline void run_in_background(void (*(&jobs)[places])(
 //#   include: <Servo.h>
 //#   library: Servo
 //#   timer: Timer1
+//#   taken: TIMER1_COMPA_vect
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
 const uint8_t servo_places = MAX_SERVOS < 14 ? MAX_SERVOS : 14;
 

@@ -102,7 +102,7 @@
 //#   fidelity: exact
 #define COLOR_PURPLE 0x8C00FFL
 
-//# type ws2812
+//# type ws2812_t
 //#   fidelity: as there; cog is -1 without a driver
 struct ws2812_t {
   volatile uint32_t command;
@@ -111,12 +111,16 @@ struct ws2812_t {
   uint16_t reset;  // us
   uint32_t ended;  // us
 };
+
+//# type ws2812
+//#   needs: ws2812_t
+//#   fidelity: exact
 typedef ws2812_t ws2812;
 
 //# adapter ws_start
 //#   for: int ws_start(ws2812_t *driver, int usreset, int ns0h, int ns0l, int ns1h, int ns1l, int type)
 //#   kind: semantic
-//#   needs: ws2812
+//#   needs: ws2812_t
 //#   symmetric: ns0h ns0l ns1h ns1l
 //#   fidelity: the rest between two frames and the order of the colours are obeyed
 //#   limit: the widths of bits are always 0.375 us for 0 and 0.812 us for 1, each 1.25 us
@@ -132,7 +136,7 @@ inline int32_t ws_start(ws2812_t *driver, int32_t usreset, int32_t ns0h, int32_t
 //# adapter ws2812_start
 //#   for: int ws2812_start(ws2812_t *driver)
 //#   kind: oneToOne
-//#   needs: TYPE_GRB ws2812 ws_start
+//#   needs: TYPE_GRB ws2812_t ws_start
 //#   fidelity: as ws_start
 inline int32_t ws2812_start(ws2812_t *driver) {
   return ws_start(driver, 50, 350, 800, 700, 600, TYPE_GRB);
@@ -141,7 +145,7 @@ inline int32_t ws2812_start(ws2812_t *driver) {
 //# adapter ws2812_open
 //#   for: ws2812_t *ws2812_open(void)
 //#   kind: oneToMany
-//#   needs: ws2812 ws2812_start
+//#   needs: ws2812_t ws2812_start
 //#   fidelity: as ws_start
 inline ws2812_t *ws2812_open() {
   ws2812_t *driver = new ws2812_t();
@@ -152,7 +156,7 @@ inline ws2812_t *ws2812_open() {
 //# adapter ws2812b_start
 //#   for: int ws2812b_start(ws2812_t *driver)
 //#   kind: oneToOne
-//#   needs: TYPE_GRB ws2812 ws_start
+//#   needs: TYPE_GRB ws2812_t ws_start
 //#   fidelity: as ws_start
 inline int32_t ws2812b_start(ws2812_t *driver) {
   return ws_start(driver, 300, 200, 600, 600, 200, TYPE_GRB);
@@ -161,7 +165,7 @@ inline int32_t ws2812b_start(ws2812_t *driver) {
 //# adapter ws2812b_open
 //#   for: ws2812_t *ws2812b_open(void)
 //#   kind: oneToMany
-//#   needs: ws2812 ws2812b_start
+//#   needs: ws2812_t ws2812b_start
 //#   fidelity: as ws_start
 inline ws2812_t *ws2812b_open() {
   ws2812_t *driver = new ws2812_t();
@@ -172,7 +176,7 @@ inline ws2812_t *ws2812b_open() {
 //# adapter ws2812_stop
 //#   for: void ws2812_stop(ws2812_t *driver)
 //#   kind: oneToOne
-//#   needs: ws2812
+//#   needs: ws2812_t
 //#   fidelity: nothing is sent any longer
 inline void ws2812_stop(ws2812_t *driver) {
   driver->cog = -1;
@@ -181,7 +185,7 @@ inline void ws2812_stop(ws2812_t *driver) {
 //# adapter ws2812_close
 //#   for: void ws2812_close(ws2812_t *driver)
 //#   kind: oneToMany
-//#   needs: ws2812 ws2812_stop
+//#   needs: ws2812_t ws2812_stop
 //#   fidelity: exact
 inline void ws2812_close(ws2812_t *driver) {
   ws2812_stop(driver);
@@ -191,7 +195,7 @@ inline void ws2812_close(ws2812_t *driver) {
 //# adapter ws2812_set
 //#   for: void ws2812_set(ws2812_t *driver, int pin, uint32_t *colors, int count)
 //#   kind: semantic
-//#   needs: TYPE_GRB ws2812 simpletools.h/Io
+//#   needs: TYPE_GRB ws2812_t simpletools.h/Io
 //#   pin: pin digital out
 //#   fidelity: all lights are set when it returns, which takes 31 us for each
 //#   limit: interrupts are off meanwhile, so that servos tremble, and from 33 lights on the clock falls behind; only at 16 MHz

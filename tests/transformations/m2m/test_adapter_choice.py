@@ -1,0 +1,120 @@
+"""Which adapter fills a call, and what is said where none does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import UsageError
+from robosmi.metamodels import migration
+from robosmi.transformations.chains.models import MigrationModels
+
+
+def planned(folder: Path, text: str, **options: str) -> MigrationModels:
+    """The plan of a program."""
+    path = folder / "program.c"
+    path.write_text(text)
+    made: MigrationModels = robosmi.plan_migration([path], **options)
+    return made
+
+
+def uses(models: MigrationModels) -> dict[str, migration.AdapterUse]:
+    """The uses of functions, by name."""
+    return {str(use.name): use for use in models.plan.adapterUses}
+
+
+def test_a_use_refers_to_its_adapter_and_the_platform_model_holds_what_that_needs_and_no_more(tmp_path: Path) -> None:
+    models = planned(tmp_path, '#include "ping.h"\nint main() { while (1) ping_cm(7); }\n')
+    use = uses(models)["ping_cm"]
+    assert use.adapter is not None
+    assert (use.adapter.name, use.adapter.sourceHeader, use.adapter.source) == (
+        "ping_cm",
+        "ping.h",
+        "adapters/propeller/ping.cpp",
+    )
+    assert [f.name for f in use.adapter.functions] == ["ping_cm"]
+    assert [(p.name, p.capability.name, p.direction.name, p.componentRole) for p in use.adapter.pins] == [
+        ("pin", "digital", "both", "ranger")
+    ]
+    assert models.plan.target is not None
+    stored = [piece.name for piece in models.plan.target.adapters]
+    assert stored.index("ping") < stored.index("ping_cm")
+    assert "high" not in stored
+    assert not any(task.rule == "RS501" for task in models.plan.tasks)
+
+
+def test_names_of_a_header_have_adapters_in_the_header_that_includes_it(tmp_path: Path) -> None:
+    """The counter is declared in propeller1.h, which programs get through propeller.h."""
+    models = planned(tmp_path, "#include <propeller.h>\nint main() { while (1) waitcnt(CNT + CLKFREQ); }\n")
+    assert {s.name: s.adapter.sourceHeader for s in models.plan.symbolUses} == {"CLKFREQ": "propeller.h", "CNT": "propeller.h"}
+    assert uses(models)["waitcnt"].status is migration.AdapterStatus.care
+    assert not models.plan.tasks
+
+
+def test_a_function_of_the_same_name_in_another_header_is_another_function(tmp_path: Path) -> None:
+    """drive_speed gives back something in abdrive360.h and nothing in abdrive.h."""
+    for header in ("abdrive.h", "abdrive360.h"):
+        models = planned(tmp_path, f'#include "{header}"\nint main() {{ while (1) drive_speed(1, 2); }}\n')
+        adapter = uses(models)["drive_speed"].adapter
+        assert adapter is not None
+        assert adapter.sourceHeader == header
+
+
+def test_a_header_that_the_target_cannot_serve_is_a_task_that_says_what_is_missing(tmp_path: Path) -> None:
+    models = planned(tmp_path, '#include "badgetools.h"\nint main() { while (1) badge_setup(); }\n')
+    use = uses(models)["badge_setup"]
+    assert use.status is migration.AdapterStatus.unsupported
+    assert use.reason
+    (task,) = [task for task in models.plan.tasks if task.rule == "RS501"]
+    assert use.reason in task.message
+    assert models.plan.target is not None
+    assert [(h.name, h.reason) for h in models.plan.target.unsupportedHeaders] == [("badgetools.h", use.reason)]
+
+
+def test_a_call_that_no_signature_takes_has_no_adapter(tmp_path: Path) -> None:
+    models = planned(tmp_path, '#include "simpletools.h"\nint main() {\n  while (1) { high(3, 4); low(3); }\n}\n')
+    assert uses(models)["high"].reason == "line 3 calls it with 2 arguments, and its adapter takes 1"
+    assert uses(models)["high"].status is migration.AdapterStatus.todo
+    assert uses(models)["low"].status is migration.AdapterStatus.filled
+
+
+def test_of_two_adapters_that_need_one_interrupt_the_second_is_a_task(tmp_path: Path) -> None:
+    text = '#include "fdserial.h"\n#include "abdrive360.h"\n'
+    text += "int main() { fdserial_open(1, 2, 0, 9600); while (1) drive_speed(1, 2); }\n"
+    found = uses(planned(tmp_path, text))
+    assert found["drive_speed"].adapter is not None
+    assert found["fdserial_open"].adapter is None
+    assert "'drive_speed' both need the interrupt PCINT0_vect" in found["fdserial_open"].reason
+
+
+def test_variants_are_chosen_for_the_microcontroller(tmp_path: Path) -> None:
+    text = '#include "servo360.h"\nint main() { servo360_connect(1, 2); while (1) servo360_speed(1, 3); }\n'
+    texts = {}
+    for target in ("uno", "leonardo"):
+        models = planned(tmp_path, text, target=target)
+        assert models.plan.target is not None
+        texts[target] = next(p for p in models.plan.target.adapters if "PCINT0_vect" in p.vectors)
+    assert [*texts["uno"].vectors] == ["PCINT0_vect", "PCINT1_vect", "PCINT2_vect"]
+    assert ([*texts["leonardo"].vectors], [*texts["leonardo"].mcus]) == (["PCINT0_vect"], ["atmega32u4"])
+
+
+def test_standard_functions_that_do_otherwise_on_the_target_are_adapted(tmp_path: Path) -> None:
+    text = '#include <stdio.h>\n#include <stdlib.h>\nint main() { while (1) printf("%f", 1.5 * abs(-1)); }\n'
+    found = uses(planned(tmp_path, text))
+    assert [*found] == ["printf"]
+    assert found["printf"].targetName == "c_printf"
+    assert uses(planned(tmp_path, text, adapters="placeholders")) == {}
+
+
+def test_placeholders_have_no_bodies_but_constants_have_their_values(tmp_path: Path) -> None:
+    text = '#include "simpletools.h"\nint main() { while (1) print("%c%d", HOME, CNT); }\n'
+    models = planned(tmp_path, text, adapters="placeholders")
+    assert uses(models)["print"].adapter is None
+    assert {s.name: s.adapter is not None for s in models.plan.symbolUses} == {"CNT": False, "HOME": True}
+
+
+def test_adapters_are_filled_or_placeholders(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="adapters cannot be 'empty'"):
+        planned(tmp_path, "int main() { }\n", adapters="empty")
