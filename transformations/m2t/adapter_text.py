@@ -13,7 +13,7 @@ WIDTH = 125
 INTERRUPTS = "ADAPTERS_INTERRUPTS"
 """The macro that the file of a program has whose adapters handle the interrupts, where there are several files."""
 _STATE = re.compile(r"static (?!inline\b|const\b|constexpr\b)(?!(?:[\w*]+ )+\*?\w+\([^;]*\)(?: \{|;))")
-_VECTOR = re.compile(r"ISR\(.*?^\}$", re.MULTILINE | re.DOTALL)
+_VECTOR = re.compile(r"^ISR\((?:.*\}|.*\{(?:.*\n)*?\})$", re.MULTILINE)
 
 
 def adapter_text(

@@ -87,3 +87,10 @@ inline void act() {
         "#endif",
         *text.split("\n")[12:],
     ]
+
+
+def test_interrupts_of_one_line_are_handled_in_one_of_several_files_too() -> None:
+    text = "ISR(PCINT0_vect) { edge(); }\nISR(PCINT1_vect) { edge(); }\n\ninline void go() {\n}"
+    ends = ["#ifdef ADAPTERS_INTERRUPTS", "ISR(PCINT0_vect) { edge(); }", "#endif"]
+    assert shared(text).split("\n")[:6] == [*ends, *(line.replace("0", "1") for line in ends)]
+    assert shared(text).endswith("inline void go() {\n}")
