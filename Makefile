@@ -64,6 +64,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.growth
 	$(BIN)/python -m tests.fuzz.environments
 	$(BIN)/python -m tests.fuzz.runs
+	$(BIN)/python -m tests.fuzz.interrupts
 
 adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone

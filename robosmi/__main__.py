@@ -1,6 +1,7 @@
-"""`python -m robosmi` is the command line."""
+"""`python -m robosmi`, and the command `robosmi`: the command line, also where it is interrupted before it has begun."""
 
 import os
+import signal
 import sys
 
 
@@ -14,9 +15,20 @@ def _current_folder_is_first() -> bool:
     return bool(sys.path) and sys.path[0] in ("", here) and not own
 
 
+def start() -> int:
+    """Run the command of this process; an interruption ends it with a word and exit code 130, whenever it comes."""
+    try:
+        from robosmi.cli.main import main
+
+        code = main()
+    except KeyboardInterrupt:  # while the program was loaded
+        print("robosmi: interrupted", file=sys.stderr)
+        code = 130
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # what was done is done; Python itself would end with a traceback
+    return code
+
+
 if __name__ == "__main__":
     if _current_folder_is_first():
         del sys.path[0]
-    from robosmi.cli.main import main
-
-    sys.exit(main())
+    sys.exit(start())

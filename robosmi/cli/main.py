@@ -11,6 +11,7 @@ import atexit
 import gc
 import importlib
 import os
+import signal
 import sys
 import time
 from collections.abc import Sequence
@@ -124,6 +125,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except SystemExit as error:  # no command ends so: a plug-in does
             return _failed(as_error(error), name, as_json, started)
     except KeyboardInterrupt:
+        if arguments is None:  # the process is at its end
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
         streams.complain("robosmi: interrupted")
         return 130
     except BrokenPipeError:

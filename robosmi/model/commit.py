@@ -19,7 +19,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, SourceError, StoppedError
 from robosmi.model.files import within
 from robosmi.model.open_folder import OpenFolder, in_the_way
-from robosmi.model.recovery import JOURNAL, STAGE, at_work, beside_of, finish, writing
+from robosmi.model.recovery import JOURNAL, STAGE, at_work, beside_of, finish, uninterrupted, writing
 from robosmi.model.runs import bind, forget, own_stage
 
 Seen = Mapping[str, bytes | None]
@@ -90,16 +90,18 @@ def _appear(folder: Path, contents: Mapping[str, bytes]) -> None:
         except FileExistsError as error:
             message = "another run is making this folder"
             raise StoppedError(message, location=Location(str(folder)), fix="wait for it, then run again") from error
-        try:
+        try:  # an interruption before is as a kill: the folder is empty, and goes with the next run
             with above.inner(beside.name) as stage, stage.locked():
                 own_stage(beside, stage.identity())
                 for name, data in contents.items():
                     stage.write(name, data)
-                above.move(beside.name, folder.name)
-            forget(beside)
-        except (OSError, SourceError):
-            with suppress(OSError):
+                with uninterrupted():
+                    above.move(beside.name, folder.name)
+                    forget(beside)
+        except BaseException:  # a person's interruption, too
+            with suppress(OSError), uninterrupted():
                 above.remove_folder(beside.name)
+                forget(beside)
             raise
 
 
@@ -153,10 +155,12 @@ def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[
             journal = json.dumps({"run": secrets.token_hex(16), "move": moved, "remove": sorted(removed)}).encode()
             stage.write("journal", journal)
             _untouched(held, [*contents, *removed], seen)
-            bind(held.path, journal)
-            stage.move("journal", JOURNAL.rpartition("/")[2])  # from here on the new files win
-    except (OSError, SourceError, StoppedError):
-        with suppress(OSError):
+    except BaseException:  # a person's interruption, too
+        with suppress(OSError), uninterrupted():
             held.remove_folder(STAGE)
+            forget(held.path / STAGE)
         raise
-    finish(held)
+    with uninterrupted():
+        bind(held.path, journal)
+        held.move(f"{STAGE}/journal", JOURNAL)  # from here on the new files win
+        finish(held)

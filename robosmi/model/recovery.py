@@ -8,6 +8,7 @@ carried out.
 from __future__ import annotations
 
 import os
+import signal
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -55,7 +56,7 @@ def recover(folder: Path) -> None:
             with OpenFolder(folder.parent) as above:
                 _throw_away(above, beside.name)
         if os.path.lexists(folder / STAGE):
-            with OpenFolder(folder) as held, held.locked():
+            with OpenFolder(folder) as held, held.locked(), uninterrupted():
                 finish(held)
 
 
@@ -72,6 +73,19 @@ def writing(folder: Path) -> Iterator[None]:
         named = str(error.filename or folder)
         place = Location(str(folder) if f"{STAGE}/" in named else named)
         raise SourceError(f"cannot write here: {error.strerror or error}", location=place, fix=_FIX) from error
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Let interruptions by a person (and by the system's wish to end) wait until all files are in their places."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def look_only(folder: Path) -> None:
