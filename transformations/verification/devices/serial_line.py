@@ -62,8 +62,9 @@ class AnsweringLine(Device):
     setting_names: ClassVar[Mapping[str, Any]] = {"baud": 19200, "answers": {}, "delay_ms": 2.0}
 
     def start(self) -> None:
-        """Let the line be high."""
+        """Hold the line high, as its pull-up does: a program may let go of it without one of its own."""
         self._bit_us = 1e6 / self.settings["baud"]
+        self.bench.set_level(self.pins["line"], 1)
         self._reading, self._command = False, bytearray()
         self._asked: dict[str, int] = {}
 
@@ -99,4 +100,3 @@ class AnsweringLine(Device):
             for level in (0, *(byte >> bit & 1 for bit in range(8)), 1):
                 self.bench.at(at_us, partial(self.bench.set_level, self.pins["line"], level))
                 at_us += self._bit_us
-        self.bench.at(at_us, partial(self.bench.set_level, self.pins["line"], None))
