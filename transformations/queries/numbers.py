@@ -70,6 +70,18 @@ class Machine:
         """What arithmetic makes of one operand."""
         return self.integer if not number.real and number.bits < self.int_bits else number
 
+    def constant(self, value: int, suffix: str, *, decimal: bool) -> Number:
+        """The type of an integer constant by its value, the letters behind it in lower case, and whether it is decimal."""
+        unsigned = "u" in suffix
+        for bits in [64] if "ll" in suffix else [self.int_bits, self.long_bits, 64]:
+            if "l" in suffix and bits < self.long_bits:
+                continue
+            if not unsigned and value < 1 << (bits - 1):
+                return Number(bits, True)
+            if (unsigned or not decimal) and value < 1 << bits:
+                return Number(bits, False)
+        return Number(64, False)
+
     def common(self, left: Number, right: Number) -> Number:
         """The type in which arithmetic on two operands is done."""
         if left.real or right.real:
@@ -164,18 +176,7 @@ class Numbers:
 
     def _literal(self, literal: Any) -> Number | None:
         text = str(literal.text).lower()
-        return self._constant(int(literal.value), text[len(text.rstrip("ul")) :], decimal=literal.radix == 10)
-
-    def _constant(self, value: int, suffix: str, *, decimal: bool) -> Number:
-        unsigned = "u" in suffix
-        for bits in [64] if "ll" in suffix else [self.machine.int_bits, self.machine.long_bits, 64]:
-            if "l" in suffix and bits < self.machine.long_bits:
-                continue
-            if not unsigned and value < 1 << (bits - 1):
-                return Number(bits, True)
-            if (unsigned or not decimal) and value < 1 << bits:
-                return Number(bits, False)
-        return Number(64, False)
+        return self.machine.constant(int(literal.value), text[len(text.rstrip("ul")) :], decimal=literal.radix == 10)
 
     def _binary(self, binary: Any) -> Number | None:
         operator, left, right = str(binary.operator), self._given(binary.left), self._given(binary.right)
@@ -225,7 +226,7 @@ class Numbers:
             for digits, suffix in constants:
                 base = 16 if digits[:2].lower() == "0x" else 2 if digits[:2].lower() == "0b" else 8 if digits[0] == "0" else 10
                 value = int(digits, 10 if digits.strip("0") == "" else base)
-                found = self.machine.common(found, self._constant(value, suffix.lower(), decimal=base == 10))
+                found = self.machine.common(found, self.machine.constant(value, suffix.lower(), decimal=base == 10))
             pending += _WORD.findall(_CONSTANT.sub(" ", text))
         return found
 

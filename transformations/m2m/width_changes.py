@@ -1,0 +1,164 @@
+"""From what has to be written otherwise to changes of text: where each goes, and what several of them at one place make.
+
+A place in a macro's body is every use's, so a conversion is written there only where all uses want the same; else it is
+written in the argument. What finds no place is given back, to be told.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from robosmi.transformations.m2m.width_rules import NAME, READ, SHIFT, WIDEN, Walk, Want
+from robosmi.transformations.queries.numbers import Number
+from robosmi.transformations.queries.typed import Place, Typed
+
+_LITERAL = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uU]?)([lL]*)")
+_COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
+
+
+class Edit(NamedTuple):
+    """A change of a unit's text: range, new text, rule."""
+
+    unit: str
+    start: int
+    end: int
+    text: str
+    rule: str
+
+
+@dataclass
+class _Cast:
+    """What is written before an expression."""
+
+    number: Number | None = None
+    read: bool = False
+    enclosed: bool = False
+
+
+@dataclass
+class Writer:
+    """Writes wants into texts.
+
+    Attributes:
+        texts: path of a unit -> its bytes.
+        walk: the walk that found the wants.
+        lost: what found no place.
+    """
+
+    texts: Mapping[str, bytes]
+    walk: Walk
+    lost: list[Want] = field(default_factory=list)
+    _casts: dict[Place, _Cast] = field(default_factory=dict)
+    _edits: dict[Edit, None] = field(default_factory=dict)
+
+    def edits(self) -> list[Edit]:
+        """All changes; of those at one place the ones that stand outside come first."""
+        for want in self.walk.wants:
+            done = {WIDEN: self._widen, READ: self._read, NAME: self._name, SHIFT: self._shift}.get(want.rule, lambda _: True)
+            if not done(want):
+                self.lost.append(want)
+        for place in sorted(self._casts, key=lambda p: (p.unit, p.start, -p.end)):
+            cast = self._casts[place]
+            words = [(f"({_spelt(cast.number)})", WIDEN)] if cast.number is not None else []
+            words += [("(uint8_t)", READ)] if cast.read else []
+            if cast.enclosed:
+                words[-1] = (words[-1][0] + "(", words[-1][1])
+                self._edits[Edit(place.unit, place.end, place.end, ")", words[-1][1])] = None
+            for word, rule in words:
+                self._edits[Edit(place.unit, place.start, place.start, word, rule)] = None
+        return list(self._edits)
+
+    def _slice(self, place: Place) -> str:
+        return self.texts[place.unit][place.start : place.end].decode("latin-1")
+
+    def _widen(self, want: Want) -> bool:
+        number = want.number
+        assert number is not None
+        node = want.node
+        if node.form == "literal" and node.inner:
+            place = node.inner[0]
+            match = _LITERAL.fullmatch(self._slice(place))
+            if match is not None:
+                letters = ("" if number.signed else match[2] or "U") + ("LL" if number.bits > 32 else "L")
+                self._edits[Edit(place.unit, place.start, place.end, match[1] + letters, WIDEN)] = None
+                return True
+        place_ = self._place(node, {f"{number.bits} {number.signed} {k}" for k in ("number", "char", "character")}, number)
+        if place_ is None:
+            return False
+        cast = self._cast(place_, node)
+        cast.number = number
+        return True
+
+    def _read(self, want: Want) -> bool:
+        here = self.walk.here.int_bits
+        place = self._place(want.node, {f"{here} True char", f"{here} True character"}, None)
+        if place is None:
+            return False
+        self._cast(place, want.node).read = True
+        return True
+
+    def _cast(self, place: Place, node: Typed) -> _Cast:
+        cast = self._casts.setdefault(place, _Cast())
+        cast.enclosed = cast.enclosed or (node.form in _COMPOUND_FORMS and not self._enclosed(place, node))
+        return cast
+
+    def _enclosed(self, place: Place, node: Typed) -> bool:
+        """Whether an expression stands in parentheses, or is written as the use of a macro."""
+        return (node.bracketed and place in node.places) or re.fullmatch(r"\w+(\s*\(.*\))?", self._slice(place), re.S) is not None
+
+    def _place(self, node: Typed, fits: set[str], number: Number | None) -> Place | None:
+        """Where a conversion may be written: the outermost place whose uses all fit it."""
+        for place in dict.fromkeys((*node.places, *node.inner)):
+            seen = self.walk.seen.get(place, set())
+            shared = place.body or place not in node.places[:1]
+            if place in self.walk.changed and shared:
+                continue
+            if not shared or (seen <= fits) or (number is not None and not number.signed and seen <= fits):
+                return place
+        return None
+
+    def _name(self, want: Want) -> bool:
+        if not want.node.inner:
+            return False
+        place = want.node.inner[0]
+        if not re.fullmatch(r"\w+", self._slice(place)):
+            return False
+        self._edits[Edit(place.unit, place.start, place.end, want.text, NAME)] = None
+        return True
+
+    def _shift(self, want: Want) -> bool:
+        """`a <<= n` spelled out as `a = (int32_t)a << n`."""
+        left, right = want.node.children[:2]
+        assert want.number is not None
+        whole = next(iter(want.node.inner), None)
+        first = next((p for p in left.places if whole and p.unit == whole.unit and p.start == whole.start), None)
+        second = next((p for p in right.places if whole and p.unit == whole.unit and p.end == whole.end), None)
+        if whole is None or first is None or second is None or not _plain(left):
+            return False
+        middle = self.texts[whole.unit][first.end : second.start].decode("latin-1")
+        operator = want.node.operator
+        if operator not in middle:
+            return False
+        start = first.end + middle.index(operator)
+        read = "(uint8_t)" if left.kind.char and self.walk.resigned else ""
+        written = f"= ({_spelt(want.number)}){read}{self._slice(first)} {want.text}"
+        self._edits[Edit(whole.unit, start, start + len(operator), written, SHIFT)] = None
+        if right.form in _COMPOUND_FORMS and not right.bracketed:
+            self._edits[Edit(whole.unit, second.start, second.start, "(", SHIFT)] = None
+            self._edits[Edit(whole.unit, second.end, second.end, ")", SHIFT)] = None
+        return True
+
+
+def _plain(node: Typed) -> bool:
+    """Whether an expression can be written twice: nothing in it is called or counted."""
+    if node.form in ("call", "assign", "compound") or node.operator in ("++", "--"):
+        return False
+    return all(_plain(child) for child in node.children)
+
+
+def _spelt(number: Number | None) -> str:
+    assert number is not None
+    return f"{'' if number.signed else 'u'}int{number.bits}_t"

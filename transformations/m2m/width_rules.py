@@ -1,0 +1,347 @@
+"""Where an expression has to be written otherwise so that a narrower target computes what the source computed.
+
+The rule: an operator that the source computes in so many bits is computed in at least as many, with the same signedness;
+plain char is read without a sign where its value is widened. The walk goes from the operands to the operators and knows for
+each expression what it is on the target once the wants below it are met, so one pass is enough. How a want becomes a change
+of text is in `width_changes`, types of declarations are in `width_types`. Source: ISO/IEC 9899:1999, 6.3.1 and 6.5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
+from robosmi.transformations.queries.typed import Kind, Place, Typed
+
+WIDEN, READ, NAME, SHIFT, TEXT = "widen", "unsigned-char", "wider-function", "spelled-out", "format"
+_ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
+_TRUTH = Number(8, False)
+_COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
+
+
+@dataclass
+class Want:
+    """A place that has to be written otherwise.
+
+    Attributes:
+        rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out` or `format`.
+        node: the expression.
+        number: the type wanted by `widen`.
+        text: the new name, or the operator that is spelled out.
+        other: the right side of what is spelled out.
+    """
+
+    rule: str
+    node: Typed
+    number: Number | None = None
+    text: str = ""
+    other: Typed | None = None
+
+
+@dataclass
+class Walk:
+    """The walk over a program.
+
+    Attributes:
+        here, there: what source and target compute in.
+        names: name of a standard function or macro with int in its type -> its wider sister.
+        wants: what has to be written otherwise, in the order of the walk.
+        seen: place in a macro's body or argument -> what was read there: one use may have an int where another has a float.
+        changed: places that are assigned to or whose address is taken, so that no conversion can be written there.
+    """
+
+    here: Machine
+    there: Machine
+    names: Mapping[str, str] = field(default_factory=dict)
+    wants: list[Want] = field(default_factory=list)
+    seen: dict[Place, set[str]] = field(default_factory=dict)
+    changed: set[Place] = field(default_factory=set)
+
+    def run(self, top: list[Typed]) -> None:
+        """Walk over what a unit declares."""
+        for node in top:
+            self.value(node)
+
+    @property
+    def resigned(self) -> bool:
+        """Whether plain char has a sign on the target and none on the source."""
+        return self.there.char_signed and not self.here.char_signed
+
+    def value(self, node: Typed) -> Number | None:
+        """What an expression is on the target, where it is used as its context does."""
+        rule = _RULES.get(node.form)
+        number = rule(self, node) if rule is not None else self._others(node)
+        for place in (*node.places, *node.inner):
+            self.seen.setdefault(place, set()).add(_seen_as(self.here, node))
+        wanted = node.converted.number
+        if self.resigned and wanted is not None and not node.converted.char and (wanted.real or wanted.bits > 8):
+            return self._read(node, number)
+        return number
+
+    def _read(self, node: Typed, number: Number | None) -> Number | None:
+        """A plain char whose value is needed."""
+        high = node.form == "character" and node.value is not None and 127 < node.value < 256
+        if high or (node.kind.char and node.form != "character"):
+            self.wants.append(Want(READ, node))
+            return Number(8, False)
+        return number
+
+    def widen(self, node: Typed, number: Number) -> None:
+        """Have an operand in a wider type."""
+        self.wants.append(Want(WIDEN, node, number))
+
+    # ---- what has no operator of its own
+
+    def _others(self, node: Typed) -> Number | None:
+        for child in node.children:
+            self.value(child)
+        return node.kind.target
+
+    def _literal(self, node: Typed) -> Number | None:
+        text = node.text.lower()
+        suffix = text[len(text.rstrip("ul")) :]
+        decimal = not (text.startswith("0") and len(text.rstrip("ul")) > 1)
+        return self.there.constant(node.value, suffix, decimal=decimal) if node.value is not None else None
+
+    def _character(self, node: Typed) -> Number | None:
+        if node.value is not None and not -128 <= node.value < 256:
+            return self.there.integer
+        return Number(8, self.there.char_signed)
+
+    def _name(self, node: Typed) -> Number | None:
+        self._others(node)
+        return node.kind.number if node.origin == "platform" else node.kind.target
+
+    def _macro(self, node: Typed) -> Number | None:
+        if node.name in self.names:
+            self.wants.append(Want(NAME, node, text=self.names[node.name]))
+            return node.kind.number
+        return None
+
+    def _member(self, node: Typed) -> Number | None:
+        self._others(node)
+        declared = node.kind.target
+        if node.bits < 0 or declared is None:
+            return declared
+        if node.bits < self.there.int_bits or (node.bits == self.there.int_bits and declared.signed):
+            return self.there.integer
+        return Number(self.there.int_bits, False) if node.bits == self.there.int_bits else declared
+
+    def _call(self, node: Typed) -> Number | None:
+        arguments = node.children[1:]
+        if node.origin == "platform":
+            self._arguments_of_adapter(node)
+            return node.kind.number
+        if node.children:
+            self.value(node.children[0])
+        numbers = [self.value(argument) for argument in arguments]
+        if node.origin != "standard":
+            for argument, number in zip(arguments, numbers, strict=True):
+                wanted = argument.converted.number
+                if 0 <= node.fixed <= arguments.index(argument) and wanted is not None and not wanted.real:
+                    if self._promoted(number) != wanted:
+                        self.widen(argument, wanted)
+            return node.kind.target
+        if node.name in self.names and node.children:
+            self.wants.append(Want(NAME, node.children[0], text=self.names[node.name]))
+            return node.kind.number
+        if 0 <= node.fixed:
+            self.wants.append(Want(TEXT, node))
+        return self.there.number(node.kind.base) if node.kind.base in _PLAIN else node.kind.target
+
+    def _arguments_of_adapter(self, node: Typed) -> None:
+        """An adapter knows plain char as such and takes what is as wide as on the source."""
+        for argument in node.children[1:]:
+            if argument.kind.char:
+                argument.converted = argument.kind
+            self.value(argument)
+
+    def _cast(self, node: Typed) -> Number | None:
+        number = node.kind.number
+        for child in node.children:
+            if self.resigned and number is not None and (number.real or number.bits > 8) and child.kind.number is not None:
+                child.converted = node.kind
+            self.value(child)
+        return node.kind.target
+
+    def _size(self, node: Typed) -> Number | None:
+        self._others(node)
+        return Number(self.there.pointer_bits, False)
+
+    # ---- operators
+
+    def _promoted(self, number: Number | None) -> Number | None:
+        made = self.there.promoted(number) if number is not None else None
+        return Number(made.bits, made.signed, made.real) if made is not None else None
+
+    def _unary(self, node: Typed) -> Number | None:
+        if node.operator == "!":
+            _as_it_is(node.children)
+        number = self.value(node.children[0]) if node.children else None
+        if node.operator in ("++", "--", "&"):
+            self._assigned(node.children[0])
+        if node.operator == "!":
+            return _TRUTH
+        if node.operator in ("+", "-", "~"):
+            wanted = node.kind.number
+            if wanted is not None and not wanted.real and self._promoted(number) != wanted:
+                self.widen(node.children[0], wanted)
+            return wanted
+        return node.kind.target if node.operator != "&" else None
+
+    def _assigned(self, node: Typed) -> None:
+        self.changed.update((*node.places, *node.inner))
+
+    def _binary(self, node: Typed) -> Number | None:
+        if node.operator in ("&&", "||"):
+            _as_it_is(node.children)
+        left, right = (self.value(child) for child in node.children[:2])
+        first, second = node.children[:2]
+        if node.operator in ("&&", "||"):
+            return _TRUTH
+        if node.operator == ",":
+            return right
+        if node.operator in ("<<", ">>"):
+            wanted = node.kind.number
+            if wanted is not None and self._promoted(left) != wanted:
+                self.widen(first, wanted)
+            return wanted
+        pointers = first.kind.pointer or second.kind.pointer
+        if node.operator in COMPARISONS:
+            if not pointers:
+                self._agree(first.converted.number, (first, left), (second, right))
+            return _TRUTH
+        if pointers:
+            return Number(self.there.pointer_bits, True) if node.kind.number is not None else None
+        if node.operator in _ARITHMETIC:
+            self._agree(node.kind.number, (first, left), (second, right))
+        return node.kind.number
+
+    def _agree(self, wanted: Number | None, *operands: tuple[Typed, Number | None]) -> None:
+        """Have two operands that are computed with in the type wanted."""
+        if wanted is None or wanted.real:
+            return
+        left, right = (number if number is not None else self.there.integer for _, number in operands)
+        common = self.there.common(left, right)
+        if (common.bits, common.signed) != (wanted.bits, wanted.signed):
+            self.widen(min(operands, key=lambda o: self._reluctance(o[0], o[1], wanted))[0], wanted)
+
+    def _reluctance(self, node: Typed, number: Number | None, wanted: Number) -> tuple[bool, ...]:
+        """In which order operands are chosen for a conversion.
+
+        One that is of the type on the source comes first, then a number that takes a suffix, then what is narrow and simple.
+        """
+        declared = node.kind.number
+        here = self.here.promoted(declared) if declared is not None else wanted
+        return (
+            (here.bits, here.signed) != (wanted.bits, wanted.signed),
+            node.form != "literal" or len(node.inner) != 1,
+            number is not None and number.bits >= wanted.bits,
+            node.form == "character",
+            node.form in _COMPOUND_FORMS and not node.bracketed,
+        )
+
+    def _conditional(self, node: Typed) -> Number | None:
+        _as_it_is(node.children[:1])
+        numbers = [self.value(child) for child in node.children]
+        if len(numbers) == 3 and node.kind.number is not None:
+            self._agree(node.kind.number, (node.children[1], numbers[1]), (node.children[2], numbers[2]))
+            return node.kind.number
+        return node.kind.target
+
+    def _index(self, node: Typed) -> Number | None:
+        for child in node.children:
+            if child.kind.char:  # an index of type char is converted nowhere else
+                child.converted = Kind(self.here.integer)
+            self.value(child)
+        return node.kind.target
+
+    def _assign(self, node: Typed) -> Number | None:
+        numbers = [self.value(child) for child in node.children]
+        self._assigned(node.children[0])
+        return numbers[0]
+
+    def _compound(self, node: Typed) -> Number | None:
+        left, right = node.children[:2]
+        first, second = self.value(left), self.value(right)
+        self._assigned(left)
+        declared, wanted = left.kind.number, right.converted.number
+        if declared is None or declared.real or wanted is None or wanted.real:
+            return first
+        operator = node.operator[:-1]
+        narrow = declared.bits < self.here.int_bits
+        if operator in ("<<", ">>"):
+            small = right.value is not None and 0 <= right.value < self.there.int_bits
+            if narrow and not (small and (operator == "<<" or not left.kind.char or not self.resigned)):
+                self.wants.append(Want(SHIFT, node, self.here.promoted(declared), operator, right))
+            return first
+        if operator in ("/", "%") and left.kind.char and self.resigned:
+            self.wants.append(Want(SHIFT, node, wanted, operator, right))
+            return first
+        found = first if first is not None else self.there.integer
+        common = self.there.common(found, second if second is not None else self.there.integer)
+        if (common.bits, common.signed) != (wanted.bits, wanted.signed):
+            self.widen(right, wanted)
+        return first
+
+    def _switch(self, node: Typed) -> Number | None:
+        for child in node.children[1:]:
+            self.value(child)
+        selector = node.children[0]
+        number = self._promoted(self.value(selector))
+        wanted = self.here.promoted(selector.kind.number) if selector.kind.number is not None else None
+        if number is not None and wanted is not None and number != wanted:
+            values = [v for v in _cases(node.children[1:]) if v is not None]
+            if any(not number.least <= v <= number.most for v in values):
+                self.widen(selector, Number(wanted.bits, wanted.signed))
+        return None
+
+
+def _as_it_is(nodes: list[Typed]) -> None:
+    """Operands that are only compared with zero: a plain char needs no conversion there."""
+    for node in nodes:
+        if node.kind.char:
+            node.converted = node.kind
+
+
+_PLAIN = frozenset(["int", "unsigned int"])
+
+
+def _seen_as(machine: Machine, node: Typed) -> str:
+    number = node.kind.number
+    if number is None:
+        return "pointer" if node.kind.pointer else "other"
+    if number.real:
+        return "real"
+    promoted = machine.promoted(number)
+    char = "char" if node.kind.char else "character" if node.form == "character" and (node.value or 0) > 127 else "number"
+    return f"{promoted.bits} {promoted.signed} {char}"
+
+
+def _cases(nodes: list[Typed]) -> Iterator[int | None]:
+    """The values of a switch's own cases."""
+    for node in nodes:
+        if node.form == "case":
+            yield node.value
+        if node.form != "switch":
+            yield from _cases(node.children)
+
+
+_RULES: dict[str, Callable[[Walk, Typed], Number | None]] = {
+    "literal": Walk._literal,
+    "character": Walk._character,
+    "name": Walk._name,
+    "macro": Walk._macro,
+    "member": Walk._member,
+    "call": Walk._call,
+    "cast": Walk._cast,
+    "size": Walk._size,
+    "unary": Walk._unary,
+    "index": Walk._index,
+    "binary": Walk._binary,
+    "conditional": Walk._conditional,
+    "assign": Walk._assign,
+    "compound": Walk._compound,
+    "switch": Walk._switch,
+}

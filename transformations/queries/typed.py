@@ -1,0 +1,85 @@
+"""Expressions with their types on the source platform, and the places of a program's text where each can be changed.
+
+The tree is made by the parser's side (`t2m.c_source.typed`) from the text with the program's own macros expanded, so that
+what stands in a macro's body or argument is an expression like any other. What is made of it is in `m2m.width_rules`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from robosmi.transformations.queries.numbers import Number
+
+
+class Place(NamedTuple):
+    """A range of a unit's text.
+
+    Attributes:
+        unit: path of the unit.
+        start, end: byte offsets.
+        body: it lies in the body of a macro, so that each use of the macro has it.
+    """
+
+    unit: str
+    start: int
+    end: int
+    body: bool = False
+
+
+class Kind(NamedTuple):
+    """A type as far as conversions need it.
+
+    Attributes:
+        number: the number it is; None for pointers, records, functions and what is not known.
+        char: it is plain char.
+        pointer: it is a pointer or an array.
+        target: the number that a declaration of this type is on the target; None where that is not known.
+        base: its plain name (`int`, `unsigned long`), empty for what is no number.
+    """
+
+    number: Number | None = None
+    char: bool = False
+    pointer: bool = False
+    target: Number | None = None
+    base: str = ""
+
+
+@dataclass
+class Typed:
+    """An expression, or a statement or declaration that holds some.
+
+    Attributes:
+        form: `literal`, `character`, `text`, `name`, `member`, `call`, `unary`, `binary`, `compound`, `assign`, `conditional`,
+            `index`, `cast`, `size`, `list`, `return`, `switch`, `case`, `if`, `declaration`, `macro`, or `other`.
+        operator: of unary, binary and compound ones.
+        kind: its type on the source.
+        converted: the type that it is converted to where it stands.
+        children: operands, arguments and what else stands in it, in text order.
+        places: where it can be changed, parentheses around it included; the outermost first.
+        inner: the same without parentheses.
+        name: what a name, member or call refers to.
+        origin: of a name or call: `program`, `standard`, `platform`, or `parameter` of a function.
+        text: a literal as it is written.
+        value: of an integer constant expression, where it is one.
+        postfix: the operator stands behind.
+        bracketed: it stands in parentheses.
+        bits: of a member that is a bit-field, else -1.
+        fixed: parameters of a called function that takes more than it names, else -1.
+    """
+
+    form: str
+    operator: str = ""
+    kind: Kind = Kind()
+    converted: Kind = Kind()
+    children: list[Typed] = field(default_factory=list)
+    places: tuple[Place, ...] = ()
+    inner: tuple[Place, ...] = ()
+    name: str = ""
+    origin: str = ""
+    text: str = ""
+    value: int | None = None
+    postfix: bool = False
+    bracketed: bool = False
+    bits: int = -1
+    fixed: int = -1

@@ -1,0 +1,79 @@
+"""Declared types whose width differs on the target, in texts: which words of them are written otherwise, and as what.
+
+`int` and `unsigned` alone are concerned; short, char, long and long long have the same width on the platforms that there are,
+or are wider on the target. Words in comments, texts and names of headers are left alone. Expressions are `m2m.width_rules`'.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, Token, tokens
+
+_SIZES = frozenset(["short", "char", "long", "double", "float", "_Complex", "__int128"])
+_INTS = frozenset(["int", "unsigned", "signed", "__signed__"])
+_BETWEEN = QUALIFIERS | STORAGE_WORDS
+Word = tuple[int, int, str]
+"""First byte, byte behind the last, new text."""
+
+
+def retyped_words(data: bytes, bits: int = 32) -> list[Word]:
+    """The words of declared types that are to be changed, in text order.
+
+    Args:
+        data: a text in C.
+        bits: the width that int has on the source.
+    """
+    return [word for run in _runs(_plain(data)) for word in _written(run, bits)]
+
+
+def retyped(text: str, bits: int = 32) -> str:
+    """A text, a type for example, with its types as they are on the target."""
+    data = text.encode("utf-8")
+    done, parts = 0, []
+    for start, end, new in retyped_words(data, bits):
+        parts += [data[done:start].decode("utf-8", "replace"), new]
+        done = end
+    return "".join([*parts, data[done:].decode("utf-8", "replace")])
+
+
+def _plain(data: bytes) -> Iterator[Token]:
+    """The tokens, those of macro definitions and directives that test nothing included."""
+    for kind, start, end, text in tokens(data):
+        if kind == "directive":
+            found = re.match(r"(?:#|%:)[ \t]*define\b", text)
+            for inner, first, behind, word in tokens(b" " + data[start + found.end() : end]) if found else ():
+                yield inner, first + start + found.end() - 1, behind + start + found.end() - 1, word
+            yield "directive", end, end, ""
+        else:
+            yield kind, start, end, text
+
+
+def _runs(found: Iterator[Token]) -> Iterator[list[Token]]:
+    """Words of types that belong to one declaration's specifiers."""
+    run: list[Token] = []
+    for token in found:
+        kind, _, _, text = token
+        if kind == "name" and (text in _INTS or text in _SIZES or (run and text in _BETWEEN)):
+            run.append(token)
+        elif kind != "comment":
+            if run:
+                yield run
+            run = []
+    if run:
+        yield run
+
+
+def _written(run: Sequence[Token], bits: int) -> Iterator[Word]:
+    words = [t for t in run if t[3] in _INTS or t[3] in _SIZES]
+    if any(t[3] in _SIZES for t in words) or not words:
+        return
+    new = f"{'u' if any(t[3] == 'unsigned' for t in words) else ''}int{bits}_t"
+    first, last = run.index(words[0]), run.index(words[-1])
+    if last - first == len(words) - 1:
+        yield words[0][1], words[-1][2], new
+        return
+    yield words[0][1], words[0][2], new
+    for _, start, end, _text in words[1:]:
+        yield start, end, ""

@@ -1,0 +1,286 @@
+"""A text with the uses of the program's own macros replaced by what they stand for, and the way back to where each token is written.
+
+So what a macro computes can be read with types like any other expression, and a change of it finds its place: at the use,
+in the macro's body, or in the argument. Macros of headers that are not the program's stay as they are. Source: ISO/IEC
+9899:1999, 6.10.3; a use whose arguments reach across a directive is left alone.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.queries.typed import Place
+
+MOST_TOKENS = 400_000
+"""Tokens of an expanded text; what would become longer is left as it is."""
+
+
+class Frame(NamedTuple):
+    """Where a token, or the use of a macro that it comes out of, is written: unit, range, and whether in a macro's body."""
+
+    unit: str
+    start: int
+    end: int
+    body: bool
+
+
+Path = tuple[Frame, ...]
+"""The use in the file, the place in its macro's body, the place in the argument for it, and so on to the token itself."""
+
+
+class Piece(NamedTuple):
+    """A token with its way back."""
+
+    kind: str
+    text: str
+    path: Path
+
+
+@dataclass
+class Definition:
+    """A macro: its parameters (None for one without parentheses) and its body's tokens, with their places."""
+
+    name: str
+    parameters: list[str] | None
+    body: list[Token]
+    unit: str
+    offset: int
+    variadic: bool = False
+    strings: set[str] = field(default_factory=set)
+
+
+def definition(unit: str, data: bytes, start: int, end: int) -> Definition | None:
+    """The macro that a directive defines.
+
+    Args:
+        unit: path of the unit.
+        data: its bytes.
+        start, end: range of the directive.
+    """
+    mark = data.find(b"#", start, end)
+    behind = mark + 1 if mark >= 0 else start + 2
+    words = [t for t in tokens(b" " + data[behind:end]) if t[0] != "comment"]
+    if len(words) < 2 or words[0][3] != "define" or words[1][0] != "name":
+        return None
+    found = [(k, a + behind - 1, b + behind - 1, t) for k, a, b, t in words[1:]]
+    name, rest = found[0], found[1:]
+    parameters: list[str] | None = None
+    variadic = False
+    if rest and rest[0][3] == "(" and rest[0][1] == name[2]:
+        close = next((i for i, t in enumerate(rest) if t[3] == ")"), None)
+        if close is None:
+            return None
+        parameters = [t[3] for t in rest[1:close] if t[0] == "name"]
+        if any(t[3] == "..." for t in rest[1:close]):
+            variadic = True
+            parameters.append("__VA_ARGS__")
+        rest = rest[close + 1 :]
+    return Definition(name[3], parameters, rest, unit, name[1], variadic)
+
+
+class Expanded:
+    """An expanded text.
+
+    Attributes:
+        data: the text.
+        changed: whether it is another than the file's.
+    """
+
+    def __init__(self, unit: str, data: bytes, found: Sequence[Token], uses: Iterable[int], macros: Mapping[str, list[Definition]]):
+        self.unit = unit
+        self._macros = macros
+        self._left = MOST_TOKENS
+        self._starts: list[int] = []
+        self._ends: list[int] = []
+        self._paths: list[Path] = []
+        self.changed = False
+        self.data = self._expand_file(data, found, set(uses))
+
+    def _expand_file(self, data: bytes, found: Sequence[Token], uses: set[int]) -> bytes:
+        out = bytearray()
+        done = 0
+        plain = [t for t in found if t[0] != "comment"]
+        number = 0
+        while number < len(plain):
+            kind, start, end, text = plain[number]
+            out += data[done:start]
+            done = start
+            if start in uses and kind == "name" and (used := self._use(plain, number)) is not None:
+                made, number, end = used
+                self.changed = True
+                for one in made:
+                    self._add(len(out) + 1, one.text, one.path)
+                    out += b" " + one.text.encode("latin-1", "replace")
+                out += b" "
+                done = end
+                continue
+            out += data[start:end]
+            if kind != "directive":
+                self._starts.append(len(out) - (end - start))
+                self._ends.append(len(out))
+                self._paths.append((Frame(self.unit, start, end, False),))
+            done = end
+            number += 1
+        out += data[done:]
+        return bytes(out)
+
+    def _add(self, start: int, text: str, path: Path) -> None:
+        self._starts.append(start)
+        self._ends.append(start + len(text))
+        self._paths.append(path)
+
+    def _use(self, plain: Sequence[Token], number: int) -> tuple[list[Piece], int, int] | None:
+        """What the use of a macro in the file stands for, the number of the token behind it, and its end; None where it stays."""
+        macro = self._meant(plain[number][3], plain[number][1])
+        if macro is None:
+            return None
+        pieces = [Piece(plain[number][0], plain[number][3], (Frame(self.unit, plain[number][1], plain[number][2], False),))]
+        behind = number + 1
+        if macro.parameters is not None:
+            if behind >= len(plain) or plain[behind][3] != "(":
+                return None
+            depth = 0
+            while behind < len(plain):
+                kind, start, end, text = plain[behind]
+                if kind == "directive":
+                    return None
+                pieces.append(Piece(kind, text, (Frame(self.unit, start, end, False),)))
+                depth += {"(": 1, ")": -1}.get(text, 0) if kind == "punct" else 0
+                behind += 1
+                if depth == 0:
+                    break
+            if depth:
+                return None
+        made = self._expanded(pieces, frozenset(), plain[number][1])
+        return (made, behind, pieces[-1].path[-1].end) if made is not None else None
+
+    def _meant(self, name: str, offset: int) -> Definition | None:
+        """The definition that a name has at an offset of the file, else the one of a header of the program's."""
+        given = self._macros.get(name, ())
+        here = [d for d in given if d.unit == self.unit and d.offset < offset]
+        return here[-1] if here else next((d for d in given if d.unit != self.unit), None)
+
+    def _expanded(self, pieces: Sequence[Piece], hidden: frozenset[str], offset: int) -> list[Piece] | None:
+        """Tokens with all macros expanded; None when there are too many."""
+        out: list[Piece] = []
+        number = 0
+        while number < len(pieces):
+            piece = pieces[number]
+            macro = self._meant(piece.text, offset) if piece.kind == "name" and piece.text not in hidden else None
+            used = self._call(pieces, number, macro) if macro is not None else None
+            self._left -= 1
+            if self._left < 0:
+                return None
+            if macro is None or used is None:
+                out.append(piece)
+                number += 1
+                continue
+            arguments, behind = used
+            level = len(piece.path) - 1
+            last = pieces[behind - 1].path
+            if last[:level] != piece.path[:level]:
+                return None  # the use ends in another text than it begins
+            frame = Frame(piece.path[level].unit, piece.path[level].start, last[level].end, piece.path[level].body)
+            made = self._substituted(macro, arguments, (*piece.path[:level], frame), level, hidden, offset)
+            again = self._expanded(made, hidden | {macro.name}, offset) if made is not None else None
+            if again is None:
+                return None
+            out += again
+            number = behind
+        return out
+
+    @staticmethod
+    def _call(pieces: Sequence[Piece], number: int, macro: Definition) -> tuple[list[list[Piece]], int] | None:
+        """The arguments of a macro's use, and the number of the token behind it; None where it is no use."""
+        if macro.parameters is None:
+            return [], number + 1
+        if number + 1 >= len(pieces) or pieces[number + 1].text != "(":
+            return None
+        arguments: list[list[Piece]] = [[]]
+        depth, behind = 1, number + 2
+        while behind < len(pieces):
+            piece = pieces[behind]
+            behind += 1
+            if piece.kind == "punct":
+                if piece.text in "([{":
+                    depth += piece.text == "("
+                elif piece.text == ")":
+                    depth -= 1
+                    if depth == 0:
+                        break
+                elif piece.text == "," and depth == 1 and not (macro.variadic and len(arguments) == len(macro.parameters)):
+                    arguments.append([])
+                    continue
+            arguments[-1].append(piece)
+        if depth:
+            return None
+        if len(macro.parameters) == 0 and arguments == [[]]:
+            arguments = []
+        if macro.variadic and len(arguments) == len(macro.parameters) - 1:
+            arguments.append([])
+        return (arguments, behind) if len(arguments) == len(macro.parameters) else None
+
+    def _substituted(
+        self, macro: Definition, arguments: list[list[Piece]], prefix: Path, level: int, hidden: frozenset[str], offset: int
+    ) -> list[Piece] | None:
+        """A macro's body with its arguments."""
+        given = dict(zip(macro.parameters or (), arguments, strict=True))
+        out: list[Piece] = []
+        body = macro.body
+        number = 0
+        joins = False
+        while number < len(body):
+            kind, start, end, text = body[number]
+            here = (*prefix, Frame(macro.unit, start, end, True))
+            following = body[number + 1][3] if number + 1 < len(body) else ""
+            if text == "#" and macro.parameters is not None and following in given:
+                shown = " ".join(p.text for p in given[following]).replace("\\", "\\\\").replace('"', '\\"')
+                out.append(Piece("string", f'"{shown}"', (*prefix, Frame(macro.unit, start, body[number + 1][2], True))))
+                number += 2
+                continue
+            if text == "##":
+                joins = True
+                number += 1
+                continue
+            if text in given and kind == "name":
+                raw = joins or following == "##"
+                inner = given[text] if raw else self._expanded(given[text], hidden, offset)
+                if inner is None:
+                    return None
+                made = [Piece(p.kind, p.text, (*here, *p.path[level:])) for p in inner]
+            else:
+                made = [Piece(kind, text, here)]
+            if joins and out and made:
+                last = out.pop()
+                made[0] = Piece(last.kind, last.text + made[0].text, last.path)
+            joins = False
+            out += made
+            number += 1
+        return out
+
+    def places(self, start: int, end: int) -> tuple[Place, ...]:
+        """Where a range of the expanded text can be changed, the outermost place first; none where it is no whole tokens."""
+        first = bisect_right(self._starts, start) - 1
+        last = bisect_right(self._starts, end - 1) - 1
+        if first < 0 or last < first or self._starts[first] != start or self._ends[last] != end:
+            return ()
+        paths = self._paths
+        one, other = paths[first], paths[last]
+        if len(one) == 1 and len(other) == 1:
+            return (Place(self.unit, one[0].start, other[0].end),)
+        before = paths[first - 1] if first else ()
+        behind = paths[last + 1] if last + 1 < len(paths) else ()
+        found = []
+        for level in range(min(len(one), len(other))):
+            if one[:level] != other[:level]:
+                break
+            if one[level].unit != other[level].unit or one[level].body != other[level].body:
+                break
+            if before[: level + 1] == one[: level + 1] or behind[: level + 1] == other[: level + 1]:
+                continue
+            found.append(Place(one[level].unit, one[level].start, other[level].end, one[level].body))
+        return tuple(found)

@@ -1,0 +1,269 @@
+"""Expressions of a unit with their types, for the work on widths: the parser's tree of the expanded text as `Typed`.
+
+Types are the parser's own for the source platform; what a declared type is on the target follows the typedefs down to where
+the target's own headers decide (`size_t`). What is done with widths is `m2m.width_rules`'.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.queries.numbers import Machine, Number
+from robosmi.transformations.queries.typed import Kind, Typed
+from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.expansion import Definition, Expanded, definition
+from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
+from robosmi.transformations.t2m.c_source.invocation import VIRTUAL
+from robosmi.transformations.t2m.c_source.literals import integer_value
+from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
+from robosmi.transformations.t2m.c_source.source import ReadSource
+from robosmi.transformations.t2m.c_source.tree import Node
+
+UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = 100, 111, 101, 102, 103, 112, 114, 115, 117, 119, 203
+_BOOL, _CHARS, _SIGNED = 3, frozenset((4, 13)), frozenset(range(13, 21))
+_REAL, _POINTERS, _ENUM, _TYPEDEF, _ELABORATED = (21, 22, 23), (101, 112, 113, 114, 115), 106, 107, 119
+_FORMS = {
+    NAME: "name", MEMBER: "member", CALL: "call", 106: "literal", 107: "real", 109: "text", 110: "character", UNARY: "unary",
+    113: "index", BINARY: "binary", COMPOUND: "compound", 116: "conditional", CAST: "cast", 118: "cast", LIST: "list", 136: "size",
+    CASE: "case", 205: "if", 206: "switch", 207: "if", 208: "if", 209: "if", 214: "return", 9: "declaration", 8: "function",
+    6: "declaration", 7: "declaration",
+}  # fmt: skip
+_LITERAL, _PARAMETER, _FUNCTION = 7, 10, 8
+MOST_DEPTH = 400
+
+
+def macros_of(units: Sequence[ccode.SourceUnit], copies: Mapping[str, bytes]) -> dict[str, list[Definition]]:
+    """The macros of a program by name, in the order of its units and lines.
+
+    Args:
+        units: of the program.
+        copies: path of a unit -> its bytes.
+    """
+    found: dict[str, list[Definition]] = {}
+    for unit in units:
+        for macro in unit.macros:
+            made = definition(unit.path, copies[unit.path], macro.startOffset, macro.endOffset)
+            if made is not None:
+                found.setdefault(made.name, []).append(made)
+    return found
+
+
+def typed_unit(
+    unit: ccode.SourceUnit,
+    path: str,
+    data: bytes,
+    macros: Mapping[str, list[Definition]],
+    api: ApiIndex,
+    machines: tuple[Machine, Machine],
+    include_dirs: Sequence[str] = (),
+    defines: Sequence[str] = (),
+    platform: Collection[str] = (),
+) -> list[Typed]:
+    """What a unit declares and does, with types.
+
+    Args:
+        unit: the unit.
+        path: of its file, for includes beside it.
+        data: its bytes.
+        macros: the program's, by name.
+        api: the source platform.
+        machines: what the source and the target compute in.
+        include_dirs, defines: as the program was read.
+        platform: names of functions that adapters replace.
+    """
+    uses = {int(u.startOffset) for u in unit.macroUses if u.name in macros}
+    plain = data if data.isascii() else bytes(b if b < 128 else 63 for b in data)
+    expanded = Expanded(unit.path, plain, tokens(plain), uses, macros)
+    source = ReadSource(path, expanded.data, expanded.data, "UTF-8", "", len(expanded.data))
+    source._lines = [0]
+    source.tokens = tokens(expanded.data)
+    parsed = parse(source, api, include_dirs, defines)
+    if parsed is None:
+        return []
+    try:
+        return _Reader(parsed, expanded, machines, platform).read()
+    finally:
+        parsed.close()
+
+
+class _Reader:
+    def __init__(self, parsed: Parsed, expanded: Expanded, machines: tuple[Machine, Machine], platform: Collection[str]) -> None:
+        self.lib: Any = clang.library()
+        self.parsed, self.expanded, self.platform = parsed, expanded, platform
+        self.here, self.there = machines
+        self.data = parsed.source.data
+        self.ends: dict[int, int] = {}
+        for expansion in parsed.expansions:
+            self.ends.setdefault(expansion.start, expansion.end)
+        self.names = {e.start: e.name for e in reversed(parsed.expansions)}
+        self._kinds: dict[str, Kind] = {}
+
+    def read(self) -> list[Typed]:
+        """All of the unit's top level."""
+        return [self._made(node, 0) for node in self.parsed.nodes]
+
+    def _made(self, node: Node, depth: int) -> Typed:
+        if depth > MOST_DEPTH:
+            return Typed("other")
+        outer, converted = node, None
+        bracketed = False
+        while node.kind in (UNEXPOSED, PAREN) and len(node.children) == 1:
+            inner = node.children[0]
+            if node.kind == UNEXPOSED:
+                if (inner.start, inner.end) != (node.start, node.end) or not 100 <= inner.kind < 200:
+                    break
+                converted = converted or node
+            else:
+                bracketed = True
+            node = inner
+        form = _FORMS.get(node.kind, "other")
+        made = Typed(form, bracketed=bracketed)
+        if 100 <= node.kind < 200:
+            made.kind = self.kind(node)
+            made.converted = self.kind(converted) if converted is not None else made.kind
+            made.places = self.expanded.places(outer.start, outer.end)
+            made.inner = self.expanded.places(node.start, node.end)
+            if self._of_header_macro(node):
+                made.form, made.name, made.origin = "macro", self.names.get(node.start, ""), "platform"
+                return made
+        if node.kind in (NAME, CALL, MEMBER):
+            self._named(node, made)
+        elif node.kind == UNARY:
+            number = self.lib.getCursorUnaryOperatorKind(node.cursor)
+            made.operator, made.postfix = UNARY_OPERATORS[number], number in (1, 2)
+        elif node.kind in (BINARY, COMPOUND):
+            made.operator = BINARY_OPERATORS[self.lib.getCursorBinaryOperatorKind(node.cursor)]
+            if made.operator == "=":
+                made.form = "assign"
+        elif form in ("literal", "character", "text"):
+            made.text = self.data[node.start : node.end].decode("latin-1")
+            made.value = integer_value(made.text) if form == "literal" else self._value(node)
+        elif form in ("function", "declaration"):
+            made.name = self.lib.text(self.lib.getCursorSpelling(node.cursor))
+            made.kind = self.typed(
+                self.lib.getCursorResultType(node.cursor) if form == "function" else self.lib.getCursorType(node.cursor)
+            )
+        made.children = [self._made(child, depth + 1) for child in node.children]
+        if form == "case" and made.children:
+            made.value = self._value(node.children[0])
+        return made
+
+    def _of_header_macro(self, node: Node) -> bool:
+        """Whether an expression comes out of the body of a macro that is not the program's."""
+        return node.from_macro and (node.start in self.ends or node.end in self.ends.values())
+
+    def _value(self, node: Node) -> int | None:
+        found = self.lib.Cursor_Evaluate(node.cursor)
+        if not found:
+            return None
+        value = self.lib.EvalResult_getAsLongLong(found) if self.lib.EvalResult_getKind(found) == 1 else None
+        self.lib.EvalResult_dispose(found)
+        return value
+
+    def _named(self, node: Node, made: Typed) -> None:
+        lib = self.lib
+        referenced = lib.getCursorReferenced(node.cursor)
+        made.name = lib.text(lib.getCursorSpelling(referenced)) or lib.text(lib.getCursorSpelling(node.cursor))
+        if node.kind == MEMBER:
+            made.bits = lib.getFieldDeclBitWidth(referenced)
+            return
+        if node.kind == CALL and node.children:
+            called = lib.getCursorType(node.children[0].cursor)
+            called = called if called.kind != _POINTERS[0] else lib.getPointeeType(called)
+            if lib.isFunctionTypeVariadic(lib.getCanonicalType(called)):
+                made.fixed = lib.getNumArgTypes(lib.getCanonicalType(called))
+        file, _ = clang.file_offset(lib.getCursorLocation(referenced))
+        name = clang.file_name(file)
+        if made.name in self.platform:
+            made.origin = "platform"
+        elif referenced.kind == _FUNCTION:
+            implicit = file == self.parsed.reader.file and not self._declares(referenced)
+            made.origin = "standard" if implicit or not name or name.startswith(VIRTUAL) else "program"
+        else:
+            made.origin = "platform" if name.startswith(VIRTUAL) else "program"
+        if referenced.kind == _LITERAL and made.origin == "program":
+            made.form = "enumerator"
+            target = self._enumeration(lib.getCursorSemanticParent(referenced))
+            made.kind = made.kind._replace(target=target)
+
+    def _declares(self, function: Any) -> bool:
+        """Whether the text declares a function, which otherwise the parser made up where it is called."""
+        begin, end, _ = self.parsed.reader.extent(function)
+        return b"(" in self.data[begin:end]
+
+    # ---- types
+
+    def kind(self, node: Node) -> Kind:
+        """The type of an expression."""
+        return self.typed(self.lib.getCursorType(node.cursor))
+
+    def typed(self, kind: Any) -> Kind:
+        """A type on both platforms."""
+        key = f"{kind.kind} {self.lib.text(self.lib.getTypeSpelling(kind))}"
+        found = self._kinds.get(key)
+        if found is None:
+            found = self._kinds[key] = self._typed(kind)
+        return found
+
+    def _typed(self, kind: Any) -> Kind:
+        plain = self.lib.getCanonicalType(kind)
+        number = self._number(plain)
+        if number is None:
+            return Kind(pointer=plain.kind in _POINTERS)
+        base = " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(plain)).split() if w not in ("const", "volatile"))
+        return Kind(number, plain.kind in _CHARS, target=self._target(kind), base=base)
+
+    def _number(self, plain: Any) -> Number | None:
+        if plain.kind in _REAL:
+            return Number(32, True, real=True)
+        if plain.kind == _ENUM:
+            plain = self.lib.getCanonicalType(self.lib.getEnumDeclIntegerType(self.lib.getTypeDeclaration(plain)))
+        if not _BOOL <= plain.kind <= 20:
+            return None
+        return Number(int(self.lib.Type_getSizeOf(plain)) * 8, plain.kind in _SIGNED)
+
+    def _target(self, kind: Any) -> Number | None:
+        lib = self.lib
+        for _ in range(50):
+            if kind.kind == _ELABORATED:
+                kind = lib.Type_getNamedType(kind)
+            elif kind.kind == _TYPEDEF:
+                declared = lib.getTypeDeclaration(kind)
+                name = lib.text(lib.getCursorSpelling(declared))
+                file, _offset = clang.file_offset(lib.getCursorLocation(declared))
+                own = not clang.file_name(file).startswith(VIRTUAL) and file
+                if not own and (number := self.there.number(name)) is not None:
+                    return number
+                kind = lib.getTypedefDeclUnderlyingType(declared)
+            else:
+                break
+        if kind.kind == _ENUM:
+            return self._enumeration(lib.getTypeDeclaration(kind))
+        plain = lib.getCanonicalType(kind)
+        if plain.kind in _CHARS:
+            return Number(8, self.there.char_signed)
+        return self._number(plain)
+
+    def _enumeration(self, declared: Any) -> Number:
+        """What the values of an enumeration are promoted to on the target, in C++."""
+        values: list[int] = []
+
+        def visitor(cursor: Any, parent: Any, data: Any) -> int:
+            if cursor.kind == _LITERAL:
+                values.append(int(self.lib.getEnumConstantDeclValue(cursor)))
+            return 1
+
+        clang.visit(declared, visitor)
+        least, most = min(values, default=0), max(values, default=0)
+        bits = max(most.bit_length(), (-least - 1).bit_length() if least < 0 else 0)
+        signed = least < 0
+        for width in (self.there.int_bits, self.there.long_bits, 64):
+            if bits < width:
+                return Number(width, True)
+            if bits == width and not signed:
+                return Number(width, False)
+        return Number(64, True)
