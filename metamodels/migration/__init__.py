@@ -110,6 +110,12 @@ if TYPE_CHECKING:
         loopForever: ClassVar[ProgramStructure]
         runOnce: ClassVar[ProgramStructure]
 
+    class Widths(EnumLiteral):
+        """What becomes of numbers that are narrower on the target: `keep` leaves the text as it is, `fix` writes it so that values stay what they are on the source."""
+
+        keep: ClassVar[Widths]
+        fix: ClassVar[Widths]
+
     class Signal(EnumLiteral):
         """Direction of a connection seen from the board."""
 
@@ -147,6 +153,7 @@ else:
     )
     SeverityLevel = enumeration("SeverityLevel", {"info": 0, "warning": 1, "error": 2})
     ProgramStructure = enumeration("ProgramStructure", {"loopForever": 0, "runOnce": 1})
+    Widths = enumeration("Widths", {"keep": 0, "fix": 1})
     Signal = enumeration("Signal", {"read": 0, "write": 1, "bus": 2})
 
 
@@ -192,6 +199,10 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """The platform symbols that are used, and their placeholders."""
     helpers: MutableSequence[Adapter] = EReference(upper=-1)
     """Pieces of adapter text that the changed text of the program uses beyond those of functions and symbols, such as the look-up of ports."""
+    widths: Widths = EAttribute(eType=Widths)
+    """Whether the program's numbers keep the widths of the source."""
+    widenings: MutableSequence[Widening] = EReference(upper=-1, containment=True)
+    """What is written otherwise so that numbers keep the widths of the source: one for each declaration or macro."""
     edits: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
     """Changes of the carried-over text that a person added to the plan; those of decisions belong to the decisions."""
     tasks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
@@ -224,6 +235,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             adapterUses: Iterable[AdapterUse] | None = None,
             symbolUses: Iterable[SymbolUse] | None = None,
             helpers: Iterable[Adapter] | None = None,
+            widths: Widths | None = None,
+            widenings: Iterable[Widening] | None = None,
             edits: Iterable[TextChange] | None = None,
             tasks: Iterable[PlanTask] | None = None,
             findings: Iterable[PlanFinding] | None = None,
@@ -350,6 +363,28 @@ class Disposition(Decision):
             runsIn: str | None = None,
             goesOnIn: str | None = None,
             hoisted: TextCopy | None = None,
+        ) -> None: ...
+
+
+class Widening(Decision):
+    """How a declaration or macro keeps the widths that its numbers have on the source: `fix` with the changes of its text, `keep` without."""
+
+    element: Located | None = EReference()
+    """The declaration or macro; none for text that is in none, of code that is not compiled."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
+            element: Located | None = None,
         ) -> None: ...
 
 
@@ -593,7 +628,7 @@ class SymbolUse(Element, metaclass=MetaEClass):
 
 
 class TextChange(Element, metaclass=MetaEClass):
-    """A change of the carried-over text: new text takes the place of a range of a source unit. A change within the range that another one replaces has no effect; of two with the same range the first counts, in the order of the plan's edits, port bindings, dispositions."""
+    """A change of the carried-over text: new text takes the place of a range of a source unit. A change within the range that another one replaces has no effect; of two with the same range the first counts, in the order of the plan's edits, port bindings, dispositions, widenings."""
 
     unit: SourceUnit | None = EReference()
     """The unit."""
@@ -793,6 +828,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.adapterUses.eType = AdapterUse
     MigrationPlan.symbolUses.eType = SymbolUse
     MigrationPlan.helpers.eType = Adapter
+    MigrationPlan.widenings.eType = Widening
     MigrationPlan.edits.eType = TextChange
     MigrationPlan.tasks.eType = PlanTask
     MigrationPlan.findings.eType = PlanFinding
@@ -801,6 +837,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Decision.changes.eType = TextChange
     Disposition.element.eType = Located
     Disposition.hoisted.eType = TextCopy
+    Widening.element.eType = Located
     Connection.pin.eType = Pin
     Connection.boardConnectors.eType = Connector
     Connection.component.eType = Component
@@ -836,4 +873,5 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     classifier(__name__, SignatureSource)
     classifier(__name__, SeverityLevel)
     classifier(__name__, ProgramStructure)
+    classifier(__name__, Widths)
     classifier(__name__, Signal)

@@ -246,6 +246,8 @@ class Platform(Element, metaclass=MetaEClass):
     """Headers of the C standard library that a target platform has."""
     widths: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
     """Types that keep the width of the source on a target platform."""
+    widerNames: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
+    """Functions, types and macros of the standard library that have an int in them, and their sisters on a target platform that have the width of the source."""
     names: ReservedNames | None = EReference(containment=True)
     """Names that a program shares with the core of a target platform."""
     attributeMacros: MutableSequence[str] = EAttribute(
@@ -292,6 +294,7 @@ class Platform(Element, metaclass=MetaEClass):
             pinFunctions: Iterable[str] | None = None,
             standardHeaders: Iterable[str] | None = None,
             widths: Iterable[TypeWidth] | None = None,
+            widerNames: Iterable[TypeWidth] | None = None,
             names: ReservedNames | None = None,
             attributeMacros: Iterable[str] | None = None,
             boardMappings: Iterable[BoardMapping] | None = None,
@@ -528,7 +531,7 @@ class ApiType(Element, metaclass=MetaEClass):
 
 
 class TypeWidth(Element, metaclass=MetaEClass):
-    """A type of a target that holds the values of a type of the source, by value only."""
+    """A type of a target that holds the values of a type of the source, by value only; or a name of its library that stands for another."""
 
     sourceType: str = EAttribute(eType=EString, lower=1)
     """Spelling of the type in the source."""
@@ -1178,6 +1181,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     PlatformRepository.targets.eType = Target
     PlatformRepository.parts.eType = PartFact
     Platform.widths.eType = TypeWidth
+    Platform.widerNames.eType = TypeWidth
     Platform.names.eType = ReservedNames
     Platform.boardMappings.eType = BoardMapping
     Platform.headers.eType = Header

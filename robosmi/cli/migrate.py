@@ -53,6 +53,10 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--bind", action="append", default=[], metavar="NAME=PIN", help="target pin for a port of the source")
     parser.add_argument("--adapters", choices=("filled", "placeholders"), help="bodies of adapters")
     parser.add_argument(
+        "--widths", choices=("fix", "keep"), default="fix",
+        help="fix: numbers keep the widths that they have on the source; keep: the text stays, with a finding where it may matter",
+    )  # fmt: skip
+    parser.add_argument(
         "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
     )
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
@@ -70,6 +74,7 @@ def run(arguments: argparse.Namespace) -> Report:
             source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
+            widths=arguments.widths,
             ask=ask_libraries if may_ask(yes=arguments.yes, as_json=arguments.json) else None, progress=told,
         )  # fmt: skip
     return filled(report, done, project.severity, project.accept)

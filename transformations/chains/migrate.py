@@ -30,8 +30,9 @@ from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import earlier_choices, history_findings
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
-from robosmi.transformations.chains.program import StoredProgram, program_files, stored_program
+from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
+from robosmi.transformations.chains.widths import FIX, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.knowledge.adapter_index import adapter_index
@@ -44,11 +45,12 @@ from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, d
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.m2m.widths import Widened
 from robosmi.transformations.queries.plan import library_json
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
-    "adapters",
+    "adapters", "widths",
 )  # fmt: skip
 ADAPTERS = ("filled", "placeholders")
 """What adapters can be: with bodies as far as there are any, or all still to be written."""
@@ -73,6 +75,7 @@ def migration_chain() -> Chain:
     chain.call(ranker, makes="ranker", step="load the ranker")
     chain.call(earlier, makes="earlier", step="open the history")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
+    chain.call(widenings, makes="widenings", step="keep the widths of numbers")
     chain.call(bindings, makes="bindings", step="bind ports to pins")
     chain.call(library_decisions, makes="library_decisions", step="choose libraries")
     chain.call(models, makes="models", step="put the plan together")
@@ -183,6 +186,18 @@ def judgement(
     return judge_program(program.views, target, choice, program.copies)
 
 
+def widenings(
+    program: StoredProgram,
+    program_files: ProgramFiles,
+    judgement: tuple[Dependence, Trace],
+    api: ApiIndex,
+    target: TargetFacts,
+    widths: str,
+) -> Widened:
+    """What is written otherwise so that the program's numbers keep the widths that they have on the source."""
+    return widened(program, program_files, judgement[0], api, target, widths)
+
+
 def bindings(
     program: StoredProgram,
     judgement: tuple[Dependence, Trace],
@@ -224,6 +239,8 @@ def models(
     board: platform.Board,
     target: TargetFacts,
     judgement: tuple[Dependence, Trace],
+    widenings: Widened,
+    widths: str,
     bindings: Sequence[migration.PortBinding],
     library_decisions: tuple[Sequence[migration.LibraryChoice], LibraryModels],
     earlier: ForgivingHistory,
@@ -244,7 +261,7 @@ def models(
     findings += history_findings(earlier)
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
-        *judgement, bindings, *library_decisions, files, findings, places,
+        *judgement, widenings, widths == FIX, bindings, *library_decisions, files, findings, places,
     )  # fmt: skip
     plan, repository = put_together(decided, plan_faults)
     plan.findings.extend(move_findings(plan, program.views))
@@ -269,6 +286,7 @@ def plan_migration(
     bind: Mapping[str, str] | None = None,
     adapters: str | None = None,
     history: str | None = None,
+    widths: str = FIX,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> MigrationModels:
@@ -286,6 +304,7 @@ def plan_migration(
         bind: port of the source -> target pin, before the project file.
         adapters: one of `ADAPTERS`; what the defaults say if None.
         history: place of earlier choices, a file or a URL; the user's own if None.
+        widths: `fix` writes the text so that numbers keep the widths of the source, `keep` leaves it as it is.
         progress: told of each step.
         chain: steps of one's own, which make `models` of what is given; `migration_chain()` if None.
 
@@ -296,7 +315,7 @@ def plan_migration(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
-        history=history,
+        history=history, widths=widths,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         made: MigrationModels = run.value("models")
@@ -323,6 +342,7 @@ def migrate(
     libraries: Mapping[str, str] | None = None,
     bind: Mapping[str, str] | None = None,
     history: str | None = None,
+    widths: str = FIX,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
@@ -335,7 +355,7 @@ def migrate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
-            progress, chain: see `plan_migration`; what persons chose is recorded there, too.
+            widths, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
 
     Raises:
@@ -347,7 +367,7 @@ def migrate(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
-        history=history,
+        history=history, widths=widths,
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():

@@ -142,6 +142,11 @@ class TargetFacts:
         return {w.sourceType: w.targetType for w in self._platform.widths}
 
     @cached_property
+    def wider_names(self) -> Mapping[str, str]:
+        """Function, type or macro of the standard library with an int in it -> its sister that has the width of the source."""
+        return {w.sourceType: w.targetType for w in self._platform.widerNames}
+
+    @cached_property
     def names(self) -> TargetNames:
         """The names that programs share with the platform's core."""
         return TargetNames(self.shared)
@@ -292,6 +297,7 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
             pinFunctions=data.get("pin_functions", ()),
             standardHeaders=data["standard_headers"],
             widths=[platform.TypeWidth(sourceType=wide, targetType=kept) for wide, kept in data["widths"].items()],
+            widerNames=[platform.TypeWidth(sourceType=name, targetType=kept) for name, kept in data.get("wider_names", {}).items()],
             names=_names(folder, project),
             **{key: data[key] for key in _NUMBERS},
         )

@@ -23,6 +23,7 @@ from robosmi.transformations.m2m.library_choice import LibraryModels, choose_lib
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.text_changes import bind_texts
+from robosmi.transformations.m2m.widths import Widened
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.source_text import SourceText, words_of
 
@@ -109,6 +110,8 @@ class Decided(NamedTuple):
         target: the target.
         dependence: what happens to the program's elements.
         trace: from what that was made.
+        widened: what is written otherwise so that numbers keep their widths.
+        fixed: whether they are to keep them.
         bindings: of the program's ports.
         choices: of libraries.
         libraries: those that the plan names.
@@ -125,6 +128,8 @@ class Decided(NamedTuple):
     target: TargetFacts
     dependence: Dependence
     trace: Trace
+    widened: Widened
+    fixed: bool
     bindings: Sequence[migration.PortBinding]
     choices: Sequence[migration.LibraryChoice]
     libraries: LibraryModels
@@ -154,6 +159,8 @@ def put_together(
         trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
     for choice in d.choices:
         trace.link("library ranking", "libraries", [choice.component], [choice])
+    for widening in d.widened.widenings:
+        trace.link("widths", "code", [widening.element], [widening])
     words = words_of(d.files[unit.path] for unit in d.program.units)
     for name in dict.fromkeys(library for piece in d.dependence.pieces for library in piece.libraries):
         d.libraries.get(name)
@@ -188,6 +195,8 @@ def put_together(
             for path, data in d.files.items()
         ],
         dispositions=d.dependence.dispositions,
+        widths=migration.Widths.fix if d.fixed else migration.Widths.keep,
+        widenings=d.widened.widenings,
         connections=connections,
         portBindings=list(d.bindings),
         libraryChoices=list(d.choices),

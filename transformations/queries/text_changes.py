@@ -21,12 +21,16 @@ def decision_of(change: migration.TextChange) -> migration.Decision | None:
 
 def all_changes(plan: migration.MigrationPlan) -> list[migration.TextChange]:
     """Every change of a plan, in the order that says which of two with the same range counts: edits of persons come first."""
-    decisions: tuple[migration.Decision, ...] = (*plan.portBindings, *plan.libraryChoices, *plan.dispositions)
+    decisions: tuple[migration.Decision, ...] = (*plan.portBindings, *plan.libraryChoices, *plan.dispositions, *plan.widenings)
     return [*plan.edits, *(change for decision in decisions for change in decision.changes)]
 
 
 def effective(changes: Iterable[migration.TextChange]) -> list[migration.TextChange]:
-    """The changes in text order without those that lie in what another one takes away; of equal ones the first counts."""
+    """The changes in text order without those that lie in what another one takes away; of equal ones the first counts.
+
+    Of insertions at one place the first stand outside: what opens a parenthesis comes in the order given, what closes one
+    (a text that begins with it) in the reverse order and before all others.
+    """
     kept: list[migration.TextChange] = []
     order = sorted(enumerate(changes), key=lambda p: (_path(p[1]), p[1].startOffset, -p[1].endOffset, p[0]))
     reach, unit = -1, None
@@ -39,7 +43,10 @@ def effective(changes: Iterable[migration.TextChange]) -> list[migration.TextCha
         elif change.startOffset >= reach:
             kept.append(change)
             reach = change.endOffset
-    return sorted([*kept, *_outside(inserted, kept)], key=lambda c: (_path(c), c.startOffset, c.endOffset))
+    closing = [c for c in inserted if c.replacement.startswith(")")]
+    placed = [*reversed(closing), *(c for c in inserted if not c.replacement.startswith(")"))]
+    placed.sort(key=lambda c: (_path(c), c.startOffset))
+    return sorted([*kept, *_outside(placed, kept)], key=lambda c: (_path(c), c.startOffset, c.endOffset))
 
 
 def _outside(inserted: list[migration.TextChange], kept: list[migration.TextChange]) -> list[migration.TextChange]:

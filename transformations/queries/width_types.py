@@ -7,32 +7,36 @@ or are wider on the target. Words in comments, texts and names of headers are le
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, Token, tokens
 
 _SIZES = frozenset(["short", "char", "long", "double", "float", "_Complex", "__int128"])
 _INTS = frozenset(["int", "unsigned", "signed", "__signed__"])
 _BETWEEN = QUALIFIERS | STORAGE_WORDS
+_NONE: Mapping[str, str] = {}
 Word = tuple[int, int, str]
 """First byte, byte behind the last, new text."""
 
 
-def retyped_words(data: bytes, bits: int = 32) -> list[Word]:
+def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE) -> list[Word]:
     """The words of declared types that are to be changed, in text order.
 
     Args:
         data: a text in C.
         bits: the width that int has on the source.
+        names: types of the standard library with an int in them -> their wider sisters; other names do no harm.
     """
-    return [word for run in _runs(_plain(data)) for word in _written(run, bits)]
+    found = list(_plain(data))
+    types = [(start, end, names[text]) for kind, start, end, text in found if kind == "name" and text.endswith("_t") and text in names]
+    return sorted([*types, *(word for run in _runs(iter(found)) for word in _written(run, bits))])
 
 
-def retyped(text: str, bits: int = 32) -> str:
+def retyped(text: str, bits: int = 32, names: Mapping[str, str] = _NONE) -> str:
     """A text, a type for example, with its types as they are on the target."""
     data = text.encode("utf-8")
     done, parts = 0, []
-    for start, end, new in retyped_words(data, bits):
+    for start, end, new in retyped_words(data, bits, names):
         parts += [data[done:start].decode("utf-8", "replace"), new]
         done = end
     return "".join([*parts, data[done:].decode("utf-8", "replace")])

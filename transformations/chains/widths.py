@@ -1,0 +1,50 @@
+"""The step of a migration that keeps the widths of a program's numbers: its expressions are read with types, and written wider."""
+
+from __future__ import annotations
+
+from robosmi.transformations.chains.program import ProgramFiles, StoredProgram
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import TargetFacts
+from robosmi.transformations.m2m.platform_dependence import Dependence
+from robosmi.transformations.m2m.renaming import RENAME
+from robosmi.transformations.m2m.widths import Widened, retype_decisions, widenings
+from robosmi.transformations.queries.numbers import Machine
+from robosmi.transformations.t2m.c_source.typed import macros_of, typed_unit
+
+FIX, KEEP = "fix", "keep"
+
+
+def widened(
+    program: StoredProgram, files: ProgramFiles, dependence: Dependence, api: ApiIndex, target: TargetFacts, policy: str
+) -> Widened:
+    """What is written otherwise in a program so that its numbers keep their widths; nothing under `keep`.
+
+    Args:
+        program: the program.
+        files: how it was read.
+        dependence: which functions adapters replace, and which names are others.
+        api: the source platform.
+        target: the target.
+        policy: `fix` or `keep`.
+    """
+    source, there = dependence.source, target.model.platform
+    assert source is not None and there is not None
+    machines = Machine.of(source), Machine.of(there)
+    same = machines[1].int_bits >= machines[0].int_bits and machines[1].char_signed == machines[0].char_signed
+    if policy == KEEP or same:
+        return Widened()
+    if machines[1].int_bits < machines[0].int_bits:
+        retype_decisions(dependence, machines[0].int_bits, target.wider_names)
+    units = list(program.program.units)
+    macros = macros_of(units, program.copies)
+    adapted = {use.name for use in dependence.adapters}
+    given = {copy: path for path, copy in program.places.items()}
+    folders, defines = [str(d) for d in files.include_dirs], list(files.defines)
+    typed = {
+        unit.path: typed_unit(
+            unit, given.get(unit.path, unit.path), program.copies[unit.path], macros, api, machines, folders, defines, adapted
+        )
+        for unit in units
+    }
+    renamed = {c.element.name: c.changes[0].replacement for c in dependence.dispositions if RENAME in c.rules and c.changes}
+    return widenings(units, program.copies, typed, machines, target.wider_names, renamed)

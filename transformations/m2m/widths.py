@@ -1,0 +1,136 @@
+"""What a program's text changes so that its numbers keep the widths of the source, as decisions of a plan.
+
+A decision is about one declaration or macro and has all changes in it. Which expressions are concerned is found by
+`width_rules`, where each change goes by `width_changes`; types of declarations are `queries.width_types`'.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2m.platform_dependence import Dependence
+from robosmi.transformations.m2m.width_changes import Edit, Writer
+from robosmi.transformations.m2m.width_rules import Walk, Want
+from robosmi.transformations.queries.numbers import Machine
+from robosmi.transformations.queries.typed import Typed
+from robosmi.transformations.queries.width_types import retyped, retyped_words
+
+TYPE = "type"
+"""The rule of a change of a declared type."""
+_REASONS = {
+    TYPE: "the type has as many bits as on the source",
+    "widen": "the source computes it in more bits",
+    "unsigned-char": "plain char has no sign on the source",
+    "wider-function": "the function or macro has as many bits as on the source",
+    "spelled-out": "the source computes it in more bits before it stores it",
+    "format": "the text names what is passed",
+}
+
+
+@dataclass
+class Widened:
+    """What is written otherwise in a program.
+
+    Attributes:
+        widenings: the decisions, in the order of units and lines.
+        lost: what has to be written otherwise and finds no place.
+    """
+
+    widenings: list[migration.Widening] = field(default_factory=list)
+    lost: list[Want] = field(default_factory=list)
+
+
+def widenings(
+    units: Sequence[ccode.SourceUnit],
+    texts: Mapping[str, bytes],
+    typed: Mapping[str, list[Typed]],
+    machines: tuple[Machine, Machine],
+    names: Mapping[str, str],
+    renamed: Mapping[str, str],
+) -> Widened:
+    """What has to be written otherwise in a program.
+
+    Args:
+        units: of the program.
+        texts: path of a unit -> its bytes.
+        typed: path of a unit -> what it declares and does, with types.
+        machines: what source and target compute in.
+        names: name of a standard function, type or macro with an int in it -> its wider sister.
+        renamed: names that the program's own declarations get otherwise.
+    """
+    here, there = machines
+    walk = Walk(here, there, names)
+    for unit in units:
+        walk.run(typed.get(unit.path, []))
+    writer = Writer(texts, walk)
+    edits = [e._replace(text=_renamed(e.text, renamed)) for e in writer.edits()]
+    if there.int_bits < here.int_bits:
+        edits += [edit for unit in units for edit in _types(unit, texts[unit.path], here, names)]
+    made = Widened(lost=writer.lost)
+    for unit in units:
+        made.widenings += _decisions(unit, [e for e in edits if e.unit == unit.path])
+    return made
+
+
+def retype_decisions(dependence: Dependence, bits: int, names: Mapping[str, str]) -> None:
+    """Write the types in what other decisions put into the text, and those of adapters, as the program's text has them then.
+
+    Args:
+        dependence: the decisions.
+        bits: the width of int on the source.
+        names: types of the standard library with an int in them -> their wider sisters.
+    """
+    for disposition in dependence.dispositions:
+        copy = disposition.hoisted
+        for change in (*disposition.changes, *(copy.changes if copy is not None else ())):
+            change.replacement = retyped(change.replacement, bits, names)
+    for use in dependence.adapters:
+        for kind in (use.result, *(p.valueType for p in use.parameters)):
+            if kind is not None:
+                kind.spelling = retyped(kind.spelling, bits, names)
+                kind.emptyValue = retyped(kind.emptyValue, bits, names) if kind.emptyValue else kind.emptyValue
+    for symbol in dependence.symbols:
+        if symbol.placeholder:
+            symbol.placeholder = retyped(symbol.placeholder, bits, names)
+
+
+def _renamed(text: str, renamed: Mapping[str, str]) -> str:
+    return re.sub(r"[A-Za-z_]\w*", lambda word: renamed.get(word[0], word[0]), text) if renamed else text
+
+
+def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[Edit]:
+    """Types of declarations; that of main is the language's."""
+    heads = [
+        (int(d.startOffset), int(d.body.startOffset))
+        for d in unit.declarations
+        if isinstance(d, ccode.Function) and d.name == "main" and d.body is not None
+    ]
+    for start, end, text in retyped_words(data, here.int_bits, names):
+        if not any(first <= start < behind for first, behind in heads):
+            yield Edit(unit.path, start, end, text, TYPE)
+
+
+def _decisions(unit: ccode.SourceUnit, edits: Iterable[Edit]) -> Iterator[migration.Widening]:
+    """The changes of a unit, those of one declaration or macro together."""
+    tops: list[ccode.Located] = sorted(
+        [*unit.declarations, *unit.macros], key=lambda e: (int(e.startOffset), -int(e.endOffset))
+    )
+    found: dict[ccode.Located | None, list[Edit]] = {}
+    for edit in edits:
+        owner = next((t for t in tops if t.startOffset <= edit.start and edit.end <= t.endOffset), None)
+        found.setdefault(owner, []).append(edit)
+    for owner in sorted(found, key=lambda o: int(o.startOffset) if o is not None else -1):
+        reasons = dict.fromkeys(_REASONS[e.rule] for e in found[owner])
+        yield migration.Widening(
+            element=owner, choice="fix", chosenBy=migration.ChosenBy.rule, confidence=1.0, evidence=list(reasons),
+            changes=[
+                migration.TextChange(
+                    unit=unit, startOffset=e.start, endOffset=e.end, replacement=e.text, rule=e.rule, reason=_REASONS[e.rule],
+                    step=migration.Step.code,
+                )
+                for e in sorted(found[owner], key=lambda e: e.start)
+            ],
+        )  # fmt: skip
