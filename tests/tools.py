@@ -14,8 +14,11 @@ import pytest
 from robosmi.plugins import content
 from robosmi.verify.simulation import Engine
 
-KNOWN_PLACES = {"arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h")}
-"""Things that are no programs: name -> a file that is there if it is installed (Debian)."""
+KNOWN_PLACES = {
+    "arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h"),
+    "gcc-32-bits": Path("/usr/lib32/libc.so"),
+}
+"""Things that are no programs: name -> a file that is there if it is installed (Debian; the last is of gcc-multilib)."""
 
 
 def require_tools(*names: str) -> None:

@@ -54,7 +54,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--adapters", choices=("filled", "placeholders"), help="bodies of adapters")
     parser.add_argument(
         "--widths", choices=("fix", "keep"), default="fix",
-        help="fix: numbers keep the widths that they have on the source; keep: the text stays, with a finding where it may matter",
+        help="fix: numbers keep the widths of the source; keep: the text stays, with a finding where it may matter",
     )  # fmt: skip
     parser.add_argument(
         "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"

@@ -45,7 +45,7 @@ from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, d
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_binding import bind_ports
-from robosmi.transformations.m2m.widths import Widened
+from robosmi.transformations.m2m.widths import Widened, lost_findings
 from robosmi.transformations.queries.plan import library_json
 
 GIVEN = (
@@ -258,6 +258,7 @@ def models(
     if settings.libraries and not target.libraries:
         message = f"the target '{target.target}' has no libraries: those of the project file are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))
+    findings += lost_findings(widenings, list(program.program.units), program.copies)
     findings += history_findings(earlier)
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,

@@ -1,10 +1,10 @@
-"""The step of a migration that keeps the widths of a program's numbers: its expressions are read with types, and written wider."""
+"""The step of a migration that keeps the widths of a program's numbers: expressions are read with types, and written wider."""
 
 from __future__ import annotations
 
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.target_platform import TargetFacts
+from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.m2m.widths import Widened, retype_decisions, widenings
@@ -28,7 +28,8 @@ def widened(
         policy: `fix` or `keep`.
     """
     source, there = dependence.source, target.model.platform
-    assert source is not None and there is not None
+    assert source is not None
+    assert there is not None
     machines = Machine.of(source), Machine.of(there)
     same = machines[1].int_bits >= machines[0].int_bits and machines[1].char_signed == machines[0].char_signed
     if policy == KEEP or same:
@@ -47,4 +48,4 @@ def widened(
         for unit in units
     }
     renamed = {c.element.name: c.changes[0].replacement for c in dependence.dispositions if RENAME in c.rules and c.changes}
-    return widenings(units, program.copies, typed, machines, target.wider_names, renamed)
+    return widenings(units, program.copies, typed, machines, target.wider_names, renamed, target.language == CPLUSPLUS)

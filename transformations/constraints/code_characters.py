@@ -16,9 +16,9 @@ from robosmi.validate import Fail
 
 
 def is_resigned() -> bool:
-    """Whether there is a move between platforms on which plain char differs in its sign."""
+    """Whether there is a move between platforms on which plain char differs in its sign, and its values are read as they are."""
     m = move()
-    return m is not None and m.here.char_signed != m.there.char_signed
+    return m is not None and m.here.char_signed != m.there.char_signed and not m.fixed
 
 
 units = moved.context(ccode.SourceUnit, guard=lambda _: is_resigned())

@@ -65,6 +65,11 @@ class Move:
         """Whether int has fewer bits on the target."""
         return self.there.int_bits < self.here.int_bits
 
+    @property
+    def fixed(self) -> bool:
+        """Whether the text is written so that numbers keep their widths."""
+        return self.plan.widths is migration.Widths.fix
+
     @cached_property
     def numbers(self) -> Numbers:
         """The program's numbers on the target."""
@@ -157,9 +162,9 @@ def the_move() -> Move:
 
 
 def is_narrower() -> bool:
-    """Whether there is a move, to a narrower int."""
+    """Whether there is a move to a narrower int, and the text is carried over as it is."""
     found = move()
-    return found is not None and found.narrower
+    return found is not None and found.narrower and not found.fixed
 
 
 @moved.pre

@@ -11,7 +11,7 @@ from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.transformations.constraints.code_move import Move, is_narrower, moved, place, the_move, together
+from robosmi.transformations.constraints.code_move import Move, is_narrower, move, moved, place, the_move, together
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Number
 from robosmi.transformations.queries.ranges import Range
@@ -22,6 +22,7 @@ _CUT = ARITHMETIC | {"&", "|", "^"}
 _LARGE = 256  # a factor, or what a shift multiplies with, that takes a value of two digits beyond 16 bits
 
 units = moved.context(ccode.SourceUnit, guard=lambda _: is_narrower())
+sizes = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not None and m.narrower)
 literals = moved.context(ccode.IntegerLiteral, guard=lambda x: x.value > 0x7FFF and is_narrower())
 macros = moved.context(ccode.NameReference, guard=lambda r: r.target is None and is_narrower() and _is_far(r))
 enumerators = moved.context(
@@ -36,13 +37,14 @@ def IsDeclaredInt(unit: ccode.SourceUnit) -> Any:
     """No variable, parameter or result of type int is carried over to a narrower one."""
     m = the_move()
     narrow = [
-        t
+        t.eContainer()
         for t in m.view(unit).of_kind(ccode.TypeUse)
         if t.bits == m.here.int_bits and t.pointerDepth == 0 and _says_int(t.canonical or t.spelling) and not _is_fixed(m, t)
     ]  # fmt: skip
-    return not narrow or Fail(
+    return not narrow or together(
         f"int has {m.here.int_bits} bits on {m.source.name} and {m.there.int_bits} on {m.target.name}: "
-        f"{len(narrow)} declaration(s) of type int are carried over as they are"
+        f"{len(narrow)} declaration(s) of type int are carried over as they are",
+        [x for x in narrow if isinstance(x, ccode.Located)],
     )
 
 
@@ -134,7 +136,11 @@ def _goes(m: Move, top: Any, parent: Any) -> tuple[Number, str] | None:
         parent = parent.eContainer()
     if isinstance(parent, ccode.Variable):
         number, called = m.numbers.declared(parent.valueType), f"'{parent.name}'"
-    elif isinstance(parent, ccode.Assignment) and parent.right is top and parent.operator in ("=", "+=", "-="):
+    elif (
+        isinstance(parent, ccode.Assignment)
+        and parent.right is top
+        and parent.operator in ("=", "+=", "-=", "*=", "|=", "&=", "^=")
+    ):
         number, called = m.numbers.of(parent.left), "what it is assigned to,"
     elif isinstance(parent, ccode.Cast):
         number, called = m.numbers.of(parent), "the type it is converted to,"
@@ -183,12 +189,15 @@ def StaysWithinInt(b: ccode.Binary) -> Any:
 def MayPassInt(unit: ccode.SourceUnit) -> Any:
     """No product or shift of values from outside may pass the target's int."""
     m = the_move()
-    some = [b for b in m.view(unit).of_kind(ccode.Binary) if b.operator in ("*", "<<") and _may_pass(m, b)]
-    many = len(some) > 1
+    view = m.view(unit)
+    some: list[Any] = [b for b in view.of_kind(ccode.Binary) if b.operator in ARITHMETIC and _may_pass(m, b)]
+    some += [a for a in view.of_kind(ccode.Assignment) if a.operator[:-1] in ARITHMETIC and _may_leave(m, a)]
+    some.sort(key=lambda e: int(e.startOffset))
     return not some or together(
-        f"{len(some)} product{'s' * many} or shift{'s' * many} of int{'' if many else ' may'}"
-        f"{' may' if many else ''} pass {m.there.int_bits} bits, by values that the text does not give", some,
-    )  # fmt: skip
+        f"{len(some)} sum(s), product(s) or shift(s) of int may pass {m.there.int_bits} bits, by values that the text does "
+        "not give",
+        some,
+    )
 
 
 def _narrow(m: Move, b: ccode.Binary) -> Number | None:
@@ -245,8 +254,23 @@ def _may_pass(m: Move, b: ccode.Binary) -> bool:
     value = m.ranges.of(b)
     if value is not None:
         return not value.given and not value.within(number.least, number.most)
-    left, right = m.ranges.of(b.left), m.ranges.of(b.right)
-    if b.operator == "<<":
+    return _is_far_by(m, b.operator, m.ranges.of(b.left), m.ranges.of(b.right), number)
+
+
+def _may_leave(m: Move, a: ccode.Assignment) -> bool:
+    """Whether what is added up, multiplied or shifted in a variable may pass it."""
+    number, wide = m.numbers.of(a.left), m.numbers.of(a.right)
+    if number is None or number.real or number.fixed or number.bits != m.there.int_bits or (wide is not None and wide.real):
+        return False
+    return _is_far_by(m, a.operator[:-1], None, m.ranges.of(a.right), number)
+
+
+def _is_far_by(m: Move, operator: str, left: Range | None, right: Range | None, number: Number) -> bool:
+    """Whether an operation on what comes from outside may pass a type; small steps and factors say nothing."""
+    if operator in ("+", "-"):
+        small = left if left is not None else right
+        return small is None or max(abs(small.low), abs(small.high)) >= _LARGE
+    if operator == "<<":
         return (right is not None and right.single and 8 <= right.low < number.bits) or (right is None and left is not None)
     factor = left or right
     return factor is not None and factor.given and max(abs(factor.low), abs(factor.high)) >= _LARGE
@@ -288,7 +312,7 @@ def _upwards(expression: Any) -> Iterator[tuple[Any, Any]]:
         one, parent = parent, parent.eContainer()
 
 
-@units.critique(
+@sizes.critique(
     id="RS315", info=True, location=place, advice="check what the number of bytes is for: a file, a message, a memory"
 )
 def KeepsItsSize(unit: ccode.SourceUnit) -> Any:
@@ -308,6 +332,8 @@ def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
     if kind.depth and not kind.array:
         return m.there.pointer_bits < m.here.pointer_bits
     here, there = m.here.number(kind.base), m.there.number(kind.base)
+    if m.fixed and _says_int(kind.base):
+        return False
     return here is not None and there is not None and there.bits < here.bits
 
 

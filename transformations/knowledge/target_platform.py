@@ -297,7 +297,9 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
             pinFunctions=data.get("pin_functions", ()),
             standardHeaders=data["standard_headers"],
             widths=[platform.TypeWidth(sourceType=wide, targetType=kept) for wide, kept in data["widths"].items()],
-            widerNames=[platform.TypeWidth(sourceType=name, targetType=kept) for name, kept in data.get("wider_names", {}).items()],
+            widerNames=[
+                platform.TypeWidth(sourceType=name, targetType=kept) for name, kept in data.get("wider_names", {}).items()
+            ],
             names=_names(folder, project),
             **{key: data[key] for key in _NUMBERS},
         )

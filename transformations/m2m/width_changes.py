@@ -11,15 +11,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from robosmi.transformations.m2m.width_rules import NAME, READ, SHIFT, WIDEN, Walk, Want
+from robosmi.transformations.m2m.width_rules import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Walk, Want
 from robosmi.transformations.queries.numbers import Number
-from robosmi.transformations.queries.typed import Place, Typed
+from robosmi.transformations.queries.typed import TextPlace, TypedExpression
 
 _LITERAL = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uU]?)([lL]*)")
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
 
 
-class Edit(NamedTuple):
+class WidthEdit(NamedTuple):
     """A change of a unit's text: range, new text, rule."""
 
     unit: str
@@ -45,19 +45,28 @@ class Writer:
     Attributes:
         texts: path of a unit -> its bytes.
         walk: the walk that found the wants.
+        lambdas: the target's language has functions without names.
         lost: what found no place.
     """
 
     texts: Mapping[str, bytes]
     walk: Walk
+    lambdas: bool = True
     lost: list[Want] = field(default_factory=list)
-    _casts: dict[Place, _Cast] = field(default_factory=dict)
-    _edits: dict[Edit, None] = field(default_factory=dict)
+    _casts: dict[TextPlace, _Cast] = field(default_factory=dict)
+    _edits: dict[WidthEdit, None] = field(default_factory=dict)
 
-    def edits(self) -> list[Edit]:
+    def edits(self) -> list[WidthEdit]:
         """All changes; of those at one place the ones that stand outside come first."""
         for want in self.walk.wants:
-            done = {WIDEN: self._widen, READ: self._read, NAME: self._name, SHIFT: self._shift}.get(want.rule, lambda _: True)
+            done = {
+                WIDEN: self._widen,
+                READ: self._read,
+                NAME: self._name,
+                SHIFT: self._shift,
+                TEXT: self._text,
+                ORDER: self._order,
+            }[want.rule]
             if not done(want):
                 self.lost.append(want)
         for place in sorted(self._casts, key=lambda p: (p.unit, p.start, -p.end)):
@@ -66,12 +75,12 @@ class Writer:
             words += [("(uint8_t)", READ)] if cast.read else []
             if cast.enclosed:
                 words[-1] = (words[-1][0] + "(", words[-1][1])
-                self._edits[Edit(place.unit, place.end, place.end, ")", words[-1][1])] = None
+                self._edits[WidthEdit(place.unit, place.end, place.end, ")", words[-1][1])] = None
             for word, rule in words:
-                self._edits[Edit(place.unit, place.start, place.start, word, rule)] = None
+                self._edits[WidthEdit(place.unit, place.start, place.start, word, rule)] = None
         return list(self._edits)
 
-    def _slice(self, place: Place) -> str:
+    def _slice(self, place: TextPlace) -> str:
         return self.texts[place.unit][place.start : place.end].decode("latin-1")
 
     def _widen(self, want: Want) -> bool:
@@ -83,7 +92,7 @@ class Writer:
             match = _LITERAL.fullmatch(self._slice(place))
             if match is not None:
                 letters = ("" if number.signed else match[2] or "U") + ("LL" if number.bits > 32 else "L")
-                self._edits[Edit(place.unit, place.start, place.end, match[1] + letters, WIDEN)] = None
+                self._edits[WidthEdit(place.unit, place.start, place.end, match[1] + letters, WIDEN)] = None
                 return True
         place_ = self._place(node, {f"{number.bits} {number.signed} {k}" for k in ("number", "char", "character")}, number)
         if place_ is None:
@@ -100,16 +109,16 @@ class Writer:
         self._cast(place, want.node).read = True
         return True
 
-    def _cast(self, place: Place, node: Typed) -> _Cast:
+    def _cast(self, place: TextPlace, node: TypedExpression) -> _Cast:
         cast = self._casts.setdefault(place, _Cast())
         cast.enclosed = cast.enclosed or (node.form in _COMPOUND_FORMS and not self._enclosed(place, node))
         return cast
 
-    def _enclosed(self, place: Place, node: Typed) -> bool:
+    def _enclosed(self, place: TextPlace, node: TypedExpression) -> bool:
         """Whether an expression stands in parentheses, or is written as the use of a macro."""
         return (node.bracketed and place in node.places) or re.fullmatch(r"\w+(\s*\(.*\))?", self._slice(place), re.S) is not None
 
-    def _place(self, node: Typed, fits: set[str], number: Number | None) -> Place | None:
+    def _place(self, node: TypedExpression, fits: set[str], number: Number | None) -> TextPlace | None:
         """Where a conversion may be written: the outermost place whose uses all fit it."""
         for place in dict.fromkeys((*node.places, *node.inner)):
             seen = self.walk.seen.get(place, set())
@@ -126,7 +135,29 @@ class Writer:
         place = want.node.inner[0]
         if not re.fullmatch(r"\w+", self._slice(place)):
             return False
-        self._edits[Edit(place.unit, place.start, place.end, want.text, NAME)] = None
+        self._edits[WidthEdit(place.unit, place.start, place.end, want.text, NAME)] = None
+        return True
+
+    def _text(self, want: Want) -> bool:
+        """The letter for 32 bits in a format."""
+        written = want.node.text
+        if want.text or "PRI" in written or "SCN" in written:
+            return not want.text  # the target's own macros name its widths
+        place = next((p for p in want.node.inner if self._slice(p) == written), None)
+        if place is None:
+            return False
+        for offset in want.offsets:
+            self._edits[WidthEdit(place.unit, place.start + offset, place.start + offset, "l", TEXT)] = None
+        return True
+
+    def _order(self, want: Want) -> bool:
+        """A function that the library calls for an int, handed over so that its sign is what the library gets."""
+        place = next(iter(want.node.inner), None)
+        if place is None or not self.lambdas or not re.fullmatch(r"&?\s*\w+", self._slice(place)):
+            return False
+        name = self._slice(place).lstrip("& \t\n")
+        text = f"[](const void *a, const void *b) -> int {{ int32_t order = {name}(a, b); return (order > 0) - (order < 0); }}"
+        self._edits[WidthEdit(place.unit, place.start, place.end, text, ORDER)] = None
         return True
 
     def _shift(self, want: Want) -> bool:
@@ -145,14 +176,14 @@ class Writer:
         start = first.end + middle.index(operator)
         read = "(uint8_t)" if left.kind.char and self.walk.resigned else ""
         written = f"= ({_spelt(want.number)}){read}{self._slice(first)} {want.text}"
-        self._edits[Edit(whole.unit, start, start + len(operator), written, SHIFT)] = None
+        self._edits[WidthEdit(whole.unit, start, start + len(operator), written, SHIFT)] = None
         if right.form in _COMPOUND_FORMS and not right.bracketed:
-            self._edits[Edit(whole.unit, second.start, second.start, "(", SHIFT)] = None
-            self._edits[Edit(whole.unit, second.end, second.end, ")", SHIFT)] = None
+            self._edits[WidthEdit(whole.unit, second.start, second.start, "(", SHIFT)] = None
+            self._edits[WidthEdit(whole.unit, second.end, second.end, ")", SHIFT)] = None
         return True
 
 
-def _plain(node: Typed) -> bool:
+def _plain(node: TypedExpression) -> bool:
     """Whether an expression can be written twice: nothing in it is called or counted."""
     if node.form in ("call", "assign", "compound") or node.operator in ("++", "--"):
         return False

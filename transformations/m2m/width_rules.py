@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from robosmi.transformations.m2m.width_formats import conversions, has_format, wanted
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
-from robosmi.transformations.queries.typed import Kind, Place, Typed
+from robosmi.transformations.queries.typed import NumberKind, TextPlace, TypedExpression
 
-WIDEN, READ, NAME, SHIFT, TEXT = "widen", "unsigned-char", "wider-function", "spelled-out", "format"
+WIDEN, READ, NAME, SHIFT, TEXT, ORDER = "widen", "unsigned-char", "wider-function", "spelled-out", "format", "order"
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
@@ -25,18 +26,20 @@ class Want:
     """A place that has to be written otherwise.
 
     Attributes:
-        rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out` or `format`.
+        rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out`, `format` or `order`.
         node: the expression.
         number: the type wanted by `widen`.
         text: the new name, or the operator that is spelled out.
         other: the right side of what is spelled out.
+        offsets: where a format names too few bits.
     """
 
     rule: str
-    node: Typed
+    node: TypedExpression
     number: Number | None = None
     text: str = ""
-    other: Typed | None = None
+    other: TypedExpression | None = None
+    offsets: tuple[int, ...] = ()
 
 
 @dataclass
@@ -48,6 +51,7 @@ class Walk:
         names: name of a standard function or macro with int in its type -> its wider sister.
         wants: what has to be written otherwise, in the order of the walk.
         seen: place in a macro's body or argument -> what was read there: one use may have an int where another has a float.
+        handing: functions of the program that hand a format on to the standard library.
         changed: places that are assigned to or whose address is taken, so that no conversion can be written there.
     """
 
@@ -55,10 +59,11 @@ class Walk:
     there: Machine
     names: Mapping[str, str] = field(default_factory=dict)
     wants: list[Want] = field(default_factory=list)
-    seen: dict[Place, set[str]] = field(default_factory=dict)
-    changed: set[Place] = field(default_factory=set)
+    seen: dict[TextPlace, set[str]] = field(default_factory=dict)
+    changed: set[TextPlace] = field(default_factory=set)
+    handing: set[str] = field(default_factory=set)
 
-    def run(self, top: list[Typed]) -> None:
+    def run(self, top: list[TypedExpression]) -> None:
         """Walk over what a unit declares."""
         for node in top:
             self.value(node)
@@ -68,7 +73,7 @@ class Walk:
         """Whether plain char has a sign on the target and none on the source."""
         return self.there.char_signed and not self.here.char_signed
 
-    def value(self, node: Typed) -> Number | None:
+    def value(self, node: TypedExpression) -> Number | None:
         """What an expression is on the target, where it is used as its context does."""
         rule = _RULES.get(node.form)
         number = rule(self, node) if rule is not None else self._others(node)
@@ -79,7 +84,7 @@ class Walk:
             return self._read(node, number)
         return number
 
-    def _read(self, node: Typed, number: Number | None) -> Number | None:
+    def _read(self, node: TypedExpression, number: Number | None) -> Number | None:
         """A plain char whose value is needed."""
         high = node.form == "character" and node.value is not None and 127 < node.value < 256
         if high or (node.kind.char and node.form != "character"):
@@ -87,39 +92,39 @@ class Walk:
             return Number(8, False)
         return number
 
-    def widen(self, node: Typed, number: Number) -> None:
+    def widen(self, node: TypedExpression, number: Number) -> None:
         """Have an operand in a wider type."""
         self.wants.append(Want(WIDEN, node, number))
 
     # ---- what has no operator of its own
 
-    def _others(self, node: Typed) -> Number | None:
+    def _others(self, node: TypedExpression) -> Number | None:
         for child in node.children:
             self.value(child)
         return node.kind.target
 
-    def _literal(self, node: Typed) -> Number | None:
+    def _literal(self, node: TypedExpression) -> Number | None:
         text = node.text.lower()
         suffix = text[len(text.rstrip("ul")) :]
         decimal = not (text.startswith("0") and len(text.rstrip("ul")) > 1)
         return self.there.constant(node.value, suffix, decimal=decimal) if node.value is not None else None
 
-    def _character(self, node: Typed) -> Number | None:
+    def _character(self, node: TypedExpression) -> Number | None:
         if node.value is not None and not -128 <= node.value < 256:
             return self.there.integer
         return Number(8, self.there.char_signed)
 
-    def _name(self, node: Typed) -> Number | None:
+    def _name(self, node: TypedExpression) -> Number | None:
         self._others(node)
         return node.kind.number if node.origin == "platform" else node.kind.target
 
-    def _macro(self, node: Typed) -> Number | None:
+    def _macro(self, node: TypedExpression) -> Number | None:
         if node.name in self.names:
             self.wants.append(Want(NAME, node, text=self.names[node.name]))
             return node.kind.number
         return None
 
-    def _member(self, node: Typed) -> Number | None:
+    def _member(self, node: TypedExpression) -> Number | None:
         self._others(node)
         declared = node.kind.target
         if node.bits < 0 or declared is None:
@@ -128,7 +133,7 @@ class Walk:
             return self.there.integer
         return Number(self.there.int_bits, False) if node.bits == self.there.int_bits else declared
 
-    def _call(self, node: Typed) -> Number | None:
+    def _call(self, node: TypedExpression) -> Number | None:
         arguments = node.children[1:]
         if node.origin == "platform":
             self._arguments_of_adapter(node)
@@ -136,28 +141,52 @@ class Walk:
         if node.children:
             self.value(node.children[0])
         numbers = [self.value(argument) for argument in arguments]
+        if node.fixed > 0 and (has_format(node.name) if node.origin == "standard" else node.name in self.handing):
+            self._format(node, arguments, numbers)
+        elif node.origin != "standard":
+            first = node.fixed if node.fixed >= 0 else len(arguments)  # of what the parameters do not name
+            for argument, number in zip(arguments[first:], numbers[first:], strict=True):
+                passed = argument.converted.number
+                if passed is not None and not passed.real and self._promoted(number) != passed:
+                    self.widen(argument, passed)
         if node.origin != "standard":
-            for argument, number in zip(arguments, numbers, strict=True):
-                wanted = argument.converted.number
-                if 0 <= node.fixed <= arguments.index(argument) and wanted is not None and not wanted.real:
-                    if self._promoted(number) != wanted:
-                        self.widen(argument, wanted)
             return node.kind.target
+        if node.name in _ORDERED and len(arguments) > _ORDERED[node.name]:
+            self.wants.append(Want(ORDER, arguments[_ORDERED[node.name]]))
         if node.name in self.names and node.children:
             self.wants.append(Want(NAME, node.children[0], text=self.names[node.name]))
             return node.kind.number
-        if 0 <= node.fixed:
-            self.wants.append(Want(TEXT, node))
         return self.there.number(node.kind.base) if node.kind.base in _PLAIN else node.kind.target
 
-    def _arguments_of_adapter(self, node: Typed) -> None:
+    def _format(self, node: TypedExpression, arguments: list[TypedExpression], numbers: list[Number | None]) -> None:
+        """What is passed for a format, and the format itself."""
+        text, reads = arguments[node.fixed - 1], node.name.endswith("scanf")
+        if text.form != "text":
+            self.wants.append(Want(TEXT, text, text="?"))
+            return
+        offsets = []
+        given = zip(conversions(text.text, reads), arguments[node.fixed :], numbers[node.fixed :], strict=False)
+        for conversion, argument, number in given:
+            length, letter, offset = conversion
+            if reads:
+                wide = not length and letter in "diuxXo"
+            else:
+                sure = argument.form == "literal"
+                wide, made = wanted(self.there, conversion, self._promoted(number), argument.converted.number, sure)
+                if made is not None:
+                    self.widen(argument, made)
+            offsets += [offset] if wide else []
+        if offsets:
+            self.wants.append(Want(TEXT, text, offsets=tuple(offsets)))
+
+    def _arguments_of_adapter(self, node: TypedExpression) -> None:
         """An adapter knows plain char as such and takes what is as wide as on the source."""
         for argument in node.children[1:]:
             if argument.kind.char:
                 argument.converted = argument.kind
             self.value(argument)
 
-    def _cast(self, node: Typed) -> Number | None:
+    def _cast(self, node: TypedExpression) -> Number | None:
         number = node.kind.number
         for child in node.children:
             if self.resigned and number is not None and (number.real or number.bits > 8) and child.kind.number is not None:
@@ -165,7 +194,7 @@ class Walk:
             self.value(child)
         return node.kind.target
 
-    def _size(self, node: Typed) -> Number | None:
+    def _size(self, node: TypedExpression) -> Number | None:
         self._others(node)
         return Number(self.there.pointer_bits, False)
 
@@ -175,7 +204,7 @@ class Walk:
         made = self.there.promoted(number) if number is not None else None
         return Number(made.bits, made.signed, made.real) if made is not None else None
 
-    def _unary(self, node: Typed) -> Number | None:
+    def _unary(self, node: TypedExpression) -> Number | None:
         if node.operator == "!":
             _as_it_is(node.children)
         number = self.value(node.children[0]) if node.children else None
@@ -190,10 +219,10 @@ class Walk:
             return wanted
         return node.kind.target if node.operator != "&" else None
 
-    def _assigned(self, node: Typed) -> None:
+    def _assigned(self, node: TypedExpression) -> None:
         self.changed.update((*node.places, *node.inner))
 
-    def _binary(self, node: Typed) -> Number | None:
+    def _binary(self, node: TypedExpression) -> Number | None:
         if node.operator in ("&&", "||"):
             _as_it_is(node.children)
         left, right = (self.value(child) for child in node.children[:2])
@@ -218,7 +247,7 @@ class Walk:
             self._agree(node.kind.number, (first, left), (second, right))
         return node.kind.number
 
-    def _agree(self, wanted: Number | None, *operands: tuple[Typed, Number | None]) -> None:
+    def _agree(self, wanted: Number | None, *operands: tuple[TypedExpression, Number | None]) -> None:
         """Have two operands that are computed with in the type wanted."""
         if wanted is None or wanted.real:
             return
@@ -227,7 +256,7 @@ class Walk:
         if (common.bits, common.signed) != (wanted.bits, wanted.signed):
             self.widen(min(operands, key=lambda o: self._reluctance(o[0], o[1], wanted))[0], wanted)
 
-    def _reluctance(self, node: Typed, number: Number | None, wanted: Number) -> tuple[bool, ...]:
+    def _reluctance(self, node: TypedExpression, number: Number | None, wanted: Number) -> tuple[bool, ...]:
         """In which order operands are chosen for a conversion.
 
         One that is of the type on the source comes first, then a number that takes a suffix, then what is narrow and simple.
@@ -242,7 +271,7 @@ class Walk:
             node.form in _COMPOUND_FORMS and not node.bracketed,
         )
 
-    def _conditional(self, node: Typed) -> Number | None:
+    def _conditional(self, node: TypedExpression) -> Number | None:
         _as_it_is(node.children[:1])
         numbers = [self.value(child) for child in node.children]
         if len(numbers) == 3 and node.kind.number is not None:
@@ -250,19 +279,19 @@ class Walk:
             return node.kind.number
         return node.kind.target
 
-    def _index(self, node: Typed) -> Number | None:
+    def _index(self, node: TypedExpression) -> Number | None:
         for child in node.children:
             if child.kind.char:  # an index of type char is converted nowhere else
-                child.converted = Kind(self.here.integer)
+                child.converted = NumberKind(self.here.integer)
             self.value(child)
         return node.kind.target
 
-    def _assign(self, node: Typed) -> Number | None:
+    def _assign(self, node: TypedExpression) -> Number | None:
         numbers = [self.value(child) for child in node.children]
         self._assigned(node.children[0])
         return numbers[0]
 
-    def _compound(self, node: Typed) -> Number | None:
+    def _compound(self, node: TypedExpression) -> Number | None:
         left, right = node.children[:2]
         first, second = self.value(left), self.value(right)
         self._assigned(left)
@@ -285,7 +314,7 @@ class Walk:
             self.widen(right, wanted)
         return first
 
-    def _switch(self, node: Typed) -> Number | None:
+    def _switch(self, node: TypedExpression) -> Number | None:
         for child in node.children[1:]:
             self.value(child)
         selector = node.children[0]
@@ -298,17 +327,19 @@ class Walk:
         return None
 
 
-def _as_it_is(nodes: list[Typed]) -> None:
+def _as_it_is(nodes: list[TypedExpression]) -> None:
     """Operands that are only compared with zero: a plain char needs no conversion there."""
     for node in nodes:
         if node.kind.char:
             node.converted = node.kind
 
 
+_ORDERED = {"qsort": 3, "bsearch": 4}
+"""Functions of the standard library that call one of the program's for an int, and which argument that is."""
 _PLAIN = frozenset(["int", "unsigned int"])
 
 
-def _seen_as(machine: Machine, node: Typed) -> str:
+def _seen_as(machine: Machine, node: TypedExpression) -> str:
     number = node.kind.number
     if number is None:
         return "pointer" if node.kind.pointer else "other"
@@ -319,7 +350,7 @@ def _seen_as(machine: Machine, node: Typed) -> str:
     return f"{promoted.bits} {promoted.signed} {char}"
 
 
-def _cases(nodes: list[Typed]) -> Iterator[int | None]:
+def _cases(nodes: list[TypedExpression]) -> Iterator[int | None]:
     """The values of a switch's own cases."""
     for node in nodes:
         if node.form == "case":
@@ -328,7 +359,7 @@ def _cases(nodes: list[Typed]) -> Iterator[int | None]:
             yield from _cases(node.children)
 
 
-_RULES: dict[str, Callable[[Walk, Typed], Number | None]] = {
+_RULES: dict[str, Callable[[Walk, TypedExpression], Number | None]] = {
     "literal": Walk._literal,
     "character": Walk._character,
     "name": Walk._name,

@@ -10,12 +10,14 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2m.platform_dependence import Dependence
-from robosmi.transformations.m2m.width_changes import Edit, Writer
+from robosmi.transformations.m2m.width_changes import WidthEdit, Writer
+from robosmi.transformations.m2m.width_formats import handing_on
 from robosmi.transformations.m2m.width_rules import Walk, Want
 from robosmi.transformations.queries.numbers import Machine
-from robosmi.transformations.queries.typed import Typed
+from robosmi.transformations.queries.typed import TypedExpression
 from robosmi.transformations.queries.width_types import retyped, retyped_words
 
 TYPE = "type"
@@ -27,6 +29,7 @@ _REASONS = {
     "wider-function": "the function or macro has as many bits as on the source",
     "spelled-out": "the source computes it in more bits before it stores it",
     "format": "the text names what is passed",
+    "order": "the function gives more bits than the library takes",
 }
 
 
@@ -46,10 +49,11 @@ class Widened:
 def widenings(
     units: Sequence[ccode.SourceUnit],
     texts: Mapping[str, bytes],
-    typed: Mapping[str, list[Typed]],
+    typed: Mapping[str, list[TypedExpression]],
     machines: tuple[Machine, Machine],
     names: Mapping[str, str],
     renamed: Mapping[str, str],
+    cplusplus: bool = True,
 ) -> Widened:
     """What has to be written otherwise in a program.
 
@@ -60,12 +64,14 @@ def widenings(
         machines: what source and target compute in.
         names: name of a standard function, type or macro with an int in it -> its wider sister.
         renamed: names that the program's own declarations get otherwise.
+        cplusplus: the target's language is C++.
     """
     here, there = machines
     walk = Walk(here, there, names)
+    walk.handing = {name for top in typed.values() for name in handing_on(top)}
     for unit in units:
         walk.run(typed.get(unit.path, []))
-    writer = Writer(texts, walk)
+    writer = Writer(texts, walk, cplusplus)
     edits = [e._replace(text=_renamed(e.text, renamed)) for e in writer.edits()]
     if there.int_bits < here.int_bits:
         edits += [edit for unit in units for edit in _types(unit, texts[unit.path], here, names)]
@@ -73,6 +79,41 @@ def widenings(
     for unit in units:
         made.widenings += _decisions(unit, [e for e in edits if e.unit == unit.path])
     return made
+
+
+def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Mapping[str, bytes]) -> list[Finding]:
+    """RS319: what has to be written otherwise so that it keeps its width, and where no change of text has room.
+
+    Args:
+        widened: what was found.
+        units: of the program.
+        texts: path of a unit -> its bytes.
+    """
+    known = {unit.path for unit in units}
+    found: dict[tuple[str, int, int], Finding] = {}
+    for want in widened.lost:
+        place = next(iter((*want.node.places, *want.node.inner)), None)
+        if place is None or place.unit not in known:
+            continue
+        before = texts[place.unit][: place.start]
+        line, column = before.count(b"\n") + 1, place.start - before.rfind(b"\n")
+        location = Location(place.unit, line, column)
+        found.setdefault(
+            (place.unit, place.start, place.end),
+            Finding("RS319", Severity.warning, f"{_LOST[want.rule]}, and no change of the text fits all its uses", location,
+                    fix="write it with int32_t, or with a cast, in the source"),
+        )  # fmt: skip
+    return [found[key] for key in sorted(found)]
+
+
+_LOST = {
+    "widen": "the source computes this in more bits",
+    "unsigned-char": "plain char has no sign on the source",
+    "wider-function": "the function has fewer bits on the target",
+    "spelled-out": "the source computes this in more bits before it stores it",
+    "order": "the library takes fewer bits than the function gives",
+    "format": "the format is not in the text, and integers that are passed for it have 32 bits",
+}
 
 
 def retype_decisions(dependence: Dependence, bits: int, names: Mapping[str, str]) -> None:
@@ -101,7 +142,7 @@ def _renamed(text: str, renamed: Mapping[str, str]) -> str:
     return re.sub(r"[A-Za-z_]\w*", lambda word: renamed.get(word[0], word[0]), text) if renamed else text
 
 
-def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[Edit]:
+def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[WidthEdit]:
     """Types of declarations; that of main is the language's."""
     heads = [
         (int(d.startOffset), int(d.body.startOffset))
@@ -110,15 +151,13 @@ def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[st
     ]
     for start, end, text in retyped_words(data, here.int_bits, names):
         if not any(first <= start < behind for first, behind in heads):
-            yield Edit(unit.path, start, end, text, TYPE)
+            yield WidthEdit(unit.path, start, end, text, TYPE)
 
 
-def _decisions(unit: ccode.SourceUnit, edits: Iterable[Edit]) -> Iterator[migration.Widening]:
+def _decisions(unit: ccode.SourceUnit, edits: Iterable[WidthEdit]) -> Iterator[migration.Widening]:
     """The changes of a unit, those of one declaration or macro together."""
-    tops: list[ccode.Located] = sorted(
-        [*unit.declarations, *unit.macros], key=lambda e: (int(e.startOffset), -int(e.endOffset))
-    )
-    found: dict[ccode.Located | None, list[Edit]] = {}
+    tops: list[ccode.Located] = sorted([*unit.declarations, *unit.macros], key=lambda e: (int(e.startOffset), -int(e.endOffset)))
+    found: dict[ccode.Located | None, list[WidthEdit]] = {}
     for edit in edits:
         owner = next((t for t in tops if t.startOffset <= edit.start and edit.end <= t.endOffset), None)
         found.setdefault(owner, []).append(edit)

@@ -21,7 +21,12 @@ def decision_of(change: migration.TextChange) -> migration.Decision | None:
 
 def all_changes(plan: migration.MigrationPlan) -> list[migration.TextChange]:
     """Every change of a plan, in the order that says which of two with the same range counts: edits of persons come first."""
-    decisions: tuple[migration.Decision, ...] = (*plan.portBindings, *plan.libraryChoices, *plan.dispositions, *plan.widenings)
+    decisions: tuple[migration.Decision, ...] = (
+        *plan.portBindings,
+        *plan.libraryChoices,
+        *plan.dispositions,
+        *(w for w in plan.widenings if w.choice != "keep"),
+    )
     return [*plan.edits, *(change for decision in decisions for change in decision.changes)]
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from robosmi.transformations.queries.numbers import Number
 
 
-class Place(NamedTuple):
+class TextPlace(NamedTuple):
     """A range of a unit's text.
 
     Attributes:
@@ -27,7 +27,7 @@ class Place(NamedTuple):
     body: bool = False
 
 
-class Kind(NamedTuple):
+class NumberKind(NamedTuple):
     """A type as far as conversions need it.
 
     Attributes:
@@ -45,8 +45,11 @@ class Kind(NamedTuple):
     base: str = ""
 
 
+_UNKNOWN = NumberKind()
+
+
 @dataclass
-class Typed:
+class TypedExpression:
     """An expression, or a statement or declaration that holds some.
 
     Attributes:
@@ -70,11 +73,11 @@ class Typed:
 
     form: str
     operator: str = ""
-    kind: Kind = Kind()
-    converted: Kind = Kind()
-    children: list[Typed] = field(default_factory=list)
-    places: tuple[Place, ...] = ()
-    inner: tuple[Place, ...] = ()
+    kind: NumberKind = _UNKNOWN
+    converted: NumberKind = _UNKNOWN
+    children: list[TypedExpression] = field(default_factory=list)
+    places: tuple[TextPlace, ...] = ()
+    inner: tuple[TextPlace, ...] = ()
     name: str = ""
     origin: str = ""
     text: str = ""

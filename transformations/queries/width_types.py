@@ -28,7 +28,9 @@ def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE)
         names: types of the standard library with an int in them -> their wider sisters; other names do no harm.
     """
     found = list(_plain(data))
-    types = [(start, end, names[text]) for kind, start, end, text in found if kind == "name" and text.endswith("_t") and text in names]
+    types = [
+        (start, end, names[text]) for kind, start, end, text in found if kind == "name" and text.endswith("_t") and text in names
+    ]
     return sorted([*types, *(word for run in _runs(iter(found)) for word in _written(run, bits))])
 
 

@@ -29,7 +29,7 @@ Place = tuple[int, str]
 
 def found(path: Path) -> list[Finding]:
     """What the constraints on the move say of a program without a drawing."""
-    models = plan_migration([path])
+    models = plan_migration([path], widths="keep")
     return [f for f in said(Q(models.plan.findings), models.places) if f.rule in RULES]
 
 
@@ -94,7 +94,7 @@ def test_many_findings_of_a_rule_are_one_with_all_places(tmp_path: Path) -> None
 @pytest.mark.parametrize("rule", RULES)
 def test_check_of_the_stored_plan_says_the_same(rule: str, tmp_path: Path) -> None:
     path = FOLDER / f"{rule}_fails.c"
-    migrate([path], tmp_path)
+    migrate([path], tmp_path, widths="keep")
     again = [f for f in check_model(tmp_path / "models" / "plan.xmi").findings if f.rule == rule]
     first = [f for f in found(path) if f.rule == rule]
     assert {f.message.partition("; and ")[0] for f in first} <= {f.message for f in again}
@@ -102,7 +102,7 @@ def test_check_of_the_stored_plan_says_the_same(rule: str, tmp_path: Path) -> No
 
 
 def test_nothing_is_said_of_a_move_to_a_machine_like_the_source() -> None:
-    models = plan_migration([FOLDER / "RS313_fails.c"])
+    models = plan_migration([FOLDER / "RS313_fails.c"], widths="keep")
     plan = models.plan
     assert plan.source is not None
     assert plan.target is not None

@@ -18,4 +18,4 @@ def test_a_port_whose_value_has_no_one_place_is_not_rewritten(tmp_path: Path) ->
         robosmi.migrate([source], tmp_path / "out", bind={"LAMP": "D8"})
     assert not (tmp_path / "out").exists()
     robosmi.migrate([source], tmp_path / "out")
-    assert "#define LAMP 20 /* first half */ + 6" in (tmp_path / "out" / source.stem / f"{source.stem}.ino").read_text()
+    assert "#define LAMP 20L /* first half */ + 6" in (tmp_path / "out" / source.stem / f"{source.stem}.ino").read_text()

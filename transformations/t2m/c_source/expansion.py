@@ -1,4 +1,4 @@
-"""A text with the uses of the program's own macros replaced by what they stand for, and the way back to where each token is written.
+"""A text with the uses of the program's own macros replaced by what they stand for, and where each token of it is written.
 
 So what a macro computes can be read with types like any other expression, and a change of it finds its place: at the use,
 in the macro's body, or in the argument. Macros of headers that are not the program's stay as they are. Source: ISO/IEC
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.transformations.queries.typed import Place
+from robosmi.transformations.queries.typed import TextPlace
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
@@ -32,7 +32,7 @@ Path = tuple[Frame, ...]
 """The use in the file, the place in its macro's body, the place in the argument for it, and so on to the token itself."""
 
 
-class Piece(NamedTuple):
+class MacroToken(NamedTuple):
     """A token with its way back."""
 
     kind: str
@@ -90,7 +90,9 @@ class Expanded:
         changed: whether it is another than the file's.
     """
 
-    def __init__(self, unit: str, data: bytes, found: Sequence[Token], uses: Iterable[int], macros: Mapping[str, list[Definition]]):
+    def __init__(
+        self, unit: str, data: bytes, found: Sequence[Token], uses: Iterable[int], macros: Mapping[str, list[Definition]]
+    ):
         self.unit = unit
         self._macros = macros
         self._left = MOST_TOKENS
@@ -106,7 +108,7 @@ class Expanded:
         plain = [t for t in found if t[0] != "comment"]
         number = 0
         while number < len(plain):
-            kind, start, end, text = plain[number]
+            kind, start, end, _ = plain[number]
             out += data[done:start]
             done = start
             if start in uses and kind == "name" and (used := self._use(plain, number)) is not None:
@@ -133,12 +135,12 @@ class Expanded:
         self._ends.append(start + len(text))
         self._paths.append(path)
 
-    def _use(self, plain: Sequence[Token], number: int) -> tuple[list[Piece], int, int] | None:
+    def _use(self, plain: Sequence[Token], number: int) -> tuple[list[MacroToken], int, int] | None:
         """What the use of a macro in the file stands for, the number of the token behind it, and its end; None where it stays."""
         macro = self._meant(plain[number][3], plain[number][1])
         if macro is None:
             return None
-        pieces = [Piece(plain[number][0], plain[number][3], (Frame(self.unit, plain[number][1], plain[number][2], False),))]
+        pieces = [MacroToken(plain[number][0], plain[number][3], (Frame(self.unit, plain[number][1], plain[number][2], False),))]
         behind = number + 1
         if macro.parameters is not None:
             if behind >= len(plain) or plain[behind][3] != "(":
@@ -148,7 +150,7 @@ class Expanded:
                 kind, start, end, text = plain[behind]
                 if kind == "directive":
                     return None
-                pieces.append(Piece(kind, text, (Frame(self.unit, start, end, False),)))
+                pieces.append(MacroToken(kind, text, (Frame(self.unit, start, end, False),)))
                 depth += {"(": 1, ")": -1}.get(text, 0) if kind == "punct" else 0
                 behind += 1
                 if depth == 0:
@@ -164,9 +166,9 @@ class Expanded:
         here = [d for d in given if d.unit == self.unit and d.offset < offset]
         return here[-1] if here else next((d for d in given if d.unit != self.unit), None)
 
-    def _expanded(self, pieces: Sequence[Piece], hidden: frozenset[str], offset: int) -> list[Piece] | None:
+    def _expanded(self, pieces: Sequence[MacroToken], hidden: frozenset[str], offset: int) -> list[MacroToken] | None:
         """Tokens with all macros expanded; None when there are too many."""
-        out: list[Piece] = []
+        out: list[MacroToken] = []
         number = 0
         while number < len(pieces):
             piece = pieces[number]
@@ -194,13 +196,13 @@ class Expanded:
         return out
 
     @staticmethod
-    def _call(pieces: Sequence[Piece], number: int, macro: Definition) -> tuple[list[list[Piece]], int] | None:
+    def _call(pieces: Sequence[MacroToken], number: int, macro: Definition) -> tuple[list[list[MacroToken]], int] | None:
         """The arguments of a macro's use, and the number of the token behind it; None where it is no use."""
         if macro.parameters is None:
             return [], number + 1
         if number + 1 >= len(pieces) or pieces[number + 1].text != "(":
             return None
-        arguments: list[list[Piece]] = [[]]
+        arguments: list[list[MacroToken]] = [[]]
         depth, behind = 1, number + 2
         while behind < len(pieces):
             piece = pieces[behind]
@@ -225,11 +227,11 @@ class Expanded:
         return (arguments, behind) if len(arguments) == len(macro.parameters) else None
 
     def _substituted(
-        self, macro: Definition, arguments: list[list[Piece]], prefix: Path, level: int, hidden: frozenset[str], offset: int
-    ) -> list[Piece] | None:
+        self, macro: Definition, arguments: list[list[MacroToken]], prefix: Path, level: int, hidden: frozenset[str], offset: int
+    ) -> list[MacroToken] | None:
         """A macro's body with its arguments."""
         given = dict(zip(macro.parameters or (), arguments, strict=True))
-        out: list[Piece] = []
+        out: list[MacroToken] = []
         body = macro.body
         number = 0
         joins = False
@@ -239,7 +241,7 @@ class Expanded:
             following = body[number + 1][3] if number + 1 < len(body) else ""
             if text == "#" and macro.parameters is not None and following in given:
                 shown = " ".join(p.text for p in given[following]).replace("\\", "\\\\").replace('"', '\\"')
-                out.append(Piece("string", f'"{shown}"', (*prefix, Frame(macro.unit, start, body[number + 1][2], True))))
+                out.append(MacroToken("string", f'"{shown}"', (*prefix, Frame(macro.unit, start, body[number + 1][2], True))))
                 number += 2
                 continue
             if text == "##":
@@ -251,18 +253,18 @@ class Expanded:
                 inner = given[text] if raw else self._expanded(given[text], hidden, offset)
                 if inner is None:
                     return None
-                made = [Piece(p.kind, p.text, (*here, *p.path[level:])) for p in inner]
+                made = [MacroToken(p.kind, p.text, (*here, *p.path[level:])) for p in inner]
             else:
-                made = [Piece(kind, text, here)]
+                made = [MacroToken(kind, text, here)]
             if joins and out and made:
                 last = out.pop()
-                made[0] = Piece(last.kind, last.text + made[0].text, last.path)
+                made[0] = MacroToken(last.kind, last.text + made[0].text, last.path)
             joins = False
             out += made
             number += 1
         return out
 
-    def places(self, start: int, end: int) -> tuple[Place, ...]:
+    def places(self, start: int, end: int) -> tuple[TextPlace, ...]:
         """Where a range of the expanded text can be changed, the outermost place first; none where it is no whole tokens."""
         first = bisect_right(self._starts, start) - 1
         last = bisect_right(self._starts, end - 1) - 1
@@ -271,7 +273,7 @@ class Expanded:
         paths = self._paths
         one, other = paths[first], paths[last]
         if len(one) == 1 and len(other) == 1:
-            return (Place(self.unit, one[0].start, other[0].end),)
+            return (TextPlace(self.unit, one[0].start, other[0].end),)
         before = paths[first - 1] if first else ()
         behind = paths[last + 1] if last + 1 < len(paths) else ()
         found = []
@@ -282,5 +284,5 @@ class Expanded:
                 break
             if before[: level + 1] == one[: level + 1] or behind[: level + 1] == other[: level + 1]:
                 continue
-            found.append(Place(one[level].unit, one[level].start, other[level].end, one[level].body))
+            found.append(TextPlace(one[level].unit, one[level].start, other[level].end, one[level].body))
         return tuple(found)

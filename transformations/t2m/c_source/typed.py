@@ -1,4 +1,4 @@
-"""Expressions of a unit with their types, for the work on widths: the parser's tree of the expanded text as `Typed`.
+"""Expressions of a unit with their types, for the work on widths: the parser's tree of the expanded text as `TypedExpression`.
 
 Types are the parser's own for the source platform; what a declared type is on the target follows the typedefs down to where
 the target's own headers decide (`size_t`). What is done with widths is `m2m.width_rules`'.
@@ -13,7 +13,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.numbers import Machine, Number
-from robosmi.transformations.queries.typed import Kind, Typed
+from robosmi.transformations.queries.typed import NumberKind, TypedExpression
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.expansion import Definition, Expanded, definition
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
@@ -23,14 +23,26 @@ from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
 from robosmi.transformations.t2m.c_source.source import ReadSource
 from robosmi.transformations.t2m.c_source.tree import Node
 
-UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = 100, 111, 101, 102, 103, 112, 114, 115, 117, 119, 203
+UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = (
+    100,
+    111,
+    101,
+    102,
+    103,
+    112,
+    114,
+    115,
+    117,
+    119,
+    203,
+)
 _BOOL, _CHARS, _SIGNED = 3, frozenset((4, 13)), frozenset(range(13, 21))
 _REAL, _POINTERS, _ENUM, _TYPEDEF, _ELABORATED = (21, 22, 23), (101, 112, 113, 114, 115), 106, 107, 119
 _FORMS = {
     NAME: "name", MEMBER: "member", CALL: "call", 106: "literal", 107: "real", 109: "text", 110: "character", UNARY: "unary",
-    113: "index", BINARY: "binary", COMPOUND: "compound", 116: "conditional", CAST: "cast", 118: "cast", LIST: "list", 136: "size",
-    CASE: "case", 205: "if", 206: "switch", 207: "if", 208: "if", 209: "if", 214: "return", 9: "declaration", 8: "function",
-    6: "declaration", 7: "declaration",
+    113: "index", BINARY: "binary", COMPOUND: "compound", 116: "conditional", CAST: "cast", 118: "cast", LIST: "list",
+    136: "size", CASE: "case", 205: "if", 206: "switch", 207: "if", 208: "if", 209: "if", 214: "return", 9: "declaration",
+    8: "function", 6: "declaration", 7: "declaration",
 }  # fmt: skip
 _LITERAL, _PARAMETER, _FUNCTION = 7, 10, 8
 MOST_DEPTH = 400
@@ -62,7 +74,7 @@ def typed_unit(
     include_dirs: Sequence[str] = (),
     defines: Sequence[str] = (),
     platform: Collection[str] = (),
-) -> list[Typed]:
+) -> list[TypedExpression]:
     """What a unit declares and does, with types.
 
     Args:
@@ -100,15 +112,15 @@ class _Reader:
         for expansion in parsed.expansions:
             self.ends.setdefault(expansion.start, expansion.end)
         self.names = {e.start: e.name for e in reversed(parsed.expansions)}
-        self._kinds: dict[str, Kind] = {}
+        self._kinds: dict[str, NumberKind] = {}
 
-    def read(self) -> list[Typed]:
+    def read(self) -> list[TypedExpression]:
         """All of the unit's top level."""
         return [self._made(node, 0) for node in self.parsed.nodes]
 
-    def _made(self, node: Node, depth: int) -> Typed:
+    def _made(self, node: Node, depth: int) -> TypedExpression:
         if depth > MOST_DEPTH:
-            return Typed("other")
+            return TypedExpression("other")
         outer, converted = node, None
         bracketed = False
         while node.kind in (UNEXPOSED, PAREN) and len(node.children) == 1:
@@ -121,7 +133,7 @@ class _Reader:
                 bracketed = True
             node = inner
         form = _FORMS.get(node.kind, "other")
-        made = Typed(form, bracketed=bracketed)
+        made = TypedExpression(form, bracketed=bracketed)
         if 100 <= node.kind < 200:
             made.kind = self.kind(node)
             made.converted = self.kind(converted) if converted is not None else made.kind
@@ -164,7 +176,7 @@ class _Reader:
         self.lib.EvalResult_dispose(found)
         return value
 
-    def _named(self, node: Node, made: Typed) -> None:
+    def _named(self, node: Node, made: TypedExpression) -> None:
         lib = self.lib
         referenced = lib.getCursorReferenced(node.cursor)
         made.name = lib.text(lib.getCursorSpelling(referenced)) or lib.text(lib.getCursorSpelling(node.cursor))
@@ -197,11 +209,11 @@ class _Reader:
 
     # ---- types
 
-    def kind(self, node: Node) -> Kind:
+    def kind(self, node: Node) -> NumberKind:
         """The type of an expression."""
         return self.typed(self.lib.getCursorType(node.cursor))
 
-    def typed(self, kind: Any) -> Kind:
+    def typed(self, kind: Any) -> NumberKind:
         """A type on both platforms."""
         key = f"{kind.kind} {self.lib.text(self.lib.getTypeSpelling(kind))}"
         found = self._kinds.get(key)
@@ -209,13 +221,13 @@ class _Reader:
             found = self._kinds[key] = self._typed(kind)
         return found
 
-    def _typed(self, kind: Any) -> Kind:
+    def _typed(self, kind: Any) -> NumberKind:
         plain = self.lib.getCanonicalType(kind)
         number = self._number(plain)
         if number is None:
-            return Kind(pointer=plain.kind in _POINTERS)
+            return NumberKind(pointer=plain.kind in _POINTERS)
         base = " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(plain)).split() if w not in ("const", "volatile"))
-        return Kind(number, plain.kind in _CHARS, target=self._target(kind), base=base)
+        return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base)
 
     def _number(self, plain: Any) -> Number | None:
         if plain.kind in _REAL:

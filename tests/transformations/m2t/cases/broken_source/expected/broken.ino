@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int n = 0
+int32_t n = 0
   while (1) {
     high(1);
 

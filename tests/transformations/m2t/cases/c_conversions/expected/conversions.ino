@@ -7,13 +7,13 @@
 #include "adapters.h"
 
 enum mode { OFF, ON };
-struct item { int n; struct item *next; };
+struct item { int32_t n; struct item *next; };
 
 enum mode current = (enum mode)0;
 char *title = (char *)"robot";
 unsigned char levels[] = {0, 128, 255};
 
-struct item *make(int n)
+struct item *make(int32_t n)
 {
   struct item *made = (struct item *)malloc(sizeof(struct item));
   made->n = n;
@@ -23,17 +23,17 @@ struct item *make(int n)
 
 void take(char *text, enum mode m) { current = m; title = text; }
 
-int *raw;
+int32_t *raw;
 struct item *list;
 
 void setup() {
-  int address = (int)&levels[1];
-  raw = (int *)calloc(4, sizeof(int));
+  int32_t address = (int32_t)&levels[1];
+  raw = (int32_t *)calloc(4, sizeof(int32_t));
   void *any = raw;
   list = make(1);
   take((char *)"text", (enum mode)1);
-  raw = (int *)any;
-  current = address ? ON : (enum mode)0;
+  raw = (int32_t *)any;
+  current = address ? ON : (enum mode)0L;
 }
 
 void loop() {

@@ -6,7 +6,7 @@
 
 // void cog_end(int *coginfo)  [simpletools.h]
 // called in line 20
-void cog_end(int *coginfo) {
+void cog_end(int32_t *coginfo) {
   // TODO: complete method
   (void)coginfo;
 }
@@ -14,7 +14,7 @@ void cog_end(int *coginfo) {
 // int *cog_run(void (*function)(void *par), int stacksize)  [simpletools.h]
 // called in line 19
 // it starts code on another core there
-int *cog_run(void (*function)(void *par), int32_t stacksize) {
+int32_t *cog_run(void (*function)(void *par), int32_t stacksize) {
   // TODO: complete method
   (void)function;
   (void)stacksize;

@@ -5,8 +5,8 @@
 
 #include "adapters.h"
 
-volatile int shared;
-unsigned int stack[40 + 25];
+volatile int32_t shared;
+uint32_t stack[40L + 25];
 
 void worker(void *par)
 {
@@ -18,11 +18,11 @@ void worker(void *par)
 
 void second(void) { while (1) low(3); }
 
-int cog;
+int32_t cog;
 
 void setup() {
   cog = cogstart(&worker, NULL, stack, sizeof(stack));
-  int *handle = cog_run((void (*)(void *par))second, 10);
+  int32_t *handle = cog_run((void (*)(void *par))second, 10);
   cog_end(handle);
 }
 

@@ -5,11 +5,11 @@
 
 #include "adapters.h"
 
-int pin = 3;  // behind a declaration
+int32_t pin = 3;  // behind a declaration
 
 // Everything below is the program.
 
-int count = 0;
+int32_t count = 0;
 
 void setup() {
   // before the loop

@@ -8,12 +8,12 @@
 #define NEW_BOARD
 
 #ifdef NEW_BOARD
-void lamp(int on)
+void lamp(int32_t on)
 {
   if (on) high(26); else low(26);
 }
 #else
-void lamp(int on)
+void lamp(int32_t on)
 {
   OUTA |= on << 26;
 }

@@ -9,18 +9,18 @@
 
 #if FAST
 #define DELAY 10
-static int step(int n) { return n * 2; }
+static int32_t step(int32_t n) { return n * 2; }
 #else
 #define DELAY 100
-static int step(int n) { return n; }
+static int32_t step(int32_t n) { return n; }
 #endif
 
 #ifdef DEBUG
 #include <stdio.h>
-int debugLevel = 1;
+int32_t debugLevel = 1;
 #endif
 
-int n = 1;
+int32_t n = 1;
 
 void setup() {
 }

@@ -7,7 +7,7 @@
 
 #define LED 5
 
-int n = 0;
+int32_t n = 0;
 
 void setup() {
 #ifdef LED

@@ -5,11 +5,11 @@
 
 #include "adapters.h"
 
-int next;
-int room;
+int32_t next;
+int32_t room;
 
 void setup() {
-  const int base = 5;
+  const int32_t base = 5;
   next = base + 1;
   room = sizeof(next);
 }

@@ -5,8 +5,8 @@
 
 #include "adapters.h"
 
-const int table[4] = {};
-static const int zero = 0;
+const int32_t table[4] = {};
+static const int32_t zero = 0;
 
 void setup() {
 }

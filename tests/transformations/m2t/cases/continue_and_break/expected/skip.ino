@@ -5,14 +5,14 @@
 
 #include "adapters.h"
 
-int mode;
+int32_t mode;
 
 void setup() {
   high(1);
 }
 
 void loop() {
-  int i;
+  int32_t i;
   if (input(2)) return;
   for (i = 0; i < 4; i++) {
     if (i == 2) continue;

@@ -7,7 +7,7 @@
 
 #define LED 26
 
-int n = 0;
+int32_t n = 0;
 
 // A comment.
 void setup() {

@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int adc_average(int channel, const char *label) {
+int32_t adc_average(int32_t channel, const char *label) {
   // TODO: complete method
   (void)channel;
   (void)label;

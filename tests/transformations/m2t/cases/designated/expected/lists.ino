@@ -5,10 +5,10 @@
 
 #include "adapters.h"
 
-struct config { int pin; int speed; char *name; };
+struct config { int32_t pin; int32_t speed; char *name; };
 struct config left = { .pin = 3, .speed = 24, .name = "left" };
 struct config right = { 4, 12, (char *)"right" };
-const int table[4] = { 1, 2 };
+const int32_t table[4] = { 1, 2 };
 
 void setup() {
 }

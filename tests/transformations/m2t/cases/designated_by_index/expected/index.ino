@@ -5,8 +5,8 @@
 
 #include "adapters.h"
 
-struct config { int pin; int speed; };
-int table[4] = { [2] = 5 };
+struct config { int32_t pin; int32_t speed; };
+int32_t table[4] = { [2] = 5 };
 struct config left = { .speed = 24, .pin = 3 };
 
 void setup() {

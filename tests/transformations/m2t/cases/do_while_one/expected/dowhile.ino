@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 void setup() {
-  int n = 0;
+  int32_t n = 0;
   do {
     n++;
     pause(n);

@@ -9,7 +9,7 @@ typedef enum { NORTH, EAST, SOUTH, WEST } heading;
 enum color { RED, GREEN } paint = RED;
 heading now = NORTH;
 
-heading turn(heading h) { return (heading)((h + 1) % 4); }
+heading turn(heading h) { return (heading)(((uint32_t)h + 1) % 4); }
 
 heading h;
 
@@ -18,11 +18,11 @@ void setup() {
 
 void loop() {
   now = (heading)(now + 1);
-  now = (heading)(now + (1));
+  now = (heading)(now + (1UL));
   h = (heading)((now = (heading)(now - 1)) + 1);
   h = (heading)(h - 1);
-  for (h = NORTH; h <= WEST; h = (heading)(h + 1)) pause(h);
+  for (h = NORTH; (uint32_t)h <= WEST; h = (heading)(h + 1)) pause(h);
   paint = (enum color)!paint;
-  now = (heading)(turn(h) | 1);
-  if (now == 2) now = h;
+  now = (heading)((uint32_t)turn(h) | 1);
+  if ((uint32_t)now == 2) now = h;
 }

@@ -5,12 +5,12 @@
 
 #include "adapters.h"
 
-static int counter = 7;            // another counter
-extern const int limit = 10;
+static int32_t counter = 7;            // another counter
+extern const int32_t limit = 10;
 
 // Functions that are used before they are defined
-int more(int x);
+int32_t more(int32_t x);
 
-int twice(int x) { return 2 * x + more(counter++); }
-int more(int x) { return x - 1; }
+int32_t twice(int32_t x) { return 2 * x + more(counter++); }
+int32_t more(int32_t x) { return x - 1; }
 void show() { print("%d\n", counter); }

@@ -5,11 +5,11 @@
 
 #include "adapters.h"
 
-static int counter = 1;
-extern const int limit;
+static int32_t counter = 1;
+extern const int32_t limit;
 
 // Functions that are used before they are defined
-int twice(int x);
+int32_t twice(int32_t x);
 void show();
 
 void setup() {

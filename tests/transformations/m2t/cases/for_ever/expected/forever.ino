@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int n = 3;
+int32_t n = 3;
 
 void setup() {
 }

@@ -10,7 +10,7 @@ void setup() {
 }
 
 void loop() {
-  int tries = 0;
+  int32_t tries = 0;
   retry:
   tries++;
   if (tries < 3) goto retry;

@@ -5,13 +5,13 @@
 
 #include "adapters.h"
 
-int check(int n)
+int32_t check(int32_t n)
 {
   if (n < 0) goto failed;
-  int twice; twice = 2 * n;
+  int32_t twice; twice = 2 * n;
   return twice;
 failed:
-  return -1;
+  return -1L;
 }
 
 void setup() {

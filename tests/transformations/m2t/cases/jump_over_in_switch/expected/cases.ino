@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int n = 0;
+int32_t n = 0;
 
 void setup() {
 }
@@ -14,7 +14,7 @@ void loop() {
   switch (n) {
     case 0:
       n = 1;
-      int twice; twice = 2 * n;
+      int32_t twice; twice = 2 * n;
       pause(twice);
       break;
     default:

@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int n = 1;  /* Zähler */
+int32_t n = 1;  /* Zähler */
 
 // Geschwindigkeit für den Motor: ±5 µs, Größe in °C
 void setup() {

@@ -7,8 +7,8 @@
 
 void after_loop(void) { toggle(1); }
 
-int tries;
-int level;
+int32_t tries;
+int32_t level;
 
 void after_loop_();
 void end_of_main();

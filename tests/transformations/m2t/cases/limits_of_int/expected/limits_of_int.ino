@@ -5,8 +5,8 @@
 
 #include "adapters.h"
 
-int limits[] = {32767, (int)32768, -32768, (int)-32769, (int)2147483647};
-unsigned tops[] = {65535, (unsigned)65536};
+int32_t limits[] = {32767, (int32_t)32768, -32768, (int32_t)-32769, (int32_t)2147483647};
+uint32_t tops[] = {65535, (uint32_t)65536};
 
 void setup() {
 }

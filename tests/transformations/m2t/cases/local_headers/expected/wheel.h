@@ -2,7 +2,7 @@
 #define WHEEL_H
 #include "config.h"
 
-struct wheel { int pin; int turns; };
+struct wheel { int32_t pin; int32_t turns; };
 
 static inline void start(struct wheel *w) { low(w->pin); }
 

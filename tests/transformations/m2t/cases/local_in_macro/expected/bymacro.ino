@@ -7,7 +7,7 @@
 
 #define STEP(n) total += (n)
 
-int total = 0;
+int32_t total = 0;
 
 void setup() {
 }

@@ -6,10 +6,10 @@
 #include "adapters.h"
 
 // Functions that are used before they are defined
-int speed(int n);
+int32_t speed(int32_t n);
 
 void setup() {
-  int speed(int n);
+  int32_t speed(int32_t n);
   pause(speed(1));
 }
 
@@ -17,4 +17,4 @@ void loop() {
   pause(speed(2));
 }
 
-int speed(int n) { return n * 2; }
+int32_t speed(int32_t n) { return n * 2; }

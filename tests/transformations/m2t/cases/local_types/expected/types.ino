@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 void setup() {
-  struct point { int x; int y; };
+  struct point { int32_t x; int32_t y; };
   struct point p = {1, 2};
   while (1) {
     p.x += p.y;

@@ -5,14 +5,14 @@
 
 #include "adapters.h"
 
-int first(void) { return 5; }
+int32_t first(void) { return 5; }
 
-int limit = 10;            // a constant value
-int start;
-const int step = 2;
-int offset;
-static int calls = 0;
-int values[3] = {1, 2, 3};
+int32_t limit = 10;            // a constant value
+int32_t start;
+const int32_t step = 2;
+int32_t offset;
+static int32_t calls = 0;
+int32_t values[3] = {1, 2, 3};
 char name[] = "robot";
 char *text;
 const char *fixed = "fixed";
@@ -23,7 +23,7 @@ void setup() {
   start = first();       // a call
   offset = first() + 1;
   text = name;
-  int once = 7;
+  int32_t once = 7;
   flag = 0;
   pause(once);
 }

@@ -5,11 +5,11 @@
 
 #include "adapters.h"
 
-int speed = 1;
+int32_t speed = 1;
 
 void show(void) { pause(speed); }
 
-int speed_ = 24;
+int32_t speed_ = 24;
 
 void setup() {
 }

@@ -7,7 +7,7 @@
 // void high(int pin)  [simpletools.h]
 // used without a call, or in the body of a macro
 // it is handed on as a value, so its types are those it had
-void high(int pin) {
+void high(int32_t pin) {
   // TODO: complete method
   (void)pin;
 }

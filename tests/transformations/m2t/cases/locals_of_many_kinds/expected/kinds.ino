@@ -7,19 +7,19 @@
 
 // the library
 
-int count = 9;                     // a global that a local hides
+int32_t count = 9;                     // a global that a local hides
 
-int next(void) { return ++count; }
+int32_t next(void) { return ++count; }
 
-int x, y, z;                     // three of one type
-int first, second = 2;
+int32_t x, y, z;                     // three of one type
+int32_t first, second = 2;
 const char *text = "go", *other;
-int fast = 3;
-static int kept;
-int count_ = 1;                   // not the global
-int left;
-void (*act)(int);
-int HIGH_ = 4;
+int32_t fast = 3;
+static int32_t kept;
+int32_t count_ = 1;                   // not the global
+int32_t left;
+void (*act)(int32_t);
+int32_t HIGH_ = 4;
 
 // starts here
 void setup() {

@@ -5,10 +5,10 @@
 
 #include "adapters.h"
 
-int *kept;
+int32_t *kept;
 char *line;
 
-int value = 4;
+int32_t value = 4;
 char buffer[20];
 
 void setup() {

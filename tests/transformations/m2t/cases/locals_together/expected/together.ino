@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int a = 1, b = 2, *p;
+int32_t a = 1, b = 2, *p;
 
 void setup() {
   p = &a;

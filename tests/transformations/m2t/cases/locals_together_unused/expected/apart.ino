@@ -5,10 +5,10 @@
 
 #include "adapters.h"
 
-int total;
+int32_t total;
 
 void setup() {
-  int a = 1, b = 2;
+  int32_t a = 1, b = 2;
   total = a + b;
 }
 

@@ -5,12 +5,12 @@
 
 #include "adapters.h"
 
-int table[2][3] =   /* rows */
+int32_t table[2][3] =   /* rows */
   {
     {1, 2, 3},        // first
     {4, 5, 6}         // second
   };                  // end of table
-int
+int32_t
     index             // where
     = 0;
 

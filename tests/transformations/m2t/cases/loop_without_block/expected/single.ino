@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int ticks;
+int32_t ticks;
 
 void setup() {
   ticks = 1;

@@ -7,8 +7,8 @@
 
 void setup() {
 #define COUNT 4
-  int values[COUNT];
-  int n = 0;
+  int32_t values[COUNT];
+  int32_t n = 0;
   while (1) {
     values[n % COUNT] = n;
     pause(values[0]);

@@ -7,7 +7,7 @@
 
 int argc = 0;
 char **argv = 0;
-int i;
+int32_t i;
 
 void setup() {
 }

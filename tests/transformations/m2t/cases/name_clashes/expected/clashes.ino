@@ -8,19 +8,19 @@
 #define LOW_SPEED 2
 #define min_(a, b) ((a) < (b) ? (a) : (b))
 
-int F_ = 3;
-int B1_ = 4;
-int input_pin = 1;
-int word_;
-static int map_[3];
+int32_t F_ = 3;
+int32_t B1_ = 4;
+int32_t input_pin = 1;
+int32_t word_;
+static int32_t map_[3];
 enum { OUTPUT_ON, HIGH_ = 1 };
 
-void delay_(int n) { pause(n); }
-int abs_(int n) { return n < 0 ? -n : n; }
-int digitalRead_(int pin) { return input(pin) + F_ + B1_; }
+void delay_(int32_t n) { pause(n); }
+int32_t abs_(int32_t n) { return n < 0 ? -n : n; }
+int32_t digitalRead_(int32_t pin) { return input(pin) + F_ + B1_; }
 
-int A0_ = 2;
-int yield_ = 1;
+int32_t A0_ = 2;
+int32_t yield_ = 1;
 
 void setup() {
   high(input_pin);
@@ -28,7 +28,7 @@ void setup() {
 }
 
 void loop() {
-  delay_(min_(F_, abs_(-4)));
+  delay_(min_(F_, abs_(-4L)));
   word_ = digitalRead_(5) + map_[0] + HIGH_ + yield_;
   if (word_ == OUTPUT_ON) toggle(A0_);
 }

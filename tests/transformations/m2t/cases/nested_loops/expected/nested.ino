@@ -14,7 +14,7 @@ void setup() {
 }
 
 void loop() {
-  int n = 0;
+  int32_t n = 0;
   while (1) {
     if (++n > 5) break;
     for (;;) { if (input(n)) break; }

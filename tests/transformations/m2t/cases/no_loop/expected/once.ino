@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 void setup() {
-  int i;
+  int32_t i;
   for (i = 0; i < 10; i++) {
     high(i);
     pause(100);

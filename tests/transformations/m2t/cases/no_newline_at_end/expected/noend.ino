@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int n;
+int32_t n;
 void setup() {
   n = 1;
 }

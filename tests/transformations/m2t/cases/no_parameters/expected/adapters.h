@@ -7,7 +7,7 @@
 // int input(int pin)  [simpletools.h]
 // used without a call, or in the body of a macro
 // it is handed on as a value, so its types are those it had
-int input(int pin) {
+int32_t input(int32_t pin) {
   // TODO: complete method
   (void)pin;
   return 0;

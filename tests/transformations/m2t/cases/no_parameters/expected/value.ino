@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-typedef int (*reader)(int);
+typedef int32_t (*reader)(int32_t);
 reader read_pin = input;
 
 void setup() {

@@ -5,11 +5,11 @@
 
 #include "adapters.h"
 
-static int count;
-extern int ready();
-int ready();
+static int32_t count;
+extern int32_t ready();
+int32_t ready();
 
-int add(int a, int b)
+int32_t add(int32_t a, int32_t b)
 {
   return a + b;
 }
@@ -19,15 +19,15 @@ float scale(float x, float factor)
   return x * factor;
 }
 
-int nothing() { count = 1; return 0; }
+int32_t nothing() { count = 1; return 0; }
 
 void setup() {
   nothing();
 }
 
 void loop() {
-  count = add(count, 1);
-  pause((int)scale(count, 2.0));
+  count = add(count, 1L);
+  pause((int32_t)scale(count, 2.0));
 }
 
-int ready() { return 1; }
+int32_t ready() { return 1; }

@@ -18,7 +18,7 @@ void setup() {
 }
 
 void loop() {
-  int c = fdserial_rxChar(term);
+  int32_t c = fdserial_rxChar(term);
   fdserial_txChar(term, c);
   i2c_in(bus, 0x68, 0, 1, buffer, 8);
 }

@@ -5,8 +5,8 @@
 
 #include "adapters.h"
 
-int and_, or_;
-int not_(int xor_) { return !xor_; }
+int32_t and_, or_;
+int32_t not_(int32_t xor_) { return !xor_; }
 
 void setup() {
 }

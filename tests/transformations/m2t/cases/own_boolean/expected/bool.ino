@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 typedef unsigned char byte_;
-typedef int bool_;
+typedef int32_t bool_;
 #define true_ 1
 #define false_ 0
 #define PI_ 3
@@ -19,6 +19,6 @@ void setup() {
 
 void loop() {
   on = !on;
-  count += PI_;
+  count += (int32_t)PI_;
   if (on == true_) pause(count);
 }

@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-typedef struct { int x; int y; } point;
+typedef struct { int32_t x; int32_t y; } point;
 struct robot { point where; };
 typedef enum { SLOW, FAST } pace;
 

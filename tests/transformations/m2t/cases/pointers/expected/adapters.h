@@ -7,7 +7,7 @@
 // void input_pair(int *, int *)
 // called in line 19
 // no header declares it: its signature is inferred from the calls
-void input_pair(int *argument1, int *argument2) {
+void input_pair(int32_t *argument1, int32_t *argument2) {
   // TODO: complete method
   (void)argument1;
   (void)argument2;
@@ -16,7 +16,7 @@ void input_pair(int *argument1, int *argument2) {
 // void register_handler(void *)
 // called in line 20
 // no header declares it: its signature is inferred from the calls
-void register_handler(void (*argument1)(int)) {
+void register_handler(void (*argument1)(int32_t)) {
   // TODO: complete method
   (void)argument1;
 }

@@ -5,15 +5,15 @@
 
 #include "adapters.h"
 
-typedef void (*handler)(int);
-static int seen[4];
+typedef void (*handler)(int32_t);
+static int32_t seen[4];
 
-void note(int n) { seen[n & 3]++; }
-void apply(handler f, int n) { f(n); }
-int compare(const void *a, const void *b) { return *(const int *)a - *(const int *)b; }
+void note(int32_t n) { seen[n & 3]++; }
+void apply(handler f, int32_t n) { f(n); }
+int32_t compare(const void *a, const void *b) { return *(const int32_t *)a - *(const int32_t *)b; }
 
-int low_ = 0, high_ = 0;
-int *best;
+int32_t low_ = 0, high_ = 0;
+int32_t *best;
 handler chosen;
 
 void setup() {
@@ -24,7 +24,7 @@ void setup() {
 void loop() {
   apply(chosen, *best);
   apply(&note, 2);
-  qsort(seen, 4, sizeof(int), compare);
+  qsort(seen, 4, sizeof(int32_t), [](const void *a, const void *b) -> int { int32_t order = compare(a, b); return (order > 0) - (order < 0); });
   input_pair(&low_, &high_);
   register_handler(note);
 }

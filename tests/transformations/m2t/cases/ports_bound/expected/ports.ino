@@ -5,20 +5,20 @@
 
 #include "adapters.h"
 
-const int buttonPin = 2;
+const int32_t buttonPin = 2;
 #define LED_PIN 13
 #define PINS_PER_SIDE (2)
 enum { SENSOR_PIN = A0, BUZZER_PIN = 9 };
-static const int rows[3] = {10, 11, 12};
-int relay = 7;
+static const int32_t rows[3] = {10, 11, 12};
+int32_t relay = 7;
 
-void pulse(int pin)
+void pulse(int32_t pin)
 {
   high(pin);
   low(pin);
 }
 
-int i;
+int32_t i;
 
 void setup() {
 }

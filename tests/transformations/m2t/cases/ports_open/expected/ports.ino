@@ -5,20 +5,20 @@
 
 #include "adapters.h"
 
-const int buttonPin = 3;
+const int32_t buttonPin = 3;
 #define LED_PIN 26
 #define PINS_PER_SIDE (2)
 enum { SENSOR_PIN = 7, BUZZER_PIN };
-static const int rows[3] = {10, 11, 12};
-int relay = 15;
+static const int32_t rows[3] = {10, 11, 12};
+int32_t relay = 15;
 
-void pulse(int pin)
+void pulse(int32_t pin)
 {
   high(pin);
   low(pin);
 }
 
-int i;
+int32_t i;
 
 void setup() {
 }

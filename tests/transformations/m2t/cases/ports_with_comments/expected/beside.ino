@@ -7,8 +7,8 @@
 
 #define LED 13      // the light
 #define BUTTON 2  /* the button */
-static const int buzzer = 4, relay = 5;  // both
-const int sensor /* left */ = /* was 2 */ A1;
+static const int32_t buzzer = 4, relay = 5;  // both
+const int32_t sensor /* left */ = /* was 2 */ A1;
 
 void setup() {
 }

@@ -5,13 +5,13 @@
 
 #include "adapters.h"
 
-int twice(int n);          // declared, then defined
+int32_t twice(int32_t n);          // declared, then defined
 static float half(float x);
 
 // Functions that are used before they are defined
-void late(int n);
+void late(int32_t n);
 
-int n;
+int32_t n;
 
 void setup() {
   n = twice(2);
@@ -24,7 +24,7 @@ void loop() {
   pause(n);
 }
 
-int twice(int n) { return 2 * n; }
+int32_t twice(int32_t n) { return 2 * n; }
 static float half(float x) { return x / 2; }
-void late(int n) { pause(n); }
-int twice(int n);
+void late(int32_t n) { pause(n); }
+int32_t twice(int32_t n);

@@ -6,9 +6,9 @@
 #include "adapters.h"
 
 // Functions that are used before they are defined
-static void step(int n);
-int delete_(int new_);
-int add(int a, int b);
+static void step(int32_t n);
+int32_t delete_(int32_t new_);
+int32_t add(int32_t a, int32_t b);
 unsigned long shift(unsigned char n);
 
 void setup() {
@@ -21,10 +21,10 @@ void loop() {
   pause(shift(3));
 }
 
-static void step(int n) /* once */ { high(n); }
-int delete_(int new_) { return new_; }
-int add(int a, int b) { return a + b; }
+static void step(int32_t n) /* once */ { high(n); }
+int32_t delete_(int32_t new_) { return new_; }
+int32_t add(int32_t a, int32_t b) { return a + b; }
 unsigned long  shift(unsigned char  n)   // by one
 {
-  return n << 1;
+  return (int32_t)n << 1;
 }

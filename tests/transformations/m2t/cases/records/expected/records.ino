@@ -12,7 +12,7 @@ typedef struct {
   byte_t high : 4;
 } nibbles;
 union number {
-  int whole;
+  int32_t whole;
   float part;
 };
 

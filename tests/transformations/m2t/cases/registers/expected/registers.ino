@@ -5,9 +5,9 @@
 
 #include "adapters.h"
 
-#define LED (1 << 5)
+#define LED (1L << 5)
 
-unsigned int next;
+uint32_t next;
 
 void setup() {
   next = CNT + CLKFREQ / 10;

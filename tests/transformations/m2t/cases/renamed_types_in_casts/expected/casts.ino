@@ -6,7 +6,7 @@
 
 #include "adapters.h"
 
-struct class_ { int n; };
+struct class_ { int32_t n; };
 typedef enum { NO, YES } this_;
 this_ new_ = NO;
 

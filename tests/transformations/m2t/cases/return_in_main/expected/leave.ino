@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int state(void) { return input(4); }
+int32_t state(void) { return input(4); }
 
 void setup() {
   if (input(3) == 0) return;

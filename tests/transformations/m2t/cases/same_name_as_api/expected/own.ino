@@ -5,10 +5,10 @@
 
 #include "adapters.h"
 
-int get_state(int pin) { return input(pin); }
-int pause_time = 5;
+int32_t get_state(int32_t pin) { return input(pin); }
+int32_t pause_time = 5;
 
-void pause(int ms)
+void pause(int32_t ms)
 {
   waitcnt(CNT + ms * (CLKFREQ / 1000));
 }

@@ -5,9 +5,9 @@
 
 #include "adapters.h"
 
-static int state = 1;
-static int next(void) { return state++; }
-int other(void);
+static int32_t state = 1;
+static int32_t next(void) { return state++; }
+int32_t other(void);
 
 void setup() {
 }

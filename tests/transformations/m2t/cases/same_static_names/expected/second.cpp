@@ -5,10 +5,10 @@
 
 #include "adapters.h"
 
-static int state = 100;
-static int next(void) { return state--; }
+static int32_t state = 100;
+static int32_t next(void) { return state--; }
 
-int other(void)
+int32_t other(void)
 {
   toggle(CNT & 1);
   return next();

@@ -7,7 +7,7 @@
 
 void setup_(void) { high(1); }
 void loop_(void) { toggle(1); }
-void init_(int n) { pause(n); }
+void init_(int32_t n) { pause(n); }
 
 void setup() {
   setup_();

@@ -7,7 +7,7 @@
 
 #include "motor.h"
 
-int speed = 24;
+int32_t speed = 24;
 
 void setup() {
   motor_start(MOTOR_PIN);

@@ -7,16 +7,16 @@
 
 #include "motor.h"
 
-int steps;
-static int pin;
+int32_t steps;
+static int32_t pin;
 
-void motor_start(int p)
+void motor_start(int32_t p)
 {
   pin = p;
   low(pin);
 }
 
-void motor_step(int n)
+void motor_step(int32_t n)
 {
   steps += n > speed ? speed : n;
   pulse_out(pin, steps);

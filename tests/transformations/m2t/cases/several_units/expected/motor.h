@@ -1,6 +1,6 @@
 #pragma once
 #define MOTOR_PIN 14
-extern int steps;
-extern int speed;
-void motor_start(int p);
-void motor_step(int n);
+extern int32_t steps;
+extern int32_t speed;
+void motor_start(int32_t p);
+void motor_step(int32_t n);

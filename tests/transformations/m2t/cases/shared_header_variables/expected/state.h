@@ -1,6 +1,6 @@
 #ifndef STATE_H
 #define STATE_H
-__attribute__((weak)) int counter;
-static const int limit = 5;
+__attribute__((weak)) int32_t counter;
+static const int32_t limit = 5;
 void tick(void);
 #endif

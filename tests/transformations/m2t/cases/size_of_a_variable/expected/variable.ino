@@ -6,8 +6,8 @@
 #include "adapters.h"
 
 void setup() {
-  int n = 5;
-  int values[n];
+  int32_t n = 5;
+  int32_t values[n];
   while (1) {
     values[0] = n;
     pause(values[0]);

@@ -5,12 +5,12 @@
 
 #include "adapters.h"
 
-int sum(int a, int b)
+int32_t sum(int32_t a, int32_t b)
 {
 	return a + b;	// tab inside
 }
 
-int n = 1;
+int32_t n = 1;
 
 void setup() {
   high(n);

@@ -5,13 +5,13 @@
 
 #include "adapters.h"
 
-extern int counter;
-int counter = 5;
-static int flag;
-int elsewhere;
-int board[16];
-extern volatile int later;
-volatile int later = 2;
+extern int32_t counter;
+int32_t counter = 5;
+static int32_t flag;
+int32_t elsewhere;
+int32_t board[16];
+extern volatile int32_t later;
+volatile int32_t later = 2;
 
 void setup() {
 }

@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-int n;
+int32_t n;
 float f = 1.5;
 char text[10];
 

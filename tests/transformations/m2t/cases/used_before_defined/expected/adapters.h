@@ -7,7 +7,7 @@
 // int *cog_run(void (*function)(void *par), int stacksize)  [simpletools.h]
 // called in line 7
 // it starts code on another core there
-int *cog_run(void (*function)(void *par), int32_t stacksize) {
+int32_t *cog_run(void (*function)(void *par), int32_t stacksize) {
   // TODO: complete method
   (void)function;
   (void)stacksize;

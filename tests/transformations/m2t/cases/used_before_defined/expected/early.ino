@@ -5,10 +5,10 @@
 
 #include "adapters.h"
 
-static int stack[40];
+static int32_t stack[40];
 
 // Functions that are used before they are defined
-int helper(int n);
+int32_t helper(int32_t n);
 void worker(void *par);
 
 void go(void) {
@@ -24,7 +24,7 @@ void loop() {
   pause(1000);
 }
 
-int helper(int n) { return n + stack[0]; }
+int32_t helper(int32_t n) { return n + stack[0]; }
 
 void worker(void *par)
 {

@@ -6,12 +6,12 @@
 
 #include "adapters.h"
 
-int total(int n, ...)
+int32_t total(int32_t n, ...)
 {
-  int i, sum = 0;
+  int32_t i, sum = 0;
   va_list values;
   va_start(values, n);
-  for (i = 0; i < n; i++) sum += va_arg(values, int);
+  for (i = 0; i < n; i++) sum += va_arg(values, int32_t);
   va_end(values);
   return sum;
 }
@@ -21,7 +21,7 @@ void setup() {
 }
 
 void loop() {
-  print("%d and %d%c", total(2, 3, 4), total(0), CLREOL);
+  print("%d and %d%c", total(2, 3L, 4L), total(0), CLREOL);
   printi("%x\n", 15);
   pause(1000);
 }

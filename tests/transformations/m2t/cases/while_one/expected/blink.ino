@@ -8,10 +8,10 @@
 /* A title
    of two lines. */
 
-int count = 0;  // how often
+int32_t count = 0;  // how often
 
 // Blinks once.
-void blink(int pin)
+void blink(int32_t pin)
 {
   high(pin);
   pause(100);

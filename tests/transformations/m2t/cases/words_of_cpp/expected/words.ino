@@ -7,11 +7,11 @@
 
 #define SET_NEW(x) new_ = (x)
 
-struct class_ { int this_; struct class_ *private_; };
-int new_;
-static int template_[2];
+struct class_ { int32_t this_; struct class_ *private_; };
+int32_t new_;
+static int32_t template_[2];
 
-int delete_(int try_)
+int32_t delete_(int32_t try_)
 {
   return try_ + new_;
 }
@@ -19,7 +19,7 @@ int delete_(int try_)
 struct class_ object;
 
 void setup() {
-  int public_ = 2;
+  int32_t public_ = 2;
   object.this_ = public_;
   object.private_ = &object;
 }
