@@ -82,8 +82,8 @@ def test_the_sketch_follows_an_edited_binding(migrated: Path) -> None:
 
     rewritten(plan, swap)
     assert run("generate", plan, "-o", migrated).code == 0
-    assert "const int leftQTI  = HIH40301ReadP1;" in sketch_of(migrated)
-    assert "const int rightQTI = HIH40302ReadP1;" in sketch_of(migrated)
+    assert "const int32_t leftQTI  = HIH40301ReadP1;" in sketch_of(migrated)
+    assert "const int32_t rightQTI = HIH40302ReadP1;" in sketch_of(migrated)
     assert "| D11 | HIH4030 1 | OUT |  | `HIH40301ReadP1` | leftQTI |" in report_of(migrated)
     after = binding(robosmi.load_model(plan), "leftQTI")
     assert (after.choice, after.pin.label, after.chosenBy.name) == ("HIH40301ReadP1", "D11", "person")
@@ -96,7 +96,7 @@ def test_the_sketch_follows_a_binding_edited_as_text(migrated: Path) -> None:
     assert count == 1
     plan.write_text(edited)
     assert run("generate", plan, "-o", migrated).code == 0
-    assert "const int leftQTI  = Red633nmLED1WriteP1;" in sketch_of(migrated)
+    assert "const int32_t leftQTI  = Red633nmLED1WriteP1;" in sketch_of(migrated)
 
 
 def test_a_port_that_was_open_is_closed_by_an_edit(migrated: Path) -> None:
@@ -159,7 +159,7 @@ def test_generating_from_an_edited_plan_twice_changes_nothing(migrated: Path) ->
 
     rewritten(plan, unbind)
     assert run("generate", plan, "-o", migrated).code == 0
-    assert "const int LED      = 8;" in sketch_of(migrated)
+    assert "const int32_t LED      = 8;" in sketch_of(migrated)
     before = tree(migrated)
     assert run("generate", plan, "-o", migrated).code == 0
     assert tree(migrated) == before
@@ -196,7 +196,7 @@ def test_an_edit_of_a_decisions_own_change_is_kept(migrated: Path) -> None:
 
     rewritten(plan, add)
     assert run("generate", plan, "-o", migrated).code == 0
-    assert "const int leftQTI  = HIH40302ReadP1 + 0;" in sketch_of(migrated)
+    assert "const int32_t leftQTI  = HIH40302ReadP1 + 0;" in sketch_of(migrated)
 
 
 def test_a_port_follows_its_connection_though_the_recorded_choice_was_edited_with_it(migrated: Path) -> None:
@@ -209,8 +209,8 @@ def test_a_port_follows_its_connection_though_the_recorded_choice_was_edited_wit
 
     rewritten(plan, swap)
     assert run("generate", plan, "-o", migrated).code == 0
-    assert "const int leftQTI  = HIH40301ReadP1;" in sketch_of(migrated)
-    assert "const int rightQTI = HIH40302ReadP1;" in sketch_of(migrated)
+    assert "const int32_t leftQTI  = HIH40301ReadP1;" in sketch_of(migrated)
+    assert "const int32_t rightQTI = HIH40302ReadP1;" in sketch_of(migrated)
 
 
 def test_an_edit_within_what_another_change_takes_away_has_no_effect_and_is_a_finding(migrated: Path) -> None:

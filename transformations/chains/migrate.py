@@ -32,7 +32,7 @@ from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
-from robosmi.transformations.chains.widths import FIX, widened
+from robosmi.transformations.chains.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.knowledge.adapter_index import adapter_index
@@ -192,7 +192,7 @@ def widenings(
     judgement: tuple[Dependence, Trace],
     api: ApiIndex,
     target: TargetFacts,
-    widths: str,
+    widths: str | None,
 ) -> Widened:
     """What is written otherwise so that the program's numbers keep the widths that they have on the source."""
     return widened(program, program_files, judgement[0], api, target, widths)
@@ -240,7 +240,7 @@ def models(
     target: TargetFacts,
     judgement: tuple[Dependence, Trace],
     widenings: Widened,
-    widths: str,
+    widths: str | None,
     bindings: Sequence[migration.PortBinding],
     library_decisions: tuple[Sequence[migration.LibraryChoice], LibraryModels],
     earlier: ForgivingHistory,
@@ -262,7 +262,7 @@ def models(
     findings += history_findings(earlier)
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
-        *judgement, widenings, widths == FIX, bindings, *library_decisions, files, findings, places,
+        *judgement, widenings, widths != KEEP, bindings, *library_decisions, files, findings, places,
     )  # fmt: skip
     plan, repository = put_together(decided, plan_faults)
     plan.findings.extend(move_findings(plan, program.views))

@@ -15,7 +15,7 @@ FIX, KEEP = "fix", "keep"
 
 
 def widened(
-    program: StoredProgram, files: ProgramFiles, dependence: Dependence, api: ApiIndex, target: TargetFacts, policy: str
+    program: StoredProgram, files: ProgramFiles, dependence: Dependence, api: ApiIndex, target: TargetFacts, policy: str | None
 ) -> Widened:
     """What is written otherwise in a program so that its numbers keep their widths; nothing under `keep`.
 
@@ -25,7 +25,7 @@ def widened(
         dependence: which functions adapters replace, and which names are others.
         api: the source platform.
         target: the target.
-        policy: `fix` or `keep`.
+        policy: `fix` or `keep`; None for `fix`.
     """
     source, there = dependence.source, target.model.platform
     assert source is not None

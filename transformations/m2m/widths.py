@@ -145,9 +145,9 @@ def _renamed(text: str, renamed: Mapping[str, str]) -> str:
 def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[WidthEdit]:
     """Types of declarations; that of main is the language's."""
     heads = [
-        (int(d.startOffset), int(d.body.startOffset))
+        (int(d.startOffset), int(d.body.startOffset if d.body is not None else d.endOffset))
         for d in unit.declarations
-        if isinstance(d, ccode.Function) and d.name == "main" and d.body is not None
+        if isinstance(d, ccode.Function) and d.name == "main"
     ]
     for start, end, text in retyped_words(data, here.int_bits, names):
         if not any(first <= start < behind for first, behind in heads):
