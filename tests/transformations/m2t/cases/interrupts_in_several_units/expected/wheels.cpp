@@ -7,7 +7,7 @@
 
 #include "wheels.h"
 
-void forward(int speed) {
+void forward(int32_t speed) {
   drive_speed(speed, speed);
   print("speed %d\n", speed);
 }

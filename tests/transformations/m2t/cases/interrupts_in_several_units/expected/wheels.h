@@ -1,1 +1,1 @@
-void forward(int speed);
+void forward(int32_t speed);
