@@ -100,7 +100,8 @@ class _Build:
 
     def program(self, sources: list[Path], include_folders: list[Path], headers: Mapping[str, str]) -> OriginalProgram:
         self._find_tools()
-        library, known = self._library()
+        library = self._library()
+        known = set(_defined(self.tools["names"], library))
         more = self.folder / "headers"
         for name, text in headers.items():
             (more / name).parent.mkdir(parents=True, exist_ok=True)
@@ -122,16 +123,15 @@ class _Build:
         known |= {self.model.prefix + name for name in names.defined}
         unmodelled = sorted(name for name in names.undefined if self._is_own(name) and self.model.prefix + name not in known)
         binary = self.folder / "original"
-        self._link(binary, named, self._stubs(unmodelled), library)
-        return OriginalProgram(binary, self.model, tuple(sources), self.compiler, tuple(unmodelled), tuple(self._counters(named)))
+        self._link(binary, named, *([self._stubs(unmodelled)] if unmodelled else []), library)
+        return OriginalProgram(binary, self.model, tuple(sources), self.compiler, tuple(unmodelled), names.counters)
 
     # ---- the model, compiled once
 
-    def _library(self) -> tuple[Path, set[str]]:
+    def _library(self) -> Path:
         flags = [*self._flags("machine"), *self._flags("program"), *self._flags("chip")]
         name = f"host-{self.model.platform}-{archives.digest(self.model.files, self.compiler, flags)}.a"
-        library = archives.cached(name) or archives.keep(self._compile_model(name), name)
-        return library, set(self._names(library).defined)
+        return archives.cached(name) or archives.keep(self._compile_model(name), name)
 
     def _compile_model(self, name: str) -> Path:
         folder = self.folder / "model"
@@ -190,12 +190,7 @@ class _Build:
         return not (_MODEL_NAME.match(name) or _ARITHMETIC.fullmatch(name) or name in self.model.same)
 
     def _names(self, path: Path) -> _Names:
-        said = self._run("names", str(path))
-        found = [line.split()[-2:] for line in said.splitlines() if len(line.split()) >= 2]
-        return _Names(
-            frozenset(name for kind, name in found if kind not in "Uw" and (kind.isupper() or kind in "vuw")),
-            frozenset(name for kind, name in found if kind in "Uw"),
-        )
+        return _read_names(self._run("names", "-S", str(path)))
 
     def _rename(self, path: Path, target: Path, names: _Names, *more: str) -> None:
         own = {name for name in names.undefined if self._is_own(name)}
@@ -203,12 +198,6 @@ class _Build:
         table = target.with_suffix(".names")
         table.write_text("".join(f"{name} {self.model.prefix}{name}\n" for name in sorted(own)))
         self._run("rename", f"--redefine-syms={table}", *more, str(path), str(target))
-
-    def _counters(self, program: Path) -> Iterable[tuple[int, int]]:
-        for line in self._run("names", "-S", str(program)).splitlines():
-            words = line.split()
-            if len(words) == 4 and _COUNTERS.match(words[3]):
-                yield int(words[0], 16), int(words[1], 16)
 
     # ---- linking
 
@@ -268,10 +257,28 @@ class _Build:
 
 @dataclass(frozen=True)
 class _Names:
-    """The global names of an object or archive."""
+    """The global names of an object or archive, and the place and size of its coverage counters."""
 
     defined: frozenset[str]
     undefined: frozenset[str]
+    counters: tuple[tuple[int, int], ...]
+
+
+def _read_names(said: str) -> _Names:
+    """What `nm -S` says: value and size, where there are any, kind and name."""
+    found = [words for line in said.splitlines() if len(words := line.split()) >= 2]
+    return _Names(
+        frozenset(name for *_, kind, name in found if kind not in "Uw" and (kind.isupper() or kind in "vu")),
+        frozenset(name for *_, kind, name in found if kind in "Uw"),
+        tuple((int(words[0], 16), int(words[1], 16)) for words in found if len(words) == 4 and _COUNTERS.match(words[3])),
+    )
+
+
+@cache
+def _defined(tool: str, archive: Path) -> frozenset[str]:
+    """The names that an archive defines; its name says its content (see `archives`), so that it is read once."""
+    done = subprocess.run([tool, "-S", archive], check=False, capture_output=True, encoding="utf-8", errors="replace")
+    return _read_names(done.stdout).defined
 
 
 def _environment() -> dict[str, str]:

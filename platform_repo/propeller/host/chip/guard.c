@@ -46,5 +46,5 @@ void guard_begin(void) {
   limit(RLIMIT_AS, MEMORY);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
-  prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT, 0, 0, 0);
+  if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT, 0, 0, 0)) host_end("crashed", "cannot be kept from system calls here (seccomp)");
 }

@@ -32,6 +32,7 @@ static int write_text(FILE *stream, const char *format, va_list values) {
   va_list values; va_start(values, last); int count = result; va_end(values); return count
 
 int printf(const char *format, ...) { WITH_VALUES(format, write_text(stdout, format, values)); }
+int __simple_printf(const char *format, ...) { WITH_VALUES(format, write_text(stdout, format, values)); }
 int fprintf(FILE *stream, const char *format, ...) { WITH_VALUES(format, write_text(stream, format, values)); }
 int vprintf(const char *format, va_list list) { return write_text(stdout, format, list); }
 int vfprintf(FILE *stream, const char *format, va_list list) { return write_text(stream, format, list); }
