@@ -54,10 +54,10 @@ class Uno:
     ports: Mapping[str, str] = field(default_factory=dict)
     numbers: Mapping[int, str] = field(default_factory=dict)
 
-    def sketch(self, program: str, uses: Sequence[str]) -> str:
+    def sketch(self, program: str, uses: Sequence[str], first: str = "") -> str:
         """The text of a sketch:
 
-        the pieces that `uses` (`header/name`) need, then the program with their statements in `setup`.
+        the pieces that `uses` (`header/name`) need behind what comes first, then the program with their statements in `setup`.
         """
         known = AdapterPieces(
             replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
@@ -67,17 +67,23 @@ class Uno:
             raise NotBuiltError(needed.unserved)
         setup = "".join(f"\n  {statement}" for piece in needed.pieces for statement in piece.setup)
         elements = [adapter_element(piece) for piece in needed.pieces]
-        text = f"#include <Arduino.h>\n{adapter_text(elements, self.ports, NO_PIN, self.numbers)}\n{program}"
+        text = f"#include <Arduino.h>\n{first}{adapter_text(elements, self.ports, NO_PIN, self.numbers)}\n{program}"
         return text.replace("void setup() {", f"void setup() {{{setup}", 1)
 
     def run(
-        self, program: str, uses: Sequence[str], milliseconds: float, devices: Sequence[DeviceUse] = (), engine: str | None = None
+        self,
+        program: str,
+        uses: Sequence[str],
+        milliseconds: float,
+        devices: Sequence[DeviceUse] = (),
+        engine: str | None = None,
+        first: str = "",
     ) -> PinTrace:
         """Compile a program (with `setup` and `loop`), run it, and tell what was seen. Warnings of the compiler are failures."""
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place) / "case"
             folder.mkdir()
-            (folder / "case.ino").write_text(self.sketch(program, uses))
+            (folder / "case.ino").write_text(self.sketch(program, uses, first))
             report = compile_sketch(folder, "uno", keep=Path(place))
             said = [finding for finding in report.diagnostics if finding.severity.name != "info"]
             if not report.ok or (said and not self.changed) or report.elf is None or report.hex is None:

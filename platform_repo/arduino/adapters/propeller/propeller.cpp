@@ -200,3 +200,169 @@ inline int32_t lockclr(int32_t lockid) {
   locks_set &= ~(1 << (lockid & 7));
   return -(int32_t)before;
 }
+
+//# helper CogTable
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   fidelity: code of other cogs runs on stacks of its own; one cog runs at a time, until it waits or ends
+//#   limit: a stack holds COG_STACK bytes: locals and calls of the cog, and the interrupts that come meanwhile
+#ifndef COG_SLOTS  // how many cogs run beside main at once, and the bytes of the stack of each: the migration says
+#define COG_SLOTS 1
+#define COG_STACK 200
+#endif
+
+enum { COG_PAINT = 0xA5, COG_SAVED = 18 };  // what an unused stack is filled with; the registers that a function must keep
+
+struct CogTable {
+  uint8_t stack[COG_SLOTS][COG_STACK];  // in front: what runs over leaves the rest as it is
+  uint8_t now;
+  uint8_t *saved[COG_SLOTS + 1];  // the stack pointer of each that waits
+  void (*code[COG_SLOTS + 1])(void *);
+  void *parameter[COG_SLOTS + 1];
+};
+static CogTable cog_table;
+static uint8_t cogs_running = 1;  // bit n: cog n runs; 0 is main
+
+//# helper cog_switch
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   fidelity: keeps the registers that a function must keep, in 8 to 12 us
+extern "C" void cog_switch(uint8_t **save, uint8_t *load) __attribute__((naked, noinline, used, weak));
+void cog_switch(uint8_t **, uint8_t *) {
+  asm volatile(
+      ".irp r,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,28,29\n\tpush \\r\n\t.endr\n\t"
+      "movw r30, r24\n\tin r24, __SP_L__\n\tin r25, __SP_H__\n\tst Z, r24\n\tstd Z+1, r25\n\t"
+      "in r0, __SREG__\n\tcli\n\tout __SP_H__, r23\n\tout __SREG__, r0\n\tout __SP_L__, r22\n\t"  // what follows SREG is atomic
+      ".irp r,29,28,17,16,15,14,13,12,11,10,9,8,7,6,5,4,3,2\n\tpop \\r\n\t.endr\n\t"
+      "ret\n");
+}
+
+//# helper cog_overflow
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable
+//#   fidelity: a cog that used more than its stack stops the program, which says so on the console where that is open
+inline void cog_overflow(uint8_t number) {
+  noInterrupts();
+#ifdef UCSR0B
+  const char said[] = "\r\ncog 0: more stack than COG_STACK\r\n";
+  for (uint8_t at = 0; UCSR0B & 1 << TXEN0 && said[at]; at++) {
+    while (!(UCSR0A & 1 << UDRE0)) {
+    }
+    UDR0 = said[at] == '0' ? '0' + number : said[at];
+  }
+#endif
+  (void)number;
+  for (;;) {
+  }
+}
+
+//# helper yield
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable cog_switch cog_overflow
+//#   fidelity: the next cog that runs goes on; all that waits on the target calls this
+extern "C" inline __attribute__((used)) void yield() {
+  uint8_t from = cog_table.now, to = from;
+  if (from) {
+    const uint8_t *stack = cog_table.stack[from - 1];
+    if (*stack != COG_PAINT || (const uint8_t *)SP < stack + COG_SAVED + 8) cog_overflow(from);
+  }
+  do to = to < COG_SLOTS ? to + 1 : 0;
+  while (to != from && !(cogs_running >> to & 1));
+  if (to == from) return;
+  cog_table.now = to;
+  cog_switch(&cog_table.saved[from], cog_table.saved[to]);
+}
+
+//# helper cog_stop
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable yield
+//#   fidelity: a cog that stops itself does not come back
+inline void cog_stop(int32_t number) {
+  if (number < 0 || number > COG_SLOTS) return;
+  cogs_running &= ~(1 << number);
+  while (!(cogs_running >> cog_table.now & 1)) yield();
+}
+
+//# helper cog_main
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable cog_stop
+//#   fidelity: a cog stops when its function ends
+inline void cog_main() {
+  uint8_t number = cog_table.now;
+  cog_table.code[number](cog_table.parameter[number]);
+  cog_stop(number);
+}
+
+//# helper cog_begin
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable cog_main
+//#   fidelity: false where the cog runs already; its function begins when the starter waits
+inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
+  if (cogs_running >> number & 1 || number == cog_table.now) return false;
+  uint8_t *stack = cog_table.stack[number - 1], *top = stack + COG_STACK;
+  memset(stack, COG_PAINT, COG_STACK);
+  *--top = (uint16_t)cog_main;
+  *--top = (uint16_t)cog_main >> 8;
+#ifdef __AVR_3_BYTE_PC__
+  *--top = 0;
+#endif
+  cog_table.saved[number] = top - COG_SAVED - 1;
+  cog_table.code[number] = code;
+  cog_table.parameter[number] = parameter;
+  cogs_running |= 1 << number;
+  return true;
+}
+
+//# helper cog_start
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable cog_begin
+//#   fidelity: the number of the cog, -1 when none is free
+inline int8_t cog_start(void (*code)(void *), void *parameter) {
+  for (uint8_t number = 1; number <= COG_SLOTS; number++) {
+    if (cog_begin(number, code, parameter)) return number;
+  }
+  return -1;
+}
+
+//# helper cog_stack_used
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: CogTable
+//#   fidelity: the most bytes that a cog had on its stack since it was started
+inline uint16_t cog_stack_used(uint8_t number) {
+  const uint8_t *stack = cog_table.stack[number - 1];
+  uint16_t unused = 0;
+  while (unused < COG_STACK && stack[unused] == COG_PAINT) unused++;
+  return COG_STACK - unused;
+}
+
+//# adapter cogstart
+//#   for: int cogstart(void (*func)(void *), void *par, void *stack, size_t stacksize)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: semantic
+//#   needs: cog_start
+//#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
+//#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
+inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
+  (void)stack;
+  (void)stacksize;
+  return cog_start(func, par);
+}
+
+//# adapter cogid
+//#   for: int cogid(void)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: semantic
+//#   needs: CogTable
+//#   fidelity: exact; 0 is the cog of main
+inline int32_t cogid() {
+  return cog_table.now;
+}
+
+//# adapter cogstop
+//#   for: void cogstop(int cogid)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: semantic
+//#   needs: cog_stop
+//#   fidelity: exact; pins stay as the cog left them
+//#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+inline void cogstop(int32_t cogid) {
+  cog_stop(cogid);
+}

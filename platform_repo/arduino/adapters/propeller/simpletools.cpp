@@ -1164,3 +1164,58 @@ inline void term_cmd(int32_t termConst, Numbers... numbers) {
 
 //# constant DUTY_SE
 #define DUTY_SE 0x18000000L
+
+// ---------------------------------------------------------------- cogs
+
+//# helper CogInfo
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: propeller.h/CogTable
+//#   fidelity: what cog_run gives back, a pointer to the cog's number plus 1; it fits any pointer to a number
+struct CogInfo {
+  int32_t *number;
+
+  template <class Number>
+  operator Number *() const { return (Number *)number; }
+  explicit operator bool() const { return number; }
+};
+static int32_t cog_numbers[COG_SLOTS];
+
+//# adapter cog_run
+//#   for: int *cog_run(void (*function)(void *par), int stacksize)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: semantic
+//#   needs: CogInfo propeller.h/cog_start
+//#   fidelity: runs the function whenever the others wait; 0 when no cog is free
+//#   limit: the size of the stack is not used: each cog has COG_STACK bytes
+inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
+  (void)stacksize;
+  int8_t number = cog_start(function, 0);
+  if (number < 0) return CogInfo{0};
+  cog_numbers[number - 1] = number + 1;
+  return CogInfo{&cog_numbers[number - 1]};
+}
+
+//# adapter cog_end
+//#   for: void cog_end(int *coginfo)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: semantic
+//#   needs: propeller.h/cog_stop
+//#   fidelity: exact; nothing happens where no cog was started
+//#   limit: pins that only this cog drove go on being driven; there they become inputs
+template <class Number>
+inline void cog_end(Number *coginfo) {
+  int32_t number = coginfo ? *coginfo - 1 : -1;
+  if (number < 0) return;
+  *coginfo = 0;
+  cog_stop(number);
+}
+
+//# adapter cog_num
+//#   for: int cog_num(int *coginfo)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: oneToOne
+//#   fidelity: exact
+template <class Number>
+inline int32_t cog_num(Number *coginfo) {
+  return *coginfo - 1;
+}
