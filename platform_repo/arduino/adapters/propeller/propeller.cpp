@@ -201,15 +201,19 @@ inline int32_t lockclr(int32_t lockid) {
   return -(int32_t)before;
 }
 
-//# helper CogTable
+//# helper COG_SLOTS
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   fidelity: code of other cogs runs on stacks of its own; one cog runs at a time, until it waits or ends
-//#   limit: a stack holds COG_STACK bytes: locals and calls of the cog, and the interrupts that come meanwhile
-#ifndef COG_SLOTS  // how many cogs run beside main at once, and the bytes of the stack of each: the migration says
+//#   fidelity: how many cogs run beside main at once, and how many bytes the stack of each has: the plan of a migration says
+#ifndef COG_SLOTS
 #define COG_SLOTS 1
 #define COG_STACK 200
 #endif
 
+//# helper cog_table
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: COG_SLOTS
+//#   fidelity: code of other cogs runs on stacks of its own; one cog runs at a time, until it waits or ends
+//#   limit: a stack holds COG_STACK bytes: locals and calls of the cog, and the interrupts that come meanwhile
 enum { COG_PAINT = 0xA5, COG_SAVED = 18 };  // what an unused stack is filled with; the registers that a function must keep
 
 struct CogTable {
@@ -220,7 +224,11 @@ struct CogTable {
   void *parameter[COG_SLOTS + 1];
 };
 static CogTable cog_table;
-static uint8_t cogs_running = 1;  // bit n: cog n runs; 0 is main
+
+//# helper cogs_running
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   fidelity: bit n: cog n runs; 0 is main
+static uint8_t cogs_running = 1;
 
 //# helper cog_switch
 //#   mcu: atmega328p atmega32u4 atmega2560
@@ -237,7 +245,6 @@ void cog_switch(uint8_t **, uint8_t *) {
 
 //# helper cog_overflow
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable
 //#   fidelity: a cog that used more than its stack stops the program, which says so on the console where that is open
 inline void cog_overflow(uint8_t number) {
   noInterrupts();
@@ -256,7 +263,7 @@ inline void cog_overflow(uint8_t number) {
 
 //# helper yield
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable cog_switch cog_overflow
+//#   needs: cog_table cogs_running cog_switch cog_overflow
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
 extern "C" inline __attribute__((used)) void yield() {
   uint8_t from = cog_table.now, to = from;
@@ -273,7 +280,7 @@ extern "C" inline __attribute__((used)) void yield() {
 
 //# helper cog_stop
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable yield
+//#   needs: cog_table cogs_running yield
 //#   fidelity: a cog that stops itself does not come back
 inline void cog_stop(int32_t number) {
   if (number < 0 || number > COG_SLOTS) return;
@@ -283,7 +290,7 @@ inline void cog_stop(int32_t number) {
 
 //# helper cog_main
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable cog_stop
+//#   needs: cog_table cog_stop
 //#   fidelity: a cog stops when its function ends
 inline void cog_main() {
   uint8_t number = cog_table.now;
@@ -293,7 +300,7 @@ inline void cog_main() {
 
 //# helper cog_begin
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable cog_main
+//#   needs: cog_table cogs_running cog_main
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
@@ -313,7 +320,7 @@ inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
 
 //# helper cog_start
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable cog_begin
+//#   needs: COG_SLOTS cog_begin
 //#   fidelity: the number of the cog, -1 when none is free
 inline int8_t cog_start(void (*code)(void *), void *parameter) {
   for (uint8_t number = 1; number <= COG_SLOTS; number++) {
@@ -324,7 +331,7 @@ inline int8_t cog_start(void (*code)(void *), void *parameter) {
 
 //# helper cog_stack_used
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: CogTable
+//#   needs: cog_table
 //#   fidelity: the most bytes that a cog had on its stack since it was started
 inline uint16_t cog_stack_used(uint8_t number) {
   const uint8_t *stack = cog_table.stack[number - 1];
@@ -350,7 +357,7 @@ inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t s
 //#   for: int cogid(void)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: CogTable
+//#   needs: cog_table
 //#   fidelity: exact; 0 is the cog of main
 inline int32_t cogid() {
   return cog_table.now;

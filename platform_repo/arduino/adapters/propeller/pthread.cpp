@@ -3,7 +3,6 @@
 
 //# helper Thread
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: propeller.h/CogTable
 //#   fidelity: what is known of a thread as long as nobody joined it
 struct Thread {
   void *(*code)(void *);
@@ -11,7 +10,12 @@ struct Thread {
   bool used, ended, detached;
   void *kept[4];  // by key
 };
-static Thread threads[COG_SLOTS + 1];  // 0 is main
+
+//# helper threads
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: Thread propeller.h/COG_SLOTS
+//#   fidelity: the thread of each cog; 0 is main
+static Thread threads[COG_SLOTS + 1];
 
 //# type pthread_t
 //#   needs: Thread
@@ -107,7 +111,7 @@ inline int32_t pthread_attr_setdetachstate(pthread_attr_t *attr, int32_t detachs
 
 //# helper thread_end
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: Thread propeller.h/cog_stop
+//#   needs: threads propeller.h/cog_table propeller.h/cog_stop
 //#   fidelity: what the thread gave back is kept for the one that joins it
 inline void thread_end(void *value) {
   Thread &thread = threads[cog_table.now];
@@ -130,7 +134,7 @@ inline void thread_main(void *) {
 //#   for: int pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(startfunc)(void *), void *arg)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: pthread_t pthread_attr_t thread_main propeller.h/cog_start
+//#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
 //#   limit: there are as many threads as the migration counted, each with a stack of COG_STACK bytes
 inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*startfunc)(void *), void *arg) {
@@ -183,7 +187,7 @@ inline int32_t pthread_detach(pthread_t thread) {
 //#   for: pthread_t pthread_self(void)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: pthread_t
+//#   needs: pthread_t threads propeller.h/cog_table
 //#   fidelity: exact
 inline pthread_t pthread_self() {
   return &threads[cog_table.now];

@@ -1169,7 +1169,6 @@ inline void term_cmd(int32_t termConst, Numbers... numbers) {
 
 //# helper CogInfo
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: propeller.h/CogTable
 //#   fidelity: what cog_run gives back, a pointer to the cog's number plus 1; it fits any pointer to a number
 struct CogInfo {
   int32_t *number;
@@ -1178,13 +1177,18 @@ struct CogInfo {
   operator Number *() const { return (Number *)number; }
   explicit operator bool() const { return number; }
 };
+
+//# helper cog_numbers
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   needs: propeller.h/COG_SLOTS
+//#   fidelity: the numbers of the cogs plus 1, where cog_run's callers look for them
 static int32_t cog_numbers[COG_SLOTS];
 
 //# adapter cog_run
 //#   for: int *cog_run(void (*function)(void *par), int stacksize)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: CogInfo propeller.h/cog_start
+//#   needs: CogInfo cog_numbers propeller.h/cog_start
 //#   fidelity: runs the function whenever the others wait; 0 when no cog is free
 //#   limit: the size of the stack is not used: each cog has COG_STACK bytes
 inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
