@@ -26,7 +26,15 @@ from robosmi.model.strict_package import (
 if TYPE_CHECKING:
     from robosmi.model.strict import EnumLiteral
 
-    from ..ccode import Call, Declaration, Located, NameReference, Program, SourceUnit
+    from ..ccode import (
+        Call,
+        Declaration,
+        Function,
+        Located,
+        NameReference,
+        Program,
+        SourceUnit,
+    )
     from ..hardware import Circuit, Component, Connector
     from ..platform import (
         Adapter,
@@ -186,6 +194,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """What happens to each element of the program."""
     connections: MutableSequence[Connection] = EReference(upper=-1, containment=True)
     """Which board pin reaches which component (paper, MAPPINGS)."""
+    concurrency: Concurrency | None = EReference(containment=True)
+    """How code runs that the program starts on other cores; none where it starts none, or the target has cores."""
     portBindings: MutableSequence[PortBinding] = EReference(upper=-1, containment=True)
     """Which port of the source is which connection of the target."""
     libraryChoices: MutableSequence[LibraryChoice] = EReference(
@@ -230,6 +240,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             inputs: Iterable[Input] | None = None,
             dispositions: Iterable[Disposition] | None = None,
             connections: Iterable[Connection] | None = None,
+            concurrency: Concurrency | None = None,
             portBindings: Iterable[PortBinding] | None = None,
             libraryChoices: Iterable[LibraryChoice] | None = None,
             adapterUses: Iterable[AdapterUse] | None = None,
@@ -385,6 +396,40 @@ class Widening(Decision):
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             element: Located | None = None,
+        ) -> None: ...
+
+
+class Concurrency(Decision):
+    """How code that ran on cores of its own runs on a target with one core: as coroutines, which take turns when one of them waits. Its changes of text let loops give way that would wait for the others without end."""
+
+    slots: int = EAttribute(eType=EInt)
+    """How many run beside main at once."""
+    stackBytes: int = EAttribute(eType=EInt)
+    """Bytes of the stack of each."""
+    loopGivesWay: bool = EAttribute(eType=EBoolean)
+    """True when what main repeats waits each time, so that nothing has to be added for the others to get on."""
+    starts: MutableSequence[Call] = EReference(upper=-1)
+    """The calls that start code on another core."""
+    functions: MutableSequence[Function] = EReference(upper=-1)
+    """The functions that they start."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
+            slots: int | None = None,
+            stackBytes: int | None = None,
+            loopGivesWay: bool | None = None,
+            starts: Iterable[Call] | None = None,
+            functions: Iterable[Function] | None = None,
         ) -> None: ...
 
 
@@ -797,7 +842,15 @@ class EarlierChoice(Element, metaclass=MetaEClass):
 if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     from robosmi.model.strict_package import EObject, classifier
 
-    from ..ccode import Call, Declaration, Located, NameReference, Program, SourceUnit
+    from ..ccode import (
+        Call,
+        Declaration,
+        Function,
+        Located,
+        NameReference,
+        Program,
+        SourceUnit,
+    )
     from ..hardware import Circuit, Component, Connector
     from ..platform import (
         Adapter,
@@ -823,6 +876,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.inputs.eType = Input
     MigrationPlan.dispositions.eType = Disposition
     MigrationPlan.connections.eType = Connection
+    MigrationPlan.concurrency.eType = Concurrency
     MigrationPlan.portBindings.eType = PortBinding
     MigrationPlan.libraryChoices.eType = LibraryChoice
     MigrationPlan.adapterUses.eType = AdapterUse
@@ -838,6 +892,8 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Disposition.element.eType = Located
     Disposition.hoisted.eType = TextCopy
     Widening.element.eType = Located
+    Concurrency.starts.eType = Call
+    Concurrency.functions.eType = Function
     Connection.pin.eType = Pin
     Connection.boardConnectors.eType = Connector
     Connection.component.eType = Component

@@ -1008,6 +1008,8 @@ class Adapter(Element, metaclass=MetaEClass):
     """Its name in the text, where the target has another of its own name; empty for the same name."""
     text: str = EAttribute(eType=EString, default_value="")
     """Its text in the language of the target."""
+    stackBytes: int = EAttribute(eType=EInt)
+    """Bytes of stack that a call takes, where these are many; 0 for a few."""
     fidelity: str = EAttribute(eType=EString, default_value="")
     """How faithful it is."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -1059,6 +1061,7 @@ class Adapter(Element, metaclass=MetaEClass):
             adapterKind: AdapterKind | None = None,
             targetName: str | None = None,
             text: str | None = None,
+            stackBytes: int | None = None,
             fidelity: str | None = None,
             limits: Iterable[str] | None = None,
             includes: Iterable[str] | None = None,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from tests.adapters.bench import Uno, proves
@@ -33,7 +35,7 @@ void setup() {
     trace = uno.run(program, uses, 80, first=SLOTS.format(2, 200))
     assert trace.text == "121 400 1"
     ups = [at for at, level in trace.levels("D8") if level == 1]
-    assert [b - a for a, b in zip(ups[:3], ups[1:4], strict=True)] == [pytest.approx(10_000, abs=300)] * 3
+    assert [b - a for a, b in itertools.pairwise(ups[:4])] == [pytest.approx(10_000, abs=300)] * 3
     assert [at - ups[0] for at, level in trace.levels("D9") if level == 1][1:3] == [
         pytest.approx(11_000, abs=400), pytest.approx(22_000, abs=400),
     ]  # fmt: skip
@@ -64,7 +66,8 @@ void setup() {
 def a_cog_that_needs_more_than_its_stack_stops_the_program_and_says_so(uno: Uno) -> None:
     program = """
 volatile uint8_t depth; uint16_t deepest;
-uint16_t dig(uint8_t left) { volatile uint8_t room[20]; room[0] = left; delay(0); yield(); return left ? dig(left - 1) + room[0] : 0; }
+uint16_t dig(uint8_t left) {
+  volatile uint8_t room[20]; room[0] = left; yield(); return left ? dig(left - 1) + room[0] : 0; }
 void digger(void *) { for (;;) { deepest = dig(depth++); delay(1); } }
 void setup() { Serial.begin(115200); cogstart(digger, 0, 0, 0);
   for (uint8_t i = 0; i < 20; i++) { delay(1); if (i == 2) { Serial.print(cog_stack_used(1) < 170); Serial.print(' '); } }
@@ -105,7 +108,8 @@ ATTRIBUTES = [f"pthread.h/pthread_attr_{name}" for name in ("init", "setstacksiz
 @proves(*LOCKS, *CONDITIONS, *ATTRIBUTES)
 def threads_share_locks_and_conditions(uno: Uno) -> None:
     program = """
-pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; pthread_cond_t ready; pthread_t one, two; pthread_attr_t kind; int32_t tokens; char said[40];
+pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER; pthread_cond_t ready; pthread_t one, two; pthread_attr_t kind;
+int32_t tokens; char said[40];
 void *taker(void *arg) {
   for (;;) {
     pthread_mutex_lock(&lock);
@@ -115,15 +119,20 @@ void *taker(void *arg) {
   return 0; }
 void setup() {
   Serial.begin(115200); static char a[] = "a", b[] = "b";
-  lock.locked = 7; Serial.print(pthread_mutex_init(&lock, NULL)); ready.woken = 9; Serial.print(pthread_cond_init(&ready, NULL));
-  kind.stksiz = 1; pthread_attr_init(&kind); Serial.print(kind.stksiz); pthread_attr_setstacksize(&kind, 80); Serial.print(kind.stksiz);
+  lock.locked = 7; Serial.print(pthread_mutex_init(&lock, NULL)); ready.woken = 9;
+  Serial.print(pthread_cond_init(&ready, NULL));
+  kind.stksiz = 1; pthread_attr_init(&kind); Serial.print(kind.stksiz);
+  pthread_attr_setstacksize(&kind, 80); Serial.print(kind.stksiz);
   pthread_attr_setdetachstate(&kind, PTHREAD_CREATE_DETACHED);
   pthread_create(&one, &kind, taker, a); pthread_create(&two, NULL, taker, b); Serial.print(pthread_join(one, 0));
   pthread_attr_destroy(&kind); Serial.print(kind.stksiz); Serial.print(' ');
-  delay(2); Serial.print(pthread_cond_destroy(&ready)); Serial.print(pthread_mutex_trylock(&lock)); Serial.print(pthread_mutex_trylock(&lock));
+  delay(2); Serial.print(pthread_cond_destroy(&ready));
+  Serial.print(pthread_mutex_trylock(&lock)); Serial.print(pthread_mutex_trylock(&lock));
   Serial.print(pthread_mutex_destroy(&lock));
-  tokens = 1; pthread_cond_signal(&ready); delay(3); Serial.print(said); pthread_mutex_unlock(&lock); delay(6); Serial.print(said);
-  said[0] = 0; Serial.print(' '); pthread_mutex_lock(&lock); tokens = 2; pthread_cond_broadcast(&ready); pthread_mutex_unlock(&lock); delay(6);
+  tokens = 1; pthread_cond_signal(&ready); delay(3); Serial.print(said);
+  pthread_mutex_unlock(&lock); delay(6); Serial.print(said);
+  said[0] = 0; Serial.print(' '); pthread_mutex_lock(&lock);
+  tokens = 2; pthread_cond_broadcast(&ready); pthread_mutex_unlock(&lock); delay(6);
   Serial.print(strlen(said)); Serial.print(pthread_mutex_destroy(&lock)); Serial.print(tokens);
 } void loop() { }
 """

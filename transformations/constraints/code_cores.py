@@ -10,7 +10,7 @@ from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.query import all_contents
+from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
 from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
@@ -38,13 +38,17 @@ def is_lost_register(use: Any) -> bool:
 
 
 def starts_code(call: ccode.Call) -> bool:
-    """Whether a call starts code of the program on another core, and the target has none."""
-    return has_fewer_cores() and id(call) in the_move().cores.starts
+    """Whether a call starts code of the program on another core, the target has none, and nothing lets it take turns there."""
+    if not has_fewer_cores() or id(call) not in the_move().cores.starts:
+        return False
+    shared = the_move().plan.concurrency
+    return shared is None or all(call is not start for start in shared.starts)
 
 
 def may_wait(loop: ccode.Loop) -> bool:
     """Whether a loop has a condition, and there is code on other cores that may change it."""
-    return loop.condition is not None and not loop.endless and has_fewer_cores() and bool(the_move().cores.elsewhere)
+    alone = has_fewer_cores() and the_move().plan.concurrency is None
+    return alone and loop.condition is not None and not loop.endless and bool(the_move().cores.elsewhere)
 
 
 references = moved.context(ccode.NameReference, guard=is_lost_register)
@@ -97,6 +101,29 @@ def RunsOnItsOwn(call: ccode.Call) -> Any:
     return Fail(f"{start.via} starts {what} on a core of its own; the target has one core")
 
 
+@units.critique(
+    id="RS325", info=True, location=place,
+    advice="measure the stacks on the board where they are tight; COG_STACK in adapters.h is what each has",
+)  # fmt: skip
+def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
+    """The program starts no code that takes turns with main."""
+    shared = the_move().plan.concurrency if move() is not None else None
+    starts = [call for call in shared.starts if ancestor_of_kind(call, ccode.SourceUnit) is unit] if shared is not None else []
+    if shared is None or not starts:
+        return True
+    names = ", ".join(f"'{function.name}'" for function in shared.functions) or "code"
+    taken = shared.slots * shared.stackBytes
+    chip = the_move().plan.board.microcontroller if the_move().plan.board is not None else None
+    of = f" of {chip.ramBytes}" if chip is not None and chip.ramBytes else ""
+    places = len({(change.unit, change.startOffset) for change in shared.changes if "yield" in change.replacement})
+    gives = f"{places} place{'s' * (places != 1)}" if places else "no place"
+    return together(
+        f"{names} takes turns with main, up to {shared.slots} at once, each on a stack of {shared.stackBytes} bytes ({taken}{of} "
+        f"bytes of RAM); each goes on until it waits, for which {gives} of the text was given a yield()",
+        starts,
+    )
+
+
 @units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait where other work has to go on")
 def DoesNotWait(unit: ccode.SourceUnit) -> Any:
     """What is repeated for ever does not wait."""
@@ -104,8 +131,10 @@ def DoesNotWait(unit: ccode.SourceUnit) -> Any:
     main = main_function(unit)
     repeated = [s.body for s in main.body.statements if isinstance(s, ccode.Loop) and s.endless] if main and main.body else []
     done = {id(e): e for e in reached(repeated)}.values()
-    calls = [e for e in done if isinstance(e, ccode.Call) and e.calleeName in cores.blocking and not e.viaMacro]
-    waits = sorted((*calls, *filter(_is_busy, done)), key=lambda e: int(e.startOffset))
+    blocking = cores.blocking - the_move().giving_way
+    calls = [e for e in done if isinstance(e, ccode.Call) and e.calleeName in blocking and not e.viaMacro]
+    busy = filter(_is_busy, done) if the_move().plan.concurrency is None else ()  # else these were given a yield
+    waits = sorted((*calls, *busy), key=lambda e: int(e.startOffset))
     if not waits:
         return True
     counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)

@@ -22,6 +22,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import split_parameters
 from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.cooperation import giving_way
 from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.numbers import Machine, Numbers
@@ -118,6 +119,11 @@ class Move:
         """Functions and other names of the source platform that adapters do on the target what they did there."""
         functions = {str(use.name) for use in self.plan.adapterUses if use.adapter is not None}
         return functions | {str(use.name) for use in self.plan.symbolUses if use.adapter is not None}
+
+    @cached_property
+    def giving_way(self) -> set[str]:
+        """Functions that wait and let code of other cores get on meanwhile, where that takes turns with main."""
+        return giving_way(self.views, self.plan.adapterUses) if self.plan.concurrency is not None else set()
 
     @cached_property
     def cores(self) -> Cores:

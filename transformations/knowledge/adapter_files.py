@@ -29,7 +29,7 @@ CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
 _LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
-_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table")
+_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack")
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
 _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
@@ -114,6 +114,7 @@ class AdapterPiece:
         limits: what it does not do.
         symmetric: parameters that may change places without a difference.
         target_name: its name on the target, where that has one of its own already.
+        stack: bytes of stack that a call takes, where these are many.
     """
 
     kind: str
@@ -139,6 +140,7 @@ class AdapterPiece:
     limits: list[str] = field(default_factory=list)
     symmetric: list[str] = field(default_factory=list)
     target_name: str = ""
+    stack: int = 0
 
 
 @dataclass
@@ -274,6 +276,10 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         piece.target_name = value
     elif key == "role":
         piece.role = value
+    elif key == "stack":
+        if not value.isdecimal():
+            raise _wrong(place, f"'{value}' is no number of bytes", "write: stack: BYTES")
+        piece.stack = int(value)
     elif key == "fidelity":
         piece.fidelity = f"{piece.fidelity} {value}".strip()
     elif key == "pin":

@@ -27,6 +27,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
         targetName=piece.target_name,
         componentRole=piece.role,
         takenVectors=list(piece.taken),
+        stackBytes=piece.stack,
         source="/".join(piece.location.path.replace("\\", "/").split("/")[-3:]),
         pins=[
             platform.AdapterPin(

@@ -197,6 +197,7 @@ def put_together(
         dispositions=d.dependence.dispositions,
         widths=migration.Widths.fix if d.fixed else migration.Widths.keep,
         widenings=d.widened.widenings,
+        concurrency=d.dependence.concurrency,
         connections=connections,
         portBindings=list(d.bindings),
         libraryChoices=list(d.choices),

@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.platform_model import COMPILER
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
 from robosmi.transformations.m2m.adapter_choice import TYPES, VALUES, AdapterChoice, UnservedHeader, serve
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
+from robosmi.transformations.m2m.concurrency import concurrency
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.hoisting import hoist
 from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
@@ -60,6 +61,7 @@ class Dependence:
         unserved: headers of which the target can serve nothing.
         source: the part of the source platform that is used.
         divisions: how main is divided.
+        concurrency: how code runs that the program starts on other cores.
     """
 
     dispositions: list[migration.Disposition] = field(default_factory=list)
@@ -69,6 +71,7 @@ class Dependence:
     unserved: list[UnservedHeader] = field(default_factory=list)
     source: platform.Platform | None = None
     divisions: list[Division] = field(default_factory=list)
+    concurrency: migration.Concurrency | None = None
 
 
 def partition(
@@ -107,6 +110,9 @@ def partition(
     reserved = names.declared | names.macros | names.keywords
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
     result.divisions = [divide(main, reserved, words) for main in mains]
+    if not target.model.platform or not target.model.platform.hasCogs:
+        plain = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
+        result.concurrency = concurrency(views, result.adapters, result.divisions, plain)
     apart = {a.name for a in result.adapters if a.signatureSource is not OWN}
     code = ProgramModel(views)
     judged = dispositions(code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}))
@@ -116,6 +122,8 @@ def partition(
     trace.take(judged.trace)
     for made in result.adapters:
         trace.link("adapter", STEP, [*made.calls, made.function], [made])
+    if result.concurrency is not None:
+        trace.link("concurrency", STEP, [*result.concurrency.starts, *result.concurrency.functions], [result.concurrency])
     for use in result.symbols:
         trace.link("placeholder", STEP, [*use.uses, use.symbol], [use])
     return result

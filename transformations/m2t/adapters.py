@@ -93,7 +93,7 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
     written = shared if several_units(plan) else str
     return {
         "headers": includes(pieces),
-        "declarations": declarations(pieces, pins, UNBOUND, numbers),
+        "declarations": [*_cores(plan), *declarations(pieces, pins, UNBOUND, numbers)],
         "pieces": [
             PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
             for piece, above in zip(pieces, (None, *pieces), strict=False)
@@ -112,6 +112,15 @@ def handles_interrupts(plan: migration.MigrationPlan, unit: ccode.SourceUnit) ->
         return False
     units = [each for each in plan.program.units if not is_header(each)]
     return unit is next((each for each in units if main_of(each) is not None), units[0])
+
+
+def _cores(plan: migration.MigrationPlan) -> list[str]:
+    """What the pieces for code on other cores are told: how many run at once, and how much stack each has."""
+    said = plan.concurrency
+    if said is None:
+        return []
+    about = "// Code of other cores runs in turns: so many beside main at once, each with a stack of so many bytes"
+    return ["", about, f"#define COG_SLOTS {said.slots}", f"#define COG_STACK {said.stackBytes}"]
 
 
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:

@@ -91,7 +91,7 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
         ahead = [f"  {line}" for line in (*_setup(plan), *_parameters(main))]
         yield from _function("setup", source, start, _last_line(source, end), statements, main, cuts, ahead)
         yield MainPart("\n", "generation", "blank", [main])
-        yield MainPart("void loop() {\n}\n", "generation", "loop", [main])
+        yield MainPart(f"void loop() {{\n{_GIVES_WAY if plan.concurrency is not None else ''}}}\n", "generation", "loop", [main])
         return
     after, ends = _ends(plan, main)
     for name in (*([after] if after else []), *ends):
@@ -104,19 +104,21 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
     yield from _function("setup", source, start, border, statements[:place], main, cuts, [f"  {line}" for line in _setup(plan)])
     yield MainPart("\n", "generation", "blank", [main])
     inner = loop.body
+    shared = plan.concurrency
+    lines = [_GIVES_WAY] if shared is not None and not shared.loopGivesWay else []
     if isinstance(inner, ccode.Block):
         yield from _comments(source, loop.startOffset, inner.startOffset, loop)
         first, behind = inside(source.data, inner)
         behind = _last_line(source, behind)
-        yield from _function("loop", source, _first_line(source, first), behind, list(inner.statements), loop)
+        yield from _function("loop", source, _first_line(source, first), behind, list(inner.statements), loop, first=lines)
         last = inner.endOffset
     elif inner is None or isinstance(inner, ccode.EmptyStatement):
-        yield from _function("loop", source, loop.endOffset, loop.endOffset, [], loop)
+        yield from _function("loop", source, loop.endOffset, loop.endOffset, [], loop, first=lines)
         last = loop.startOffset
     else:
         yield from _comments(source, loop.startOffset, inner.startOffset, loop)
         last = source.statement_end(inner)
-        yield from _function("loop", source, inner.startOffset, last, [inner], loop)
+        yield from _function("loop", source, inner.startOffset, last, [inner], loop, first=lines)
     if after:
         following = list(statements[place + 1 :])
         yield MainPart("\n", "generation", "blank", [main])
@@ -131,6 +133,7 @@ def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Fu
         yield MainPart(text, "generation", "end of main", [main])
 
 
+_GIVES_WAY = "  yield();  // the others get on\n"
 _STAYS = "  for (;;) yield();\n"
 
 

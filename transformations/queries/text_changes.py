@@ -24,6 +24,7 @@ def all_changes(plan: migration.MigrationPlan) -> list[migration.TextChange]:
     decisions: tuple[migration.Decision, ...] = (
         *plan.portBindings,
         *plan.libraryChoices,
+        *([plan.concurrency] if plan.concurrency is not None else []),
         *plan.dispositions,
         *(w for w in plan.widenings if w.choice != "keep"),
     )

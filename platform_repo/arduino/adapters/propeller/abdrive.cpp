@@ -53,6 +53,7 @@ inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
 }
 
 //# helper wheels
+//#   stack: 100
 struct Wheel {
   volatile int32_t speed256;      // ticks/s, in 1/256
   volatile int16_t target;        // ticks/s

@@ -480,6 +480,7 @@ inline void writeDec(text_t *device, int32_t value) {
 }
 
 //# adapter putDec
+//#   stack: 70
 //#   for: void putDec(int value)
 //#   kind: oneToOne
 //#   needs: dport_ptr writeDec
@@ -590,6 +591,7 @@ inline void writeFloat(text_t *device, float value) {
 }
 
 //# adapter putFloat
+//#   stack: 150
 //#   for: void putFloat(float value)
 //#   kind: oneToMany
 //#   needs: dport_ptr TextOut write_float
@@ -639,6 +641,7 @@ inline int32_t putStrWithNpcVals(const char *s) {
 // ---------------------------------------------------------------- formats
 
 //# helper TextArgument
+//#   stack: 200
 //#   fidelity: an argument of print as it is there: 32 bits of integer, a float or a text
 struct TextArgument {
   char kind;  // 'd', 'f' or 's'

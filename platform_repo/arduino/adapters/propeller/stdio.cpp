@@ -76,6 +76,7 @@ struct FloatText {
 };
 
 //# helper printf_text
+//#   stack: 220
 //#   needs: simpletext.h/TextOut simpletext.h/TextArgument FloatText
 //#   include: <math.h>
 //#   fidelity: flags, width, precision, *, h, hh, l and the conversions d i u o x X c s p f F e E g G and %

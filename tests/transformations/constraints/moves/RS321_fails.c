@@ -1,8 +1,8 @@
 #include "simpletools.h"
-void blink(void *par) { while (1) toggle(26); }
+extern unsigned int machine_code[];
 
 int main(void)
 {
-  cog_run(blink, 128);  // RS321: cog_run(blink, 128)
+  cognew(machine_code, 0);  // RS321: cognew(machine_code, 0)
   while (1) pause(10);
 }

@@ -6,7 +6,7 @@ void measure(void *par) { ready = 1; }
 
 int main(void)
 {
-  cog_run(measure, 128);
+  cognew(measure, 0);
   while (!ready) { if (input(3)) break; }
   while (!ready) ready = input(3);
   while (!input(4));

@@ -1,0 +1,108 @@
+"""Code that a program starts on other cores, as coroutines of a target with one core: the plan's decision about it.
+
+A program that starts none has no such decision; neither has one whose starts no adapter serves. The only changes of text are
+calls of `yield` in loops that would keep the others waiting without end. What has to give way, and how much stack is needed, is
+told by `queries.cooperation`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.code import CodeView, CogStart, cogs_of
+from robosmi.transformations.queries.cooperation import (
+    Waiting,
+    gives_way,
+    giving_way,
+    loops_of,
+    main_loop,
+    stack_bytes,
+    starts_at_once,
+)
+from robosmi.transformations.queries.main_function import Division
+from robosmi.transformations.queries.plan_adapters import closure
+from robosmi.transformations.queries.source_text import SourceText, inside
+
+GIVE_WAY = "give-way"
+"""Rule of changes of text: a loop lets the others get on."""
+YIELD = "yield"
+"""The target's function that lets others get on, and the piece that makes the next of them go on."""
+IDLE, SPARE = 80, 1.25
+"""Bytes that a coroutine needs that does nothing, interrupts included; what is added to an estimate."""
+_ENDS = re.compile(r"_end\b|stop\b|join\b|exit\b")
+REASON = "the others get on only when this loop waits"
+
+
+def concurrency(
+    views: Sequence[CodeView],
+    uses: Sequence[migration.AdapterUse],
+    divisions: Sequence[Division],
+    texts: Sequence[SourceText],
+) -> migration.Concurrency | None:
+    """How the code runs that the program starts on other cores; None where it starts none that an adapter serves.
+
+    Args:
+        views: a view of each unit.
+        uses: the adapters of the plan.
+        divisions: how each main is divided.
+        texts: the text of each unit.
+    """
+    filled = {str(use.name): closure([use.adapter]) for use in uses if use.adapter is not None}
+    starts = [s for view in views for s in cogs_of(view) if any(p.name == YIELD for p in filled.get(s.via, ()))]
+    if not starts:
+        return None
+    functions = _functions(views, starts)
+    waiting = Waiting(giving_way(views, uses))
+    stacks = {name: max(p.stackBytes for p in pieces) for name, pieces in filled.items()}
+    needs = [(f, IDLE + stack_bytes(f, {n: b for n, b in stacks.items() if b})) for f in functions]
+    most = max((need for _, need in needs), default=2 * IDLE)
+    slots, why = starts_at_once([s.call for s in starts], any(_ENDS.search(name) for name in filled))
+    made = migration.Concurrency(
+        slots=slots,
+        stackBytes=-int(-most * SPARE // 8) * 8,
+        starts=[s.call for s in starts],
+        functions=functions,
+        choice="coroutines",
+        chosenBy=migration.ChosenBy.rule,
+        confidence=1.0,
+        evidence=[*why, *(f"'{f.name}' is estimated to need {need} bytes of stack" for f, need in needs)],
+    )
+    divided = {id(d.loop) for d in divisions if d.loop is not None}
+    for view, text in zip(views, texts, strict=True):
+        for loop in loops_of(view):
+            if id(loop) not in divided and not _expanded(loop, view) and not gives_way(loop, waiting):
+                made.changes.extend(_changes(loop, text))
+    made.loopGivesWay = any(gives_way(loop, waiting) for view in views if (loop := main_loop(view)) and id(loop) in divided)
+    return made
+
+
+def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:
+    """The program's functions that are started, each once."""
+    own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    return [own[name] for name in dict.fromkeys(s.function for s in starts) if name in own]
+
+
+def _expanded(loop: ccode.Loop, view: CodeView) -> bool:
+    """Whether a loop comes from a macro, so that its text is elsewhere."""
+    return any(use.startOffset <= loop.startOffset < use.endOffset for use in view.unit.macroUses)
+
+
+def _changes(loop: ccode.Loop, text: SourceText) -> list[migration.TextChange]:
+    """What lets a loop give way each time: the shortest text that its body allows."""
+    body = loop.body
+    if isinstance(body, ccode.Block):
+        start = inside(text.data, body)[0]
+        return [_change(text, start, start, f" {YIELD}();")]
+    if body is None or isinstance(body, ccode.EmptyStatement):
+        end = text.data.find(b";", int(body.startOffset) if body is not None else int(loop.endOffset))
+        return [_change(text, end, end + 1, f" {YIELD}();")] if end >= 0 else []
+    start, end = int(body.startOffset), text.statement_end(body)
+    return [_change(text, start, start, f"{{ {YIELD}(); "), _change(text, end, end, " }")]
+
+
+def _change(text: SourceText, start: int, end: int, new: str) -> migration.TextChange:
+    return migration.TextChange(
+        unit=text.unit, startOffset=start, endOffset=end, replacement=new, rule=GIVE_WAY, reason=REASON, step=migration.Step.code
+    )

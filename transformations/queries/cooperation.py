@@ -1,0 +1,228 @@
+"""Code on other cores as coroutines on one: where loops have to give way, how many run at once, how much stack each needs.
+
+A coroutine goes on until it waits, so a loop that waits for the others must give way to them. What waits is known of the
+platform's functions and of the adapters that stand for them; the rest is read off the code model. What is made of it is the
+plan's business (`m2m.concurrency`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import Any
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.cores import reached, written
+from robosmi.transformations.queries.main_program import main_function
+from robosmi.transformations.queries.plan_adapters import closure
+from robosmi.transformations.queries.values import Values
+
+MOST = 7
+"""Cores besides the one of main."""
+_WAITS = re.compile(r"\b(?:yield|delay)\s*\(")
+_FRAME, _SCALAR, _UNKNOWN = 14, 4, 16
+"""Bytes of stack: of a call with the registers that it keeps, of a value, of a value of unknown size."""
+
+
+def giving_way(views: Sequence[CodeView], uses: Iterable[migration.AdapterUse]) -> set[str]:
+    """Names of the platform's functions that wait and whose adapters let others get on meanwhile.
+
+    Args:
+        views: a view of each unit.
+        uses: the adapters of a plan.
+    """
+    blocking = {name for view in views for name in view.called() if view.api.meaning(name).get("blocking")}
+    pieces = {str(use.name): closure([use.adapter]) for use in uses if use.adapter is not None and use.name in blocking}
+    return {name for name, needed in pieces.items() if any(_WAITS.search(str(piece.text)) for piece in needed)}
+
+
+class Waiting:
+    """Which statements surely wait, so that others get on.
+
+    Args:
+        waiting: names of functions of the platform that wait and let others get on.
+    """
+
+    def __init__(self, waiting: Collection[str]) -> None:
+        self._waiting = frozenset(waiting)
+        self._known: dict[int, bool] = {}
+
+    def waits(self, statement: Any) -> bool:
+        """Whether whoever carries out the statement has waited behind it."""
+        if statement is None:
+            return False
+        if isinstance(statement, ccode.Block):
+            for inner in statement.statements:
+                if self.waits(inner):
+                    return True
+                if any(isinstance(e, (ccode.Continue, ccode.Goto)) for e in (inner, *all_contents(inner))):
+                    return False
+            return False
+        if isinstance(statement, ccode.If):
+            both = statement.elseBranch is not None and self.waits(statement.thenBranch) and self.waits(statement.elseBranch)
+            return both or self.calls(statement.condition)
+        if isinstance(statement, ccode.DoWhile):
+            return self.waits(statement.body)
+        if isinstance(statement, ccode.Loop):
+            return self.calls(statement.condition) or (isinstance(statement, ccode.For) and self.calls(statement.initial))
+        if isinstance(statement, (ccode.ExpressionStatement, ccode.DeclarationStatement, ccode.Return)):
+            return self.calls(statement)
+        return False
+
+    def calls(self, element: Any) -> bool:
+        """Whether an expression calls what waits."""
+        if element is None:
+            return False
+        return any(isinstance(e, ccode.Call) and self._call(e) for e in (element, *all_contents(element)))
+
+    def _call(self, call: ccode.Call) -> bool:
+        callee = call.callee
+        if callee is None or callee.body is None:
+            return str(call.calleeName) in self._waiting
+        known = self._known.get(id(callee))
+        if known is None:
+            self._known[id(callee)] = False  # a function that calls itself
+            known = self._known[id(callee)] = self.waits(callee.body)
+        return known
+
+
+def gives_way(loop: ccode.Loop, waiting: Waiting) -> bool:
+    """Whether a loop lets others get on each time, or does not need to: it ends by what it does itself."""
+    step = loop.step if isinstance(loop, ccode.For) else None
+    if waiting.waits(loop.body) or waiting.calls(loop.condition) or waiting.calls(step):
+        return True
+    if loop.endless or loop.condition is None:
+        return False
+    inside = reached([loop.condition, loop.body, step])
+    changed = written(inside)
+    condition = [loop.condition, *all_contents(loop.condition)]
+    names = [e.target for e in condition if isinstance(e, ccode.NameReference)]
+    return any(isinstance(v, (ccode.Variable, ccode.Parameter)) and _changes(v, inside, changed) for v in names)
+
+
+def _changes(variable: Any, inside: Iterable[Any], changed: Mapping[int, Any]) -> bool:
+    """Whether a loop itself changes what its condition asks."""
+    if id(variable) in changed:
+        return True
+    for element in inside:
+        target: Any = element.left if isinstance(element, ccode.Assignment) else None
+        if isinstance(element, ccode.Unary) and element.operator in ("++", "--", "&"):
+            target = element.operand
+        while isinstance(target, (ccode.Index, ccode.Member, ccode.Cast)):
+            target = target.array if isinstance(target, ccode.Index) else getattr(target, "object", None) or target.operand
+        if isinstance(target, ccode.NameReference) and target.target is variable:
+            return True
+    return False
+
+
+def starts_at_once(calls: Sequence[ccode.Call], ended: bool) -> tuple[int, list[str]]:
+    """How many of the starts may run beside main at once, and why.
+
+    Args:
+        calls: those that start code on another core.
+        ended: whether the program ends any of it.
+    """
+    total, why = 0, []
+    for call in calls:
+        count = _times(call, ended, ())
+        total += count
+        if count > 1:
+            why.append(f"line {call.line} may start {min(count, MOST)}")
+    return max(1, min(total, MOST)), why
+
+
+def _times(element: Any, ended: bool, above: tuple[int, ...]) -> int:
+    """How often an element may be carried out without an end of what it starts."""
+    function = ancestor_of_kind(element, ccode.Function)
+    count = 1
+    loop = ancestor_of_kind(element, ccode.Loop)
+    while loop is not None:
+        count *= _trips(loop) or (1 if ended else MOST)
+        loop = ancestor_of_kind(loop.eContainer(), ccode.Loop)
+    if function is None or id(function) in above or function.name == "main":
+        return min(count, MOST)
+    callers = sum(_times(call, ended, (*above, id(function))) for call in function.calls)
+    return min(count * max(callers, 1), MOST)
+
+
+def _trips(loop: ccode.Loop) -> int:
+    """How often a loop with a counter and constant bounds is carried out; 0 where that is not known."""
+    if not isinstance(loop, ccode.For) or loop.condition is None:
+        return 0
+    unit = ancestor_of_kind(loop, ccode.SourceUnit)
+    if unit is None or unit.program is None:
+        return 0
+    references = [e for e in all_contents(loop) if isinstance(e, ccode.NameReference) and isinstance(e.target, ccode.Variable)]
+    changed = written([loop.step, *all_contents(loop.step)]) if loop.step is not None else {}
+    inside = loop.body
+    for reference in references:
+        if id(reference.target) in changed and inside is not None and _within(reference, inside):
+            values = Values(unit.program, unit).of(reference)
+            numbers = {v.number for v in values if v.number is not None}
+            return len(numbers) if numbers and all(v.number is not None for v in values) else 0
+    return _counted(loop)
+
+
+def _counted(loop: ccode.For) -> int:
+    """The trips of `for (i = A; i < B; i++)` with literals."""
+    condition = loop.condition
+    literals = [e.value for e in all_of_kind(loop.initial, ccode.IntegerLiteral)] if loop.initial is not None else []
+    if not isinstance(condition, ccode.Binary) or condition.operator not in ("<", "<=", "!=") or len(literals) != 1:
+        return 0
+    if not isinstance(condition.right, ccode.IntegerLiteral):
+        return 0
+    return max(0, int(condition.right.value) - int(literals[0]) + (condition.operator == "<="))
+
+
+def _within(element: Any, container: Any) -> bool:
+    return bool(container.startOffset <= element.startOffset < container.endOffset)
+
+
+def stack_bytes(function: ccode.Function, adapters: Mapping[str, int], above: tuple[int, ...] = ()) -> int:
+    """How many bytes of stack a function takes with all that it calls, as far as the model tells.
+
+    Args:
+        function: the function.
+        adapters: name of a function of the platform -> bytes that its adapter takes.
+        above: functions that lead here; what calls itself is counted once.
+    """
+    if id(function) in above or function.body is None:
+        return 0
+    inside = list(all_contents(function.body))
+    own = _FRAME + sum(_size(e) for e in inside if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
+    deepest = 0
+    for call in inside:
+        if not isinstance(call, ccode.Call):
+            continue
+        callee = call.callee
+        if callee is not None and callee.body is not None:
+            deepest = max(deepest, stack_bytes(callee, adapters, (*above, id(function))))
+        else:
+            deepest = max(deepest, adapters.get(str(call.calleeName), _FRAME))
+    return own + deepest
+
+
+def _size(variable: ccode.Variable) -> int:
+    use = variable.valueType
+    if use is None:
+        return _UNKNOWN
+    count = 1
+    for size in re.findall(r"\[([^\]]*)\]", use.arrayDims or ""):
+        count *= int(size) if size.strip().isdecimal() else _UNKNOWN
+    if use.pointerDepth:
+        return 2 * count
+    return count * (max(1, int(use.bits) // 8) if use.bits else _SCALAR)
+
+
+def loops_of(view: CodeView) -> list[ccode.Loop]:
+    """The loops of a unit in its functions, in text order."""
+    return sorted(view.of_kind(ccode.Loop), key=lambda loop: int(loop.startOffset))
+
+
+def main_loop(view: CodeView) -> ccode.Loop | None:
+    """The first endless loop directly in the unit's main."""
+    main = main_function(view.unit)
+    statements = main.body.statements if main is not None and main.body is not None else ()
+    return next((s for s in statements if isinstance(s, (ccode.While, ccode.For)) and s.endless), None)
