@@ -6,6 +6,7 @@ are the plan's.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from robosmi.transformations.knowledge.api_facts import ApiEntry, PinParameter
     from robosmi.transformations.knowledge.platform_api import ApiIndex
 
+_FUNCTION = re.compile(r"\(\s*(\w+)\s*\)\s*\(")
 DIRECTIONS = {"in": "input", "out": "output", "both": "both", "unknown": "unknown"}
 RELATIONS = {"equals": "equals", "not": "different", "below": "below"}
 COMPILER = "(compiler)"
@@ -168,6 +170,7 @@ def split_parameters(text: str) -> list[str]:
 def _parameter(text: str) -> tuple[str, str]:
     """Type and name of a parameter as declared; the name is empty where none is given."""
     if "(" in text:
+        text = _FUNCTION.sub(r"(*\1)(", text)  # a parameter that is a function is a pointer to one
         inner = text.partition("(*")[2].partition(")")[0].strip()
         return (text.replace(f"(*{inner})", "(*)", 1), inner) if inner.isidentifier() else (text, "")
     head, array = (text[: text.index("[")], text[text.index("[") :]) if "[" in text else (text, "")

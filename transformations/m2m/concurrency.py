@@ -58,7 +58,7 @@ def concurrency(
     stacks = {name: max(p.stackBytes for p in pieces) for name, pieces in filled.items()}
     needs = [(f, IDLE + stack_bytes(f, {n: b for n, b in stacks.items() if b})) for f in functions]
     most = max((need for _, need in needs), default=2 * IDLE)
-    slots, why = starts_at_once([s.call for s in starts], any(_ENDS.search(name) for name in filled))
+    slots, why = starts_at_once([s.call for s in starts], {name for name in filled if _ENDS.search(name)})
     made = migration.Concurrency(
         slots=slots,
         stackBytes=-int(-most * SPARE // 8) * 8,

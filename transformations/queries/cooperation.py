@@ -117,33 +117,34 @@ def _changes(variable: Any, inside: Iterable[Any], changed: Mapping[int, Any]) -
     return False
 
 
-def starts_at_once(calls: Sequence[ccode.Call], ended: bool) -> tuple[int, list[str]]:
+def starts_at_once(calls: Sequence[ccode.Call], ends: Collection[str]) -> tuple[int, list[str]]:
     """How many of the starts may run beside main at once, and why.
 
     Args:
         calls: those that start code on another core.
-        ended: whether the program ends any of it.
+        ends: names of functions that end such code, or wait for its end.
     """
     total, why = 0, []
     for call in calls:
-        count = _times(call, ended, ())
+        count = _times(call, ends, ())
         total += count
         if count > 1:
             why.append(f"line {call.line} may start {min(count, MOST)}")
     return max(1, min(total, MOST)), why
 
 
-def _times(element: Any, ended: bool, above: tuple[int, ...]) -> int:
-    """How often an element may be carried out without an end of what it starts."""
+def _times(element: Any, ends: Collection[str], above: tuple[int, ...]) -> int:
+    """How often an element may be carried out without an end of what it starts; a loop that also ends some counts once."""
     function = ancestor_of_kind(element, ccode.Function)
     count = 1
     loop = ancestor_of_kind(element, ccode.Loop)
     while loop is not None:
-        count *= _trips(loop) or (1 if ended else MOST)
+        ended = any(isinstance(e, ccode.Call) and e.calleeName in ends for e in reached([loop.body]))
+        count *= 1 if ended else _trips(loop) or MOST
         loop = ancestor_of_kind(loop.eContainer(), ccode.Loop)
     if function is None or id(function) in above or function.name == "main":
         return min(count, MOST)
-    callers = sum(_times(call, ended, (*above, id(function))) for call in function.calls)
+    callers = sum(_times(call, ends, (*above, id(function))) for call in function.calls)
     return min(count * max(callers, 1), MOST)
 
 

@@ -1,0 +1,148 @@
+"""Programs with cogs, moved whole, run on a simulator: what their cogs do beside main is what the libraries define.
+
+Each program is compiled as it is generated, for one of each kind of microcontroller; what is expected follows from its text:
+levels of pins with their times, the console.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.transformations.chains.output import Generated
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.simulation import PinTrace, simulate
+from robosmi.verify.toolchain import compile_sketch
+from tests.tools import require_engine, require_tools
+
+PROGRAMS = Path(__file__).parent / "programs"
+BIND = {"P25": "D6", "P26": "D13", "P27": "D12", "P5": "D5"}
+BOARDS = ["uno", "leonardo", "mega"]
+
+
+@pytest.fixture(autouse=True)
+def _tools() -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    require_engine("simavr")
+
+
+def moved(name: str, folder: Path, board: str = "uno") -> Generated:
+    """A program with its ports bound where it has them, as a sketch."""
+    place = PROGRAMS / name
+    files = sorted(place.glob("*.c")) if place.is_dir() else [place.with_suffix(".c")]
+    text = "".join(file.read_text() for file in files)
+    bind = {port: pin for port, pin in BIND.items() if re.search(rf"\b(?:high|low|toggle|input)\({port[1:]}\)", text)}
+    made: Generated = robosmi.migrate(files, folder, bind=bind, target=board)
+    return made
+
+
+def run(name: str, folder: Path, milliseconds: float, board: str = "uno") -> PinTrace:
+    """What a moved program does; the generated text gives no warning."""
+    made = moved(name, folder / "out", board)
+    report = compile_sketch(made.sketch, board, keep=folder)
+    assert report.ok, [finding.message for finding in report.diagnostics]
+    own = [
+        f for f in report.diagnostics if f.severity.name == "warning" and "adapters.h" in (f.location.path if f.location else "")
+    ]
+    assert own == []
+    assert report.elf is not None
+    assert report.hex is not None
+    return simulate(job(report.elf, report.hex, load_board(board), milliseconds * 1000))
+
+
+def rises(trace: PinTrace, pin: str) -> list[float]:
+    """When a pin went high, in milliseconds."""
+    return [at / 1000 for at, level in trace.levels(pin) if level == 1]
+
+
+def gaps(times: list[float]) -> list[float]:
+    """The times between them."""
+    return [b - a for a, b in zip(times, times[1:], strict=False)]
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_cogs_share_a_variable_until_one_is_ended(board: str, tmp_path: Path) -> None:
+    trace = run("exchange", tmp_path, 2600, board)
+    times = rises(trace, "D13")
+    assert gaps(times)[:4] == [pytest.approx(200, rel=0.02)] * 4
+    assert gaps(times)[-4:] == [pytest.approx(100, rel=0.02)] * 4
+    assert times[-1] < 2020
+    (ended,) = rises(trace, "D12")
+    assert ended == pytest.approx(2000, abs=20)
+
+
+def test_a_busy_wait_ends_when_the_cog_says_so(tmp_path: Path) -> None:
+    trace = run("busy_wait", tmp_path, 400)
+    first = rises(trace, "D13")[0]
+    (begun,) = rises(trace, "D12")
+    ended = [at / 1000 for at, level in trace.levels("D12") if level == 0][-1]
+    assert begun - first == pytest.approx(100, abs=3)
+    assert ended - begun == pytest.approx(100, abs=3)
+    assert trace.text == "2 1\n"
+    assert len(trace.levels("D13")) >= 18, "the cog goes on when main has nothing more to do"
+
+
+def test_a_lock_lets_one_cog_in(tmp_path: Path) -> None:
+    assert run("locks", tmp_path, 200).text == "done 2, worst 1\n"
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_each_cog_has_its_parameter(board: str, tmp_path: Path) -> None:
+    trace = run("parameters", tmp_path, 350, board)
+    for pin, time in (("D6", 30), ("D13", 20), ("D12", 10)):
+        assert gaps(rises(trace, pin)) == [pytest.approx(2 * time, abs=2)] * 3
+    if board == "uno":
+        assert trace.text == "6\n"
+
+
+def test_a_cog_is_started_again_in_the_place_of_one_that_ended(tmp_path: Path) -> None:
+    plan = moved("again_and_again", tmp_path / "plan").models.plan
+    assert plan.concurrency is not None
+    assert plan.concurrency.slots == 1
+    trace = run("again_and_again", tmp_path, 200)
+    assert trace.text == "4 runs\n"
+    assert len([level for _, level in trace.levels("D13") if level in (0, 1)]) == 4
+
+
+def test_a_cog_prints_while_main_blinks(tmp_path: Path) -> None:
+    trace = run("text_from_a_cog", tmp_path, 230)
+    assert trace.text == "".join(f"told {n} times {n / 2:.2f}\n" for n in range(1, 5))
+    assert gaps(rises(trace, "D13"))[:3] == [pytest.approx(50, abs=3)] * 3
+
+
+def test_cogs_go_on_when_main_has_ended(tmp_path: Path) -> None:
+    trace = run("main_ends", tmp_path, 205)
+    assert len(trace.levels("D13")) >= 19
+    assert rises(trace, "D12") == []
+
+
+def test_computing_and_polling_keep_nobody_waiting(tmp_path: Path) -> None:
+    trace = run("computing", tmp_path, 150)
+    assert gaps([at / 1000 for at, _ in trace.levels("D13")][1:11]) == [pytest.approx(10, abs=1)] * 9
+    assert len(rises(trace, "D6")) == 1
+
+
+def test_a_cog_keeps_its_beat(tmp_path: Path) -> None:
+    trace = run("in_step", tmp_path, 190)
+    beats = rises(trace, "D13")
+    assert gaps(beats) == [pytest.approx(20, abs=0.2)] * (len(beats) - 1)
+    assert len(beats) >= 8
+    (up,) = rises(trace, "D12")
+    down = [at / 1000 for at, level in trace.levels("D12") if level == 0][-1]
+    assert up - beats[0] == pytest.approx(40, abs=2)
+    assert down - up == pytest.approx(50, abs=2)
+
+
+@pytest.mark.parametrize("board", ["uno", "mega"])
+def test_threads_are_joined_and_share_a_mutex(board: str, tmp_path: Path) -> None:
+    assert run("threads", tmp_path, 250, board).text == "70 4\n"
+
+
+def test_code_of_a_cog_may_stand_in_another_file(tmp_path: Path) -> None:
+    trace = run("two_files", tmp_path, 300)
+    assert trace.text == "5 1\n"
+    assert len(rises(trace, "D13")) in (5, 6)
