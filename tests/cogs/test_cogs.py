@@ -6,6 +6,7 @@ levels of pins with their times, the console.
 
 from __future__ import annotations
 
+import itertools
 import re
 from pathlib import Path
 
@@ -61,7 +62,7 @@ def rises(trace: PinTrace, pin: str) -> list[float]:
 
 def gaps(times: list[float]) -> list[float]:
     """The times between them."""
-    return [b - a for a, b in zip(times, times[1:], strict=False)]
+    return [b - a for a, b in itertools.pairwise(times)]
 
 
 @pytest.mark.parametrize("board", BOARDS)

@@ -3,8 +3,8 @@
 
 void beat(void *par)
 {
-  unsigned int t = CNT;
-  int dt = CLKFREQ / 100;
+  unsigned long t = CNT;
+  long dt = CLKFREQ / 100;
   while (1)
   {
     waitcnt(t += dt);
@@ -14,7 +14,7 @@ void beat(void *par)
 
 int main()
 {
-  int start;
+  long start;
   cog_run(beat, 10);
   start = CNT;
   while (CNT - start < CLKFREQ / 20);

@@ -263,7 +263,7 @@ inline void cog_overflow(uint8_t number) {
 
 //# helper yield
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_switch cog_overflow
+//#   needs: cog_table cogs_running cog_switch cog_overflow COG_SLOTS
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
 extern "C" inline __attribute__((used)) void yield() {
   uint8_t from = cog_table.now, to = from;
@@ -280,7 +280,7 @@ extern "C" inline __attribute__((used)) void yield() {
 
 //# helper cog_stop
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running yield
+//#   needs: cog_table cogs_running yield COG_SLOTS
 //#   fidelity: a cog that stops itself does not come back
 inline void cog_stop(int32_t number) {
   if (number < 0 || number > COG_SLOTS) return;
@@ -300,7 +300,7 @@ inline void cog_main() {
 
 //# helper cog_begin
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_main
+//#   needs: cog_table cogs_running cog_main COG_SLOTS
 //#   fidelity: false where the cog runs already; its function begins when the starter waits
 inline bool cog_begin(uint8_t number, void (*code)(void *), void *parameter) {
   if (cogs_running >> number & 1 || number == cog_table.now) return false;
@@ -331,7 +331,7 @@ inline int8_t cog_start(void (*code)(void *), void *parameter) {
 
 //# helper cog_stack_used
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table
+//#   needs: cog_table COG_SLOTS
 //#   fidelity: the most bytes that a cog had on its stack since it was started
 inline uint16_t cog_stack_used(uint8_t number) {
   const uint8_t *stack = cog_table.stack[number - 1];

@@ -111,7 +111,7 @@ inline int32_t pthread_attr_setdetachstate(pthread_attr_t *attr, int32_t detachs
 
 //# helper thread_end
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: threads propeller.h/cog_table propeller.h/cog_stop
+//#   needs: threads propeller.h/cog_table propeller.h/cog_stop Thread
 //#   fidelity: what the thread gave back is kept for the one that joins it
 inline void thread_end(void *value) {
   Thread &thread = threads[cog_table.now];
@@ -123,7 +123,7 @@ inline void thread_end(void *value) {
 
 //# helper thread_main
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: thread_end
+//#   needs: thread_end propeller.h/cog_table Thread threads
 //#   fidelity: a thread ends with what its function gives back
 inline void thread_main(void *) {
   Thread &thread = threads[cog_table.now];
@@ -134,7 +134,7 @@ inline void thread_main(void *) {
 //#   for: int pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(startfunc)(void *), void *arg)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin
+//#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin propeller.h/COG_SLOTS Thread
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
 //#   limit: there are as many threads as the migration counted, each with a stack of COG_STACK bytes
 inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*startfunc)(void *), void *arg) {
@@ -161,7 +161,7 @@ inline void pthread_exit(void *value) {
 //#   for: int pthread_join(pthread_t thread, void **result_ptr)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: pthread_t propeller.h/yield
+//#   needs: pthread_t propeller.h/yield Thread
 //#   fidelity: exact; 22 (EINVAL) for a thread that is detached
 inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
   if (thread->detached) return 22;
@@ -175,7 +175,7 @@ inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
 //#   for: int pthread_detach(pthread_t thread)
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: semantic
-//#   needs: pthread_t
+//#   needs: pthread_t Thread
 //#   fidelity: exact
 inline int32_t pthread_detach(pthread_t thread) {
   thread->detached = true;
@@ -223,7 +223,7 @@ inline int32_t pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexatt
 //# adapter pthread_mutex_lock
 //#   for: int pthread_mutex_lock(pthread_mutex_t *mutex)
 //#   kind: semantic
-//#   needs: pthread_mutex_t
+//#   needs: pthread_mutex_t propeller.h/yield
 //#   fidelity: exact; of several that wait any may be next
 inline int32_t pthread_mutex_lock(pthread_mutex_t *mutex) {
   while (mutex->locked) yield();
@@ -284,7 +284,7 @@ inline int32_t pthread_cond_destroy(pthread_cond_t *cond) {
 //# adapter pthread_cond_wait
 //#   for: int pthread_cond_wait(pthread_cond_t *cond, pthread_mutex_t *mutex)
 //#   kind: semantic
-//#   needs: pthread_cond_t pthread_mutex_lock pthread_mutex_unlock
+//#   needs: pthread_cond_t pthread_mutex_lock pthread_mutex_unlock propeller.h/yield pthread_mutex_t
 //#   fidelity: exact; of several that wait any may be next
 inline int32_t pthread_cond_wait(pthread_cond_t *cond, pthread_mutex_t *mutex) {
   cond->waiting++;
