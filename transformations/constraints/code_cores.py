@@ -113,7 +113,8 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
         return True
     names = ", ".join(f"'{function.name}'" for function in shared.functions) or "code"
     taken = shared.slots * shared.stackBytes
-    chip = the_move().plan.board.microcontroller if the_move().plan.board is not None else None
+    board = the_move().plan.board
+    chip = board.microcontroller if board is not None else None
     of = f" of {chip.ramBytes}" if chip is not None and chip.ramBytes else ""
     places = len({(change.unit, change.startOffset) for change in shared.changes if "yield" in change.replacement})
     gives = f"{places} place{'s' * (places != 1)}" if places else "no place"

@@ -74,7 +74,9 @@ def concurrency(
         for loop in loops_of(view):
             if id(loop) not in divided and not _expanded(loop, view) and not gives_way(loop, waiting):
                 made.changes.extend(_changes(loop, text))
-    made.loopGivesWay = any(gives_way(loop, waiting) for view in views if (loop := main_loop(view)) and id(loop) in divided)
+    made.loopGivesWay = any(
+        gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided
+    )
     return made
 
 

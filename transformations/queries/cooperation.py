@@ -110,8 +110,6 @@ def _changes(variable: Any, inside: Iterable[Any], changed: Mapping[int, Any]) -
         target: Any = element.left if isinstance(element, ccode.Assignment) else None
         if isinstance(element, ccode.Unary) and element.operator in ("++", "--", "&"):
             target = element.operand
-        while isinstance(target, (ccode.Index, ccode.Member, ccode.Cast)):
-            target = target.array if isinstance(target, ccode.Index) else getattr(target, "object", None) or target.operand
         if isinstance(target, ccode.NameReference) and target.target is variable:
             return True
     return False
