@@ -107,7 +107,7 @@ def load_project(folder: Path) -> Project:
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
         libraries=_table(path, data, "libraries"),
-        bind=_table(path, data, "bind"),
+        bind=_bind(path, data),
         roles=_table(path, data, "roles"),
         severity=severity,
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
@@ -119,6 +119,16 @@ def _table(path: Path, data: dict[str, Any], name: str) -> dict[str, str]:
     if not isinstance(table, dict) or not all(isinstance(v, str) for v in table.values()):
         raise _wrong(path, f"[{name}] must hold texts only", 'write NAME = "VALUE"')
     return table
+
+
+def _bind(path: Path, data: dict[str, Any]) -> dict[str, str]:
+    """[bind], in which TOML takes a key with a point in it, such as a role of a library, for a table."""
+    table = data.get("bind", {})
+    if isinstance(table, dict):
+        inner = {key: value for key, value in table.items() if isinstance(value, dict)}
+        flat = {f"{key}.{name}": value for key, values in inner.items() for name, value in values.items()}
+        data = {**data, "bind": {**{key: value for key, value in table.items() if key not in inner}, **flat}}
+    return _table(path, data, "bind")
 
 
 def _list_of_tables(path: Path, data: dict[str, Any], name: str) -> list[Any]:

@@ -198,6 +198,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """How code runs that the program starts on other cores; none where it starts none, or the target has cores."""
     portBindings: MutableSequence[PortBinding] = EReference(upper=-1, containment=True)
     """Which port of the source is which connection of the target."""
+    portFlows: MutableSequence[PortFlow] = EReference(upper=-1, containment=True)
+    """Where numbers of ports go from the text to the platform functions that take them."""
     libraryChoices: MutableSequence[LibraryChoice] = EReference(
         upper=-1,
         containment=True,
@@ -242,6 +244,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             connections: Iterable[Connection] | None = None,
             concurrency: Concurrency | None = None,
             portBindings: Iterable[PortBinding] | None = None,
+            portFlows: Iterable[PortFlow] | None = None,
             libraryChoices: Iterable[LibraryChoice] | None = None,
             adapterUses: Iterable[AdapterUse] | None = None,
             symbolUses: Iterable[SymbolUse] | None = None,
@@ -467,20 +470,24 @@ class Connection(Element, metaclass=MetaEClass):
 
 
 class PortBinding(Decision):
-    """Which connection a port of the source becomes."""
+    """Which connection a port of the source becomes. A port is a number of the source board, whatever the text calls it; what a library uses by convention is a port of its own. Open, or with the choice none (not wired), it is no pin of the target."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """Name of the constant or variable, or P12 for a bare pin."""
+    """Name of the first constant or variable that holds it, P12 for a bare number, or the role of a convention (abdrive.left_servo)."""
+    names: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Further names of the port: of other constants that hold it, and P12 where the number means it alone."""
     sourcePin: int = EAttribute(eType=EInt, default_value=-1)
     """Its number on the source board, -1 when not known."""
     signal: Signal = EAttribute(eType=Signal)
     """Direction of its uses in the program."""
     origin: str = EAttribute(eType=EString, default_value="")
-    """declaration, literal or convention."""
+    """declaration (a constant or variable holds it), literal, runtime (reached by a loop, a range or the bits of a register), or convention."""
     what: str = EAttribute(eType=EString, default_value="")
     """What the source says is connected there."""
     element: Located | None = EReference()
     """The declaration or the first use."""
+    role: str = EAttribute(eType=EString, default_value="")
+    """The kind of component that the functions expect there (servo, ranger), empty where they do not say."""
     convention: PinConvention | None = EReference()
     """The convention of an API, if it is one."""
     conventionalPort: ConventionalPort | None = EReference()
@@ -503,15 +510,45 @@ class PortBinding(Decision):
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             name: str | None = None,
+            names: Iterable[str] | None = None,
             sourcePin: int | None = None,
             signal: Signal | None = None,
             origin: str | None = None,
             what: str | None = None,
             element: Located | None = None,
+            role: str | None = None,
             convention: PinConvention | None = None,
             conventionalPort: ConventionalPort | None = None,
             connection: Connection | None = None,
             pin: Pin | None = None,
+        ) -> None: ...
+
+
+class PortFlow(Decision):
+    """Values that can be exchanged on their way to pin parameters of platform functions, by assignment, parameters, results or macros. The choice is target: the constants are pins of the target, changed where they stand (by the port bindings); or source: all numbers stay as they are, and each call looks up the pin. Never both."""
+
+    name: str = EAttribute(eType=EString, default_value="")
+    """What the flow is called: its first names in the text, or the first call."""
+    bindings: MutableSequence[PortBinding] = EReference(upper=-1)
+    """The ports that the text can send through it, by number."""
+    calls: MutableSequence[Call] = EReference(upper=-1)
+    """The calls of platform functions that it reaches; those in bodies of macros are left out."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            confidence: float | None = None,
+            chosenBy: ChosenBy | None = None,
+            evidence: Iterable[str] | None = None,
+            open: bool | None = None,
+            choice: str | None = None,
+            options: Iterable[Option] | None = None,
+            changes: Iterable[TextChange] | None = None,
+            name: str | None = None,
+            bindings: Iterable[PortBinding] | None = None,
+            calls: Iterable[Call] | None = None,
         ) -> None: ...
 
 
@@ -878,6 +915,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.connections.eType = Connection
     MigrationPlan.concurrency.eType = Concurrency
     MigrationPlan.portBindings.eType = PortBinding
+    MigrationPlan.portFlows.eType = PortFlow
     MigrationPlan.libraryChoices.eType = LibraryChoice
     MigrationPlan.adapterUses.eType = AdapterUse
     MigrationPlan.symbolUses.eType = SymbolUse
@@ -904,6 +942,8 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     PortBinding.conventionalPort.eType = ConventionalPort
     PortBinding.connection.eType = Connection
     PortBinding.pin.eType = Pin
+    PortFlow.bindings.eType = PortBinding
+    PortFlow.calls.eType = Call
     LibraryChoice.component.eType = Component
     LibraryChoice.chosen.eType = Library
     LibraryChoice.candidates.eType = Library

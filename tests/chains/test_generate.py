@@ -102,15 +102,22 @@ def test_the_sketch_follows_a_binding_edited_as_text(migrated: Path) -> None:
 def test_a_port_that_was_open_is_closed_by_an_edit(migrated: Path) -> None:
     plan = migrated / "models" / "plan.xmi"
 
+    def unbind(root: Any) -> None:
+        binding(root, "LED").connection = binding(root, "LED").pin = None
+
     def bind(root: Any) -> None:
         pins = {pin.label: pin for pin in root.board.pins}
-        binding(root, "P14").pin = pins["D2"]
+        binding(root, "LED").pin = pins["D2"]
 
+    rewritten(plan, unbind)
+    outcome = run("generate", plan, "-o", migrated, "--json")
+    assert any("'LED'" in task["message"] for task in outcome.document["tasks"])
     rewritten(plan, bind)
     outcome = run("generate", plan, "-o", migrated, "--json")
-    port = next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "P14")
+    port = next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "LED")
     assert (port["pin"], port["open"], port["chosen_by"]) == ("D2", False, "person")
-    assert not any("'P14'" in task["message"] for task in outcome.document["tasks"])
+    assert not any("the port 'LED'" in task["message"] for task in outcome.document["tasks"])
+    assert "const int32_t LED      = 2;" in sketch_of(migrated)
 
 
 def test_the_sketch_follows_adapters_that_were_taken_out_of_the_plan(migrated: Path) -> None:
@@ -159,7 +166,7 @@ def test_generating_from_an_edited_plan_twice_changes_nothing(migrated: Path) ->
 
     rewritten(plan, unbind)
     assert run("generate", plan, "-o", migrated).code == 0
-    assert "const int32_t LED      = 8;" in sketch_of(migrated)
+    assert "const int32_t LED      = 255 /* P8 is not wired yet */;" in sketch_of(migrated)
     before = tree(migrated)
     assert run("generate", plan, "-o", migrated).code == 0
     assert tree(migrated) == before

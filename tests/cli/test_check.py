@@ -46,15 +46,16 @@ def test_a_plan_that_a_person_broke_fails(sketch: Path, tmp_path: Path, capsys: 
     first, second = models.plan.portBindings[:2]
     second.connection, second.pin = None, first.pin
     models.plan.portBindings[0].confidence = 7.0
+    models.plan.portBindings[2].name = second.name
     for name, data in models.to_files().items():
         (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
         (tmp_path / name).write_bytes(data)
     code, document = run("check", tmp_path / "plan.xmi", capsys=capsys)
     assert code == 1
-    assert {"RS702", "RS705"} <= {f["rule"] for f in document["findings"]}
+    assert {"RS702", "RS705", "RS714"} <= {f["rule"] for f in document["findings"]}
     assert all(f["element"].startswith("plan!") for f in document["findings"] if f["rule"] in ("RS702", "RS705"))
     assert run("check", tmp_path / "plan.xmi", "--fail-on", "never", capsys=capsys)[0] == 0
-    (tmp_path / "robosmi.toml").write_text('[severity]\nRS702 = "info"\n', encoding="utf-8")
+    (tmp_path / "robosmi.toml").write_text('[severity]\nRS702 = "info"\nRS714 = "info"\n', encoding="utf-8")
     code, document = run("check", tmp_path / "plan.xmi", capsys=capsys)
     assert {f["severity"] for f in document["findings"] if f["rule"] == "RS702"} == {"info"}
     assert code == 0

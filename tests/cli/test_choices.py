@@ -53,7 +53,7 @@ def test_a_flag_counts_more_than_the_project_file(line_follower: Path, tmp_path:
     assert (binding(plan, "leftQTI")["pin"], binding(plan, "leftQTI")["connection"]) == ("D11", "HIH40301ReadP1")
     sketch = (tmp_path / "out" / "line_follower" / "line_follower.ino").read_text()
     assert "#include <Servo.h>" in sketch  # the one that the adapters use
-    assert "const int leftQTI  = HIH40301ReadP1;" in sketch
+    assert "const int32_t leftQTI  = HIH40301ReadP1;" in sketch
 
 
 def test_the_project_file_counts_more_than_history(line_follower: Path, tmp_path: Path) -> None:
@@ -128,7 +128,7 @@ def test_a_port_is_bound_by_a_person_before_a_rule(line_follower: Path, tmp_path
     by_person = binding(plan_of(run("migrate", line_follower, "-o", tmp_path / "b", "--bind", "LED=D13", "--json")), "LED")
     assert (by_rule["pin"], by_rule["chosen_by"]) == ("D12", "rule")
     assert (by_person["pin"], by_person["connection"], by_person["chosen_by"]) == ("D13", None, "person")
-    assert "const int LED      = 13;" in (tmp_path / "b" / "line_follower" / "line_follower.ino").read_text()
+    assert "const int32_t LED      = 13;" in (tmp_path / "b" / "line_follower" / "line_follower.ino").read_text()
 
 
 def test_a_port_may_be_bound_to_a_mapping_by_name(line_follower: Path, tmp_path: Path) -> None:

@@ -89,7 +89,7 @@ def test_5_is_an_open_choice_under_strict_and_writes_nothing(
     before = tree(tmp_path)
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--strict")
     assert outcome.code == 5
-    assert "P14" in outcome.err
+    assert "LED" in outcome.err
     assert "library for HIH4030 1" in outcome.err
     assert tree(tmp_path) == before
 
@@ -178,7 +178,10 @@ def test_dry_run_stops_where_the_run_would_stop(migrated: Path, line_follower: P
     assert tree(migrated) == before
 
 
-def test_strict_of_generate_stops_at_an_open_choice(migrated: Path, tmp_path: Path) -> None:
+def test_strict_of_generate_stops_at_an_open_choice(line_follower: Path, tmp_path: Path) -> None:
+    (line_follower.parent / "robosmi.toml").unlink()
+    migrated = tmp_path / "open"
+    assert run("migrate", line_follower, "-o", migrated).code == 0
     outcome = run("generate", migrated / "models" / "plan.xmi", "-o", tmp_path / "again", "--strict")
     assert outcome.code == 5
     assert not (tmp_path / "again").exists()

@@ -40,13 +40,17 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
+from robosmi.transformations.m2m.conventional_ports import with_conventions
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.m2m.port_texts import looked_up
 from robosmi.transformations.m2m.widths import Widened, lost_findings
 from robosmi.transformations.queries.plan import library_json
+from robosmi.transformations.queries.port_flows import port_flows
+from robosmi.transformations.queries.ports import ProgramPorts, program_ports
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
@@ -74,6 +78,7 @@ def migration_chain() -> Chain:
     chain.call(choices, makes="choices", step="collect the libraries that persons chose")
     chain.call(ranker, makes="ranker", step="load the ranker")
     chain.call(earlier, makes="earlier", step="open the history")
+    chain.call(ports, makes="ports", step="follow the program's ports")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
     chain.call(widenings, makes="widenings", step="keep the widths of numbers")
     chain.call(bindings, makes="bindings", step="bind ports to pins")
@@ -169,8 +174,13 @@ def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
     return earlier_choices(history, target)
 
 
+def ports(program: StoredProgram) -> ProgramPorts:
+    """The ports of the program, and how their numbers flow to the functions that take them."""
+    return program_ports(program.views, port_flows(program.views, program.copies))
+
+
 def judgement(
-    program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, adapters: str | None
+    program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, ports: ProgramPorts, adapters: str | None
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), which adapters fill its calls, and from what that was made.
 
@@ -183,7 +193,8 @@ def judgement(
     index = adapter_index(target.platform, api.name)
     mcu = board.microcontroller.name if board.microcontroller is not None else ""
     choice = AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0])
-    return judge_program(program.views, target, choice, program.copies)
+    look_up = str(api.settings.get("ports", {}).get("look_up", "")) if looked_up(ports) else ""
+    return judge_program(program.views, target, choice, program.copies, look_up)
 
 
 def widenings(
@@ -200,6 +211,8 @@ def widenings(
 
 def bindings(
     program: StoredProgram,
+    ports: ProgramPorts,
+    api: ApiIndex,
     judgement: tuple[Dependence, Trace],
     drawing: StoredDrawing | None,
     board: platform.Board,
@@ -209,12 +222,13 @@ def bindings(
     """Which connection each port of the program becomes; flags go before the project file.
 
     Raises:
-        UsageError: a name is no port of the program, or a pin is none of the board.
+        UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
     """
     source = judgement[0].source
     assert source is not None
     connections = list(drawing.hardware.connections) if drawing is not None else []
-    return bind_ports(program.views, source, connections, board, {**settings.bind, **bind}, defaults()["choices"]["limit"])
+    asked = with_conventions(ports, judgement[0].adapters, program.views)
+    return bind_ports(asked, api, source, connections, board, (settings.bind, {**bind}), defaults()["choices"]["limit"])
 
 
 def library_decisions(
@@ -241,6 +255,7 @@ def models(
     judgement: tuple[Dependence, Trace],
     widenings: Widened,
     widths: str | None,
+    ports: ProgramPorts,
     bindings: Sequence[migration.PortBinding],
     library_decisions: tuple[Sequence[migration.LibraryChoice], LibraryModels],
     earlier: ForgivingHistory,
@@ -262,7 +277,7 @@ def models(
     findings += history_findings(earlier)
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
-        *judgement, widenings, widths != KEEP, bindings, *library_decisions, files, findings, places,
+        *judgement, widenings, widths != KEEP, ports, bindings, *library_decisions, files, findings, places,
     )  # fmt: skip
     plan, repository = put_together(decided, plan_faults)
     plan.findings.extend(move_findings(plan, program.views))

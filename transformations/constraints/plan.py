@@ -59,7 +59,9 @@ def DecidesOnTheProgram(d: migration.Disposition) -> Any:
     return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
 
 
-@bindings.constraint(id="RS702", guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin")
+@bindings.constraint(
+    id="RS702", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin"
+)
 def PinIsBoundOnce(b: migration.PortBinding) -> Any:
     """No two ports of the source are bound to one pin."""
     pin = bound_pin(b)
@@ -69,6 +71,18 @@ def PinIsBoundOnce(b: migration.PortBinding) -> Any:
         if bound_pin(other) is pin and other.sourcePin != b.sourcePin:
             assert pin is not None
             return Fail(f"the {named(b)} and the {named(other)} are both bound to pin {pin.label}", pin=pin.label)
+    return True
+
+
+@bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
+def PortIsDecidedOnce(b: migration.PortBinding) -> Any:
+    """A port of the source has one binding: a number that is no convention, or a name."""
+    for other in plan_of(b).portBindings:
+        if other is b:
+            return True
+        number = b.sourcePin >= 0 and other.sourcePin == b.sourcePin and "convention" not in (b.origin, other.origin)
+        if number or other.name == b.name:
+            return Fail(f"the {named(b)} has two bindings, to {other.choice or 'nothing'} and to {b.choice or 'nothing'}")
     return True
 
 

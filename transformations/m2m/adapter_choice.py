@@ -24,6 +24,7 @@ NO_ADAPTER = "no adapter file has it"
 FUNCTIONS = ("adapter",)
 VALUES = ("constant", "register", "variable")
 TYPES = ("type",)
+HELPERS = ("helper",)
 
 
 @dataclass

@@ -22,10 +22,12 @@ from robosmi.transformations.m2m.adapter_choice import AdapterChoice, settle_lib
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
-from robosmi.transformations.m2m.text_changes import bind_texts
+from robosmi.transformations.m2m.port_texts import port_changes
+from robosmi.transformations.m2m.text_changes import mark_rewritten
 from robosmi.transformations.m2m.widths import Widened
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.source_text import SourceText, words_of
+from robosmi.transformations.queries.ports import ProgramPorts
+from robosmi.transformations.queries.source_text import words_of
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class Hardware:
 
 
 def judge_program(
-    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, files: Mapping[str, bytes]
+    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, files: Mapping[str, bytes], look_up: str = ""
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program, and from what that was made.
 
@@ -64,7 +66,7 @@ def judge_program(
         files: path relative to the models' folder -> bytes of what was read.
     """
     trace = Trace()
-    return partition(views, target, choice, files, trace), trace
+    return partition(views, target, choice, files, trace, look_up), trace
 
 
 def decide_libraries(
@@ -112,7 +114,8 @@ class Decided(NamedTuple):
         trace: from what that was made.
         widened: what is written otherwise so that numbers keep their widths.
         fixed: whether they are to keep them.
-        bindings: of the program's ports.
+        ports: the program's ports and how their numbers flow.
+        bindings: of the ports.
         choices: of libraries.
         libraries: those that the plan names.
         files: path relative to the models' folder -> bytes of what was read.
@@ -130,6 +133,7 @@ class Decided(NamedTuple):
     trace: Trace
     widened: Widened
     fixed: bool
+    ports: ProgramPorts
     bindings: Sequence[migration.PortBinding]
     choices: Sequence[migration.LibraryChoice]
     libraries: LibraryModels
@@ -200,12 +204,14 @@ def put_together(
         concurrency=d.dependence.concurrency,
         connections=connections,
         portBindings=list(d.bindings),
+        portFlows=port_changes(d.ports, d.bindings, d.files),
         libraryChoices=list(d.choices),
         adapterUses=d.dependence.adapters,
         symbolUses=d.dependence.symbols,
+        helpers=d.dependence.helpers,
     )
     settle_libraries(plan)
-    bind_texts(plan, [SourceText(unit, d.files[unit.path], ()) for unit in d.program.units])
+    mark_rewritten(plan)
     complete(plan, [*d.findings, *check(plan)], d.paths)
     plan.trace = trace.to_model()
     return plan, repository

@@ -6,6 +6,7 @@ those of the work, not of a fault: a task never makes a run fail.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 
 from robosmi.diagnostics import Finding
@@ -16,8 +17,11 @@ from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
+from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import SourceText
 
+_BARE_KEY = re.compile(r"[\w-]+")
+"""A key that TOML takes without quotation marks."""
 Task = migration.PlanTask
 Level = migration.SeverityLevel
 
@@ -69,7 +73,8 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
         )
         if binding.connection is not None and binding.connection.pin is not binding.pin:
             binding.pin = binding.connection.pin
-        _settle(binding, choice)
+        if binding.choice != NOT_WIRED or choice:
+            _settle(binding, choice)
     for library in plan.libraryChoices:
         if library.choice != NO_LIBRARY or library.chosen is not None:
             _settle(library, library.chosen.name if library.chosen is not None else "")
@@ -153,16 +158,21 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
     for binding in plan.portBindings:
         if not binding.open:
             continue
-        pin = f" (P{binding.sourcePin})" if binding.sourcePin >= 0 and binding.name != f"P{binding.sourcePin}" else ""
+        others = [*binding.names, *([f"P{binding.sourcePin}"] if binding.sourcePin >= 0 and not binding.names else [])]
+        others = [name for name in others if name != binding.name]
+        pin = f" ({', '.join(others)})" if others and binding.origin != "convention" else ""
         what = f", {binding.what}," if binding.what else ""
+        key = binding.name if _BARE_KEY.fullmatch(binding.name) else f"'{binding.name}'"
         options = [o.label for o in binding.options]
         yield Task(
             rule="RS330",
             severity=Level.warning if options else Level.info,
             message=f"say which target pin the port '{binding.name}'{pin}{what} is on"
-            + (f"; candidates: {', '.join(options)}" if options else "; the drawing has nothing for it"),
+            + (f"; candidates: {', '.join(options)}" if options else "; the drawing has nothing for it")
+            + ("; until then its calls do nothing" if plan.portFlows else ""),
             effort="small",
-            fix=f'--bind {binding.name}=PIN, or [bind] {binding.name} = "PIN" in robosmi.toml',
+            fix=f'--bind {key}=PIN, or [bind] {key} = "PIN" in robosmi.toml'
+            + (f" ({NOT_WIRED}: not wired)" if plan.portFlows else ""),
             elements=[binding],
             **_place(binding.element),  # type: ignore[arg-type]
         )

@@ -18,7 +18,7 @@ from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import COMPILER
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
-from robosmi.transformations.m2m.adapter_choice import TYPES, VALUES, AdapterChoice, UnservedHeader, serve
+from robosmi.transformations.m2m.adapter_choice import HELPERS, TYPES, VALUES, AdapterChoice, UnservedHeader, serve
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
 from robosmi.transformations.m2m.concurrency import concurrency
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
@@ -58,6 +58,7 @@ class Dependence:
         adapters: the platform functions that are used.
         symbols: other names of the platform that are used.
         pieces: of adapter text that these refer to, and what they need, each behind what it needs.
+        helpers: those that only the changed text of the program calls.
         unserved: headers of which the target can serve nothing.
         source: the part of the source platform that is used.
         divisions: how main is divided.
@@ -68,6 +69,7 @@ class Dependence:
     adapters: list[migration.AdapterUse] = field(default_factory=list)
     symbols: list[migration.SymbolUse] = field(default_factory=list)
     pieces: list[platform.Adapter] = field(default_factory=list)
+    helpers: list[platform.Adapter] = field(default_factory=list)
     unserved: list[UnservedHeader] = field(default_factory=list)
     source: platform.Platform | None = None
     divisions: list[Division] = field(default_factory=list)
@@ -75,7 +77,12 @@ class Dependence:
 
 
 def partition(
-    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, sources: Mapping[str, bytes], trace: Trace
+    views: Sequence[CodeView],
+    target: TargetFacts,
+    choice: AdapterChoice,
+    sources: Mapping[str, bytes],
+    trace: Trace,
+    look_up: str = "",
 ) -> Dependence:
     """Judge every element of the program.
 
@@ -85,6 +92,7 @@ def partition(
         choice: the adapters that there are.
         sources: path of a unit -> its bytes.
         trace: where links are recorded.
+        look_up: header and name of the piece that calls of the changed text look ports up with, empty where none does.
     """
     result = Dependence()
     program, api = views[0].program, views[0].api
@@ -106,6 +114,8 @@ def partition(
     serve(result.adapters, {name: c.header for name, c in called.items()}, choice, values)
     functions = {a.name: target_types(a) for a in result.adapters}
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names, choice)
+    if look_up and (piece := choice.declare(look_up.partition("/")[2], look_up.partition("/")[0], HELPERS)) is not None:
+        result.helpers.append(piece)
     result.pieces, result.unserved = choice.elements, choice.unserved
     reserved = names.declared | names.macros | names.keywords
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]

@@ -1,90 +1,124 @@
 """Port binding: which connection of the target each port of the source becomes (paper Listing 4: `leftQTI` becomes 10).
 
-What a person says counts first. After that a rule compares names: a port whose name shares a word with one component
-only, in the right direction, is bound to it with a confidence; below the limit the port stays open with its options.
-The drawing alone never says which of two like components is left and which is right.
+What a person says counts first, then where a port leads that is wired on the source board itself (console, EEPROM), then the
+evidence that `port_assignment` weighs. What none of them decides stays open with its options. The drawing alone never says which
+of two like components is left and which is right.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration, platform
-from robosmi.transformations.m2m.text_changes import port_place
-from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.ports import Port, convention_of, ports
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.m2m.port_assignment import Seat, assign
+from robosmi.transformations.queries.port_pins import NOT_WIRED
+from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
 
 _SIGNALS = {"in": "read", "out": "write"}
-_WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
-_EMPTY_WORDS = {"port", "pin", "left", "right", "basic", "red", "green", "blue", "on", "of", "the"}
-NAME_CONFIDENCE = 0.9
-"""Confidence of a binding by a name that fits one free component only."""
 
 
 def bind_ports(
-    views: Sequence[CodeView],
+    found: ProgramPorts,
+    api: ApiIndex,
     source: platform.Platform,
     connections: Sequence[migration.Connection],
     board: platform.Board,
-    said: Mapping[str, str],
+    said: Sequence[Mapping[str, str]],
     limit: float,
 ) -> list[migration.PortBinding]:
     """A decision for each port of the program.
 
     Args:
-        views: a view of each unit of the program.
+        found: the ports.
+        api: what is known of the source platform.
         source: the platform model that the plan refers to.
         connections: the connections of the target board.
         board: the target board.
-        said: NAME -> PIN (a label, or a connection's name), as persons said.
+        said: NAME -> PIN (a label, a connection's name, or `none`), as persons said; later ones count before earlier ones.
         limit: a rule's choice is taken when its confidence is at least this.
 
     Raises:
-        UsageError: a name is no port of the program, or a pin is none of the board.
+        UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
     """
-    found = ports(views)
-    known = {port.name for port in found}
-    for name in said:
-        if name not in known:
-            raise UsageError(
-                f"'{name}' is no port of the program{did_you_mean(name, known)}",
-                fix=f"its ports are: {', '.join(sorted(known)) or 'none'}",
-            )
-    bindings = [_binding(port, source, connections, board, said.get(port.name)) for port in found]
-    taken = {b.connection for b in bindings if b.connection is not None}
-    for port, binding in zip(found, bindings, strict=True):
+    ports = list(found.ports)
+    pins: dict[str, str] = {}
+    for layer in said:
+        pins.update(_layer(layer, ports, found, api))
+    bindings = [_binding(port, source) for port in ports]
+    for port, binding in zip(ports, bindings, strict=True):
+        if port.name in pins:
+            _take(binding, pins[port.name], connections, board)
+    for port, binding in zip(ports, bindings, strict=True):
         if binding.open:
-            _by_name(port, binding, [c for c in connections if c not in taken], limit)
+            _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
+    taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
+    free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
+    roles: dict[str, str] = api.settings.get("ports", {}).get("roles", {})
+    seats = [Seat(b, _words(p), _role(p, roles, api)) for p, b in zip(ports, bindings, strict=True) if b.open]
+    for seat in seats:
+        seat.binding.role = seat.role
+    assign(seats, free, limit)
     return bindings
 
 
-def _binding(
-    port: Port, source: platform.Platform, connections: Sequence[migration.Connection], board: platform.Board, said: str | None
-) -> migration.PortBinding:
-    binding = migration.PortBinding(
+def _layer(layer: Mapping[str, str], ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, str]:
+    """Port -> pin of one source of choices; a number that the program may reach at run time becomes a port of it."""
+    found: dict[str, tuple[str, str]] = {}
+    for name, pin in layer.items():
+        port = next((p for p in ports if name == p.name or name in p.names), None)
+        number = int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
+        if port is None and (port := next((p for p in program.unasked if name == p.name or name in p.names), None)) is not None:
+            ports.append(port)
+        if (
+            port is None
+            and program.anything
+            and number is not None
+            and number < int(api.settings.get("ports", {}).get("count", 32))
+        ):
+            holder = next((p.element for p in ports), None)
+            port = Port(f"P{number}", "runtime", holder, number)  # type: ignore[arg-type]
+            ports.append(port)
+        if port is None:
+            known = sorted({alias for p in ports for alias in (p.name, *p.names)})
+            raise UsageError(
+                f"'{name}' is no port of the program{did_you_mean(name, known)}",
+                fix=f"its ports are: {', '.join(p.name for p in ports) or 'none'}",
+            )
+        earlier = found.setdefault(port.name, (name, pin))
+        if earlier[1] != pin:
+            raise UsageError(
+                f"the port '{port.name}' is bound to two pins: {earlier[0]} = {earlier[1]} and {name} = {pin}",
+                fix="leave out one of them",
+            )
+    return {port: pin for port, (_, pin) in found.items()}
+
+
+def _binding(port: Port, source: platform.Platform) -> migration.PortBinding:
+    return migration.PortBinding(
         name=port.name,
+        names=port.names,
         sourcePin=-1 if port.pin is None else port.pin,
         signal=getattr(migration.Signal, signal_of(port)),
         origin=port.origin,
         what=port.what,
         element=port.element,
         convention=convention_of(port, source) if port.origin == "convention" else None,
+        conventionalPort=port.conventional,
         open=True,
     )
-    if said is None:
-        return binding
-    if port.origin == "declaration" and port_place(port.element) is None:
-        raise UsageError(
-            f"the port '{port.name}' cannot be bound: its value is not written as one expression",
-            fix="write it as a constant of its own",
-        )
-    binding.connection, binding.pin = _chosen(said, connections, board)
-    binding.choice = binding.connection.name if binding.connection is not None else said
+
+
+def _take(binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board) -> None:
+    """Bind a port as a person said."""
+    if said == NOT_WIRED:
+        binding.choice = NOT_WIRED
+    else:
+        binding.connection, binding.pin = _chosen(said, connections, board)
+        binding.choice = binding.connection.name if binding.connection is not None else said
     binding.open, binding.confidence, binding.chosenBy = False, 1.0, migration.ChosenBy.person
     binding.evidence.append("chosen by flag or project file")
-    return binding
 
 
 def _chosen(
@@ -98,12 +132,39 @@ def _chosen(
         return connection, connection.pin
     pin = next((p for p in board.pins if said in (p.label, *p.aliases)), None)
     if pin is None:
-        names = [c.name for c in connections] + [p.label for p in board.pins]
+        names = [c.name for c in connections] + [p.label for p in board.pins] + [NOT_WIRED]
         raise UsageError(
             f"'{said}' is neither a pin of {board.title} nor a mapping{did_you_mean(said, names)}",
-            fix=f"use a label such as {board.pins[0].label}, or one of: {', '.join(c.name for c in connections)}",
+            fix=f"use a label such as {board.pins[0].label}, {NOT_WIRED}"
+            + (f", or one of: {', '.join(c.name for c in connections)}" if connections else " for a port that is not wired"),
         )
     return None, pin
+
+
+def _on_board(
+    port: Port,
+    binding: migration.PortBinding,
+    api: ApiIndex,
+    connections: Sequence[migration.Connection],
+    board: platform.Board,
+    taken: set[int],
+) -> None:
+    """Bind a port that is wired on the source board to what takes its place on the target, where the target has it."""
+    known = api.settings.get("ports", {}).get("board", {}).get(f"P{port.pin}") if port.pin is not None else None
+    if known is None:
+        return
+    binding.what = binding.what or str(known["what"])
+    if known["pin"] == NOT_WIRED:
+        binding.choice = NOT_WIRED
+    else:
+        pin = next((p for p in board.pins if known["pin"] in (p.label, *p.aliases)), None)
+        if pin is None or id(pin) in taken:
+            return
+        binding.connection = next((c for c in connections if c.pin is pin), None)
+        binding.pin = pin
+        binding.choice = binding.connection.name if binding.connection is not None else pin.label
+    binding.open, binding.confidence, binding.chosenBy = False, 0.95, migration.ChosenBy.rule
+    binding.evidence.append(f"wired on the board of the source: {known['what']}")
 
 
 def signal_of(port: Port) -> str:
@@ -112,41 +173,18 @@ def signal_of(port: Port) -> str:
     return _SIGNALS[next(iter(directions))] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
 
 
-def _by_name(port: Port, binding: migration.PortBinding, free: Sequence[migration.Connection], limit: float) -> None:
-    """Bind a port by its name where that is clear; otherwise leave its options."""
-    signal = signal_of(port)
-    fitting = [c for c in free if signal == "bus" or c.signal.name in (signal, "bus")]
-    words = name_words(port.name if port.origin == "declaration" else port.what)
-    hits = {c.name: words & component_words(c) for c in fitting}
-    ranked = sorted(fitting, key=lambda c: -len(hits[c.name]))
-    best = [c for c in ranked if hits[c.name]]
-    for connection in best or fitting:
-        shared = ", ".join(sorted(hits[connection.name]))
-        reasons = [f"shares '{shared}' with the port's name"] if shared else ["fits in direction only"]
-        binding.options.append(
-            migration.Option(
-                label=connection.name,
-                score=NAME_CONFIDENCE if shared and len(best) == 1 else 0.5 if shared else 0.1,
-                reasons=reasons,
-            )
-        )
-    if len(best) == 1 and limit <= NAME_CONFIDENCE and port_place(port.element) is not None:
-        binding.connection, binding.pin = best[0], best[0].pin
-        binding.choice, binding.open = best[0].name, False
-        binding.confidence, binding.chosenBy = NAME_CONFIDENCE, migration.ChosenBy.rule
-        binding.evidence.append(
-            f"the only free component that shares '{', '.join(sorted(hits[best[0].name]))}' with the port's name"
-        )
+def _words(port: Port) -> list[str]:
+    """What the program and its platform call the port."""
+    own = [port.name, *port.names] if port.origin != "convention" else []
+    return [*own, port.what]
 
 
-def name_words(name: str) -> set[str]:
-    """The words of a name, lower case, without those that say nothing of the device."""
-    return {w.lower() for w in _WORDS.findall(name) if not w.isdigit() and len(w) > 1} - _EMPTY_WORDS
-
-
-def component_words(connection: migration.Connection) -> set[str]:
-    """The words by which a component may be called in a program: of its title, its part's title and its family."""
-    component = connection.component
-    if component is None:
-        return set()
-    return name_words(component.title) | name_words(component.partTitle) | name_words(component.family)
+def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
+    """The kind of component that the functions expect at a port, empty where they do not agree or do not say."""
+    if port.origin == "convention":
+        return str(port.conventional.componentRole) if port.conventional is not None else ""
+    found = set()
+    for use in port.uses:
+        headers = [e.header for e in api.entries(use.function)]
+        found |= {roles[header] for header in headers if header in roles}
+    return found.pop() if len(found) == 1 else ""

@@ -15,7 +15,9 @@ from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, EditRule, Replacement
-from robosmi.transformations.queries.circuit import pin_literal
+from robosmi.transformations.m2m.port_texts import RULE as PORT
+from robosmi.transformations.m2m.port_texts import replacement
+from robosmi.transformations.queries.port_pins import port_text
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
 
@@ -63,7 +65,7 @@ def _change(
 
 
 def bind_texts(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
-    """Give every port binding of a new plan its change of text, and the elements they are in their verdict.
+    """Give every port binding of a plan without flows, as earlier versions made them, its change of text.
 
     Raises:
         ModelError: a binding's element cannot be rewritten as the binding says.
@@ -75,18 +77,32 @@ def bind_texts(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> No
 
 
 def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
-    """Make the change of each port anew that does not write the pin it is bound to; a stored plan may have been edited.
+    """Write the changes of ports anew that do not say the pin they are bound to; a stored plan may have been edited.
 
     Raises:
         ModelError: a binding's element cannot be rewritten as the binding says.
     """
     for binding in plan.portBindings:
-        value = port_value(binding)
+        if plan.portFlows:
+            for change in (c for c in binding.changes if c.rule == PORT):
+                text = _text_of(change, texts)
+                new = replacement(binding, text.data[change.startOffset : change.endOffset])
+                if not _writes(change, port_text(binding) or new):
+                    change.replacement, change.reason = new, f"{binding.name} is {binding.choice or 'not bound'} on the target"
+            continue
+        value = port_text(binding)  # a plan of an earlier version, which had no flows
         if binding.changes and value is not None and all(_writes(change, value) for change in binding.changes):
             continue
         binding.changes.clear()
         binding.changes.extend(_binding_changes(binding, texts))
     mark_rewritten(plan)
+
+
+def _text_of(change: migration.TextChange, texts: Sequence[SourceText]) -> SourceText:
+    found = next((text for text in texts if text.unit is change.unit), None)
+    if found is None:
+        raise ModelError("a change of a port is in no source unit", fix="make the plan again with migrate")
+    return found
 
 
 def _writes(change: migration.TextChange, value: str) -> bool:
@@ -98,7 +114,7 @@ def mark_rewritten(plan: migration.MigrationPlan) -> None:
     ports = [
         (c.unit, c.startOffset, c.endOffset)
         for c in effective(all_changes(plan))
-        if isinstance(decision_of(c), migration.PortBinding)
+        if isinstance(decision_of(c), (migration.PortBinding, migration.PortFlow))
     ]
     for disposition in plan.dispositions:
         element = disposition.element
@@ -113,7 +129,7 @@ def mark_rewritten(plan: migration.MigrationPlan) -> None:
 
 def _binding_changes(binding: migration.PortBinding, texts: Sequence[SourceText]) -> list[migration.TextChange]:
     """The change that gives a port of the source its new pin; none for a convention, whose pin stands in no text."""
-    value = port_value(binding)
+    value = port_text(binding)
     if value is None or binding.element is None or binding.origin == "convention":
         return []
     text, place = _text(binding.element, texts), port_place(binding.element)
@@ -133,13 +149,6 @@ def _whole(element: ccode.Located, place: tuple[int, int], text: SourceText) -> 
     if not isinstance(element, ccode.Macro):
         return True
     return text.data[place[0] : place[1]] == element.body.encode(text.unit.encoding or "utf-8", errors="replace")
-
-
-def port_value(binding: migration.PortBinding) -> str | None:
-    """What the port is called on the target: a connection's name, a pin's literal, or None when nothing is bound."""
-    if binding.connection is not None:
-        return str(binding.connection.name)
-    return pin_literal(binding.pin) if binding.pin is not None else None
 
 
 def port_place(element: ccode.Located) -> tuple[int, int] | None:

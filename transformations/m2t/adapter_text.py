@@ -50,19 +50,24 @@ def includes(pieces: Iterable[platform.Adapter]) -> list[str]:
 
 
 def declarations(
-    pieces: Sequence[platform.Adapter], pins: Mapping[str, str], unbound: str, numbers: Mapping[int, str]
+    pieces: Sequence[platform.Adapter], pins: Mapping[str, str], unbound: str, numbers: Mapping[int, str], storage: str = ""
 ) -> list[str]:
-    """What stands in front of pieces: the pins that they use by convention, and tables of ports; see `adapter_text`."""
+    """What stands in front of pieces: the pins that they use by convention, and tables of ports; see `adapter_text`.
+
+    `storage` is the word with a blank that C wants before a constant of which each file has its own.
+    """
     ports = {str(port.constant): port for piece in pieces for port in piece.ports}
     lines = [""] * bool(ports)
     for port in ports.values():
         pin = pins.get(str(port.name), unbound)
-        lines.append(f"const uint8_t {port.constant} = {pin};  // {port.name}{', which is not wired' if pin == unbound else ''}")
+        lines.append(
+            f"{storage}const uint8_t {port.constant} = {pin};  // {port.name}{', which is not wired' if pin == unbound else ''}"
+        )
     for table in {str(table.name): table for piece in pieces for table in piece.tables}.values():
         literals = ", ".join(numbers.get(number, unbound) for number in range(table.count))
         wrapped = textwrap.wrap(literals, WIDTH - 4)
         lines += ["", f"// The pin of each port of the source, {unbound} where it is not wired"]
-        lines += [f"const uint8_t {table.name}[{table.count}] = {{", *(f"  {line}" for line in wrapped), "};"]
+        lines += [f"{storage}const uint8_t {table.name}[{table.count}] = {{", *(f"  {line}" for line in wrapped), "};"]
     return lines
 
 

@@ -91,9 +91,10 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
             users.setdefault(use.adapter, []).append(use)
     pins, numbers = port_literals(plan)
     written = shared if several_units(plan) else str
+    storage = "static " if target_of(plan).language == "C" else ""
     return {
         "headers": includes(pieces),
-        "declarations": [*_cores(plan), *declarations(pieces, pins, UNBOUND, numbers)],
+        "declarations": [*_cores(plan), *declarations(pieces, pins, UNBOUND, numbers, storage)],
         "pieces": [
             PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
             for piece, above in zip(pieces, (None, *pieces), strict=False)

@@ -14,6 +14,7 @@ from typing import Any
 from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, made_apart, with_own_types
+from robosmi.transformations.m2t.port_table import port_table
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuit import pin_literal
@@ -78,6 +79,7 @@ def program_files(
         return {
             "plan": plan,
             **adapter_pieces(plan),
+            "ports": port_table(plan),
             "adapters": [a for a in listed if a.use not in late],
             "renamed": [use for use in plan.adapterUses if use.targetName not in ("", use.name)],
         }

@@ -104,13 +104,21 @@ def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinPar
     text = expression_text(argument)
     if text in parameter.none:
         return
-    for value in _pins(parameter, arguments, argument, values):
+    for value in pin_values(parameter, arguments, argument, values):
         pin = None if value.number is None else pin_number(value.number)
         if pin is None or pin >= 0:
             yield PinUse(pin, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
 
 
-def _pins(parameter: PinParameter, arguments: list[Any], argument: Any, values: Values) -> list[Value]:
+def pin_values(parameter: PinParameter, arguments: Sequence[Any], argument: Any, values: Values) -> list[Value]:
+    """The pins that an argument means: each element of an array, all pins of a range or of a row.
+
+    Args:
+        parameter: what is known of the parameter.
+        arguments: all arguments of the call.
+        argument: the argument.
+        values: values in the unit.
+    """
     if parameter.number is not None:
         elements = values.elements(argument)
         counts = values.of(arguments[parameter.number]) if parameter.number < len(arguments) else []

@@ -10,6 +10,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.plan_adapters import limits
+from robosmi.transformations.queries.port_pins import NOT_WIRED
 
 
 def target_of(plan: migration.MigrationPlan) -> platform.Target:
@@ -108,12 +109,15 @@ def binding_json(binding: migration.PortBinding) -> dict[str, Any]:
     """A port binding in the contract's form."""
     return {
         "name": binding.name,
+        "names": list(binding.names),
+        "role": binding.role,
         "source_pin": binding.sourcePin if binding.sourcePin >= 0 else None,
         "signal": binding.signal.name,
         "origin": binding.origin,
         "what": binding.what,
         "connection": binding.connection.name if binding.connection else None,
         "pin": _pin(binding),
+        "wired": None if binding.open else binding.choice != NOT_WIRED,
         "open": binding.open,
         "chosen_by": binding.chosenBy.name,
         "confidence": binding.confidence,
@@ -170,6 +174,10 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
             for c in plan.connections
         ],
         "bindings": [binding_json(b) for b in plan.portBindings],
+        "port_flows": [
+            {"name": f.name, "moved": f.choice == "target", "ports": [b.name for b in f.bindings], "why": list(f.evidence)}
+            for f in plan.portFlows
+        ],
         "libraries": [library_json(c) for c in plan.libraryChoices],
         "tasks": len(plan.tasks),
         "open_choices": len(open_choices(plan)),

@@ -1,33 +1,63 @@
-"""Which pins of the target the ports of a plan are, as its program writes them."""
+"""What ports of the source are called on the target: the texts that stand for their pins in what is generated."""
 
 from __future__ import annotations
 
-from robosmi.metamodels import migration
+from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.circuit import pin_literal
-from robosmi.transformations.queries.plan_adapters import emitted
 
+NOT_WIRED = "none"
+"""The choice of a port that is on no pin, by a person's word."""
 UNBOUND = "255"
-"""How a program writes a port that is not wired."""
+"""A number that is no pin of any target: what adapters are given for a port that is on none."""
+
+
+def port_text(binding: migration.PortBinding) -> str | None:
+    """What a port is called on the target: its connection's name, its pin's literal, or None where it is on no pin."""
+    if binding.connection is not None:
+        return str(binding.connection.name)
+    return pin_literal(binding.pin) if binding.pin is not None else None
+
+
+def text_in_place(binding: migration.PortBinding) -> str:
+    """What takes the place of the port's number in the text: its pin, or no pin with a remark that says which port it is."""
+    text = port_text(binding)
+    if text is not None:
+        return text
+    called = f"P{binding.sourcePin}" if binding.sourcePin >= 0 else binding.name
+    return f"{UNBOUND} /* {called} is not wired{'' if binding.choice == NOT_WIRED else ' yet'} */"
 
 
 def port_literals(plan: migration.MigrationPlan) -> tuple[dict[str, str], dict[int, str]]:
-    """Name of a conventional port -> its pin, and number of a port of the source -> its pin; ports without a pin are left out."""
+    """Name of a conventional port -> its pin, and number of a port of the source -> its pin; ports without a pin are left out.
+
+    A number that is used by itself and by convention has its own pin in the second.
+    """
+    names: dict[str, str] = {}
     numbers: dict[int, str] = {}
-    own: dict[str, str] = {}
-    conventional: dict[int, str] = {}
-    for binding in plan.portBindings:
-        pin = pin_literal(binding.pin) if binding.pin is not None else ""
-        text = str(binding.connection.name) if binding.connection is not None else pin
-        if not text:
-            continue
-        if binding.conventionalPort is not None:
-            own[str(binding.conventionalPort.name)] = text
-        if binding.origin == "convention":
-            conventional.setdefault(int(binding.sourcePin), text)
+    conventional = [b for b in plan.portBindings if b.origin == "convention"]
+    for binding in conventional:
+        text = port_text(binding)
+        if text is not None:
+            named = [binding.conventionalPort.name] if binding.conventionalPort is not None else []
+            names |= dict.fromkeys([binding.name, *binding.names, *named], text)
+    for binding in (*conventional, *(b for b in plan.portBindings if b.origin != "convention")):
         if binding.sourcePin >= 0:
-            numbers.setdefault(int(binding.sourcePin), text)
-    for piece in emitted(plan):
-        for port in piece.ports:
-            if port.number in conventional:
-                own.setdefault(str(port.name), conventional[port.number])
-    return own, numbers
+            pin = _pin(binding)
+            numbers.pop(binding.sourcePin, None)
+            if pin is not None:
+                numbers[binding.sourcePin] = pin_literal(pin)
+    return names, numbers
+
+
+def _pin(binding: migration.PortBinding) -> platform.Pin | None:
+    return binding.connection.pin if binding.connection is not None else binding.pin
+
+
+def looks_up_ports(plan: migration.MigrationPlan) -> bool:
+    """Whether the changed text of the program asks for the pin of a port (`port(x)`)."""
+    return any(flow.changes for flow in plan.portFlows)
+
+
+def table_is_declared(plan: migration.MigrationPlan) -> bool:
+    """Whether a piece of the plan's adapters declares the table that ports are looked up in."""
+    return any(piece.tables for piece in plan.helpers)

@@ -1,19 +1,22 @@
-"""The ports of a program: the places in its text that say which pin something is on.
+"""The ports of a program: the numbers of the source board that it uses, what it calls them, and what it does with them.
 
-A port is a constant, a macro, an enumerator or a literal whose value reaches a pin parameter of a platform function,
-directly or through parameters of the program's own functions; or a pin that a function uses by convention, which no text
-says. Values are `pin_uses`' business; what a port becomes on the target is the plan's.
+A port is a number, wherever the text has it: as a constant, a bare literal, an element of an array, a value of a counting loop,
+a bit of a register. What a library uses by convention, without a number in the text, is a port of its own with the name of its
+role. Which numbers go where is `port_flows`' business; what a port becomes on the target is the plan's.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, platform
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.pin_uses import PinUse, pin_number, pin_uses
-from robosmi.transformations.queries.values import passed_arguments
+from robosmi.transformations.queries.pin_uses import PinUse, pin_number, pin_uses, pin_values
+from robosmi.transformations.queries.register_bits import register_bits
+from robosmi.transformations.queries.value_flows import Flow, PinArgument, PortPlace
+from robosmi.transformations.queries.values import Value, Values
 
 
 @dataclass
@@ -21,20 +24,24 @@ class Port:
     """A port of the program.
 
     Attributes:
-        name: the constant's name, or `P12` for a bare pin.
-        origin: declaration, literal or convention.
-        element: what holds the value; for a convention the first call.
-        pin: its number on the source board, or None where the text does not say one.
+        name: of the first constant that holds it, `P12` for a bare number, the role of a convention.
+        origin: declaration, literal, runtime or convention.
+        element: what holds the number; else the first call or register.
+        pin: its number on the source board, None where it has none there (a channel of a converter).
+        names: further names by which it may be called.
         what: what the platform says is connected there, empty where it says nothing.
         uses: the pin uses.
+        conventional: what the adapters of the target declare for it.
     """
 
     name: str
     origin: str
     element: ccode.Located
     pin: int | None
+    names: list[str] = field(default_factory=list)
     what: str = ""
     uses: list[PinUse] = field(default_factory=list)
+    conventional: platform.ConventionalPort | None = None
 
     @property
     def directions(self) -> set[str]:
@@ -42,32 +49,212 @@ class Port:
         return {use.direction for use in self.uses} - {"unknown"}
 
 
-def ports(views: Sequence[CodeView]) -> list[Port]:
-    """The ports of a program, in the order of their first use.
+@dataclass
+class FlowPorts:
+    """A flow with the numbers of the ports that go through it.
+
+    Attributes:
+        flow: the flow.
+        numbers: the ports that the text can send through it.
+        anything: whether a number may come that the text does not say.
+        values: of each of the flow's arguments, in their order; empty in the body of a macro.
+    """
+
+    flow: Flow
+    numbers: list[int]
+    anything: bool
+    values: list[list[Value]]
+
+    @property
+    def moved(self) -> bool:
+        """Whether its numbers can be changed to pins of the target where they stand."""
+        return not self.flow.kept and not self.flow.computed
+
+
+@dataclass
+class ProgramPorts:
+    """The ports of a program and how their numbers flow.
+
+    Attributes:
+        ports: in the order of their first use.
+        flows: those that send a port somewhere.
+        anything: whether any port may be reached, so that a person may bind any number.
+        unasked: conventional ports of the source that nothing uses on the target; a person may bind them all the same.
+    """
+
+    ports: list[Port]
+    flows: list[FlowPorts]
+    anything: bool
+    unasked: list[Port] = field(default_factory=list)
+
+
+def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPorts:
+    """The ports of a program.
 
     Args:
         views: a view of each of its units.
+        flows: its flows of port numbers.
     """
-    found: dict[object, Port] = {}
-    for use in pin_uses(views):
+    values = {view.unit.path: Values(view.program, view.unit) for view in views}
+    count = next((int(view.api.settings.get("ports", {}).get("count", 32)) for view in views), 32)
+    through = [_flow_ports(flow, values, count) for flow in flows]
+    bits = [use for view in views for use in register_bits(view, values[view.unit.path])]
+    found: dict[int, Port] = {}
+    for number, element in _reached(through, bits):
+        found.setdefault(number, Port(f"P{number}", "runtime", element, number))
+    _name(found, through)
+    anything = any(f.anything for f in through) or any(use.pin is None for use in bits)
+    _use(found, [*pin_uses(views), *bits, *_in_macros(through, views)], through)
+    own = list(found.values())
+    return ProgramPorts([*own, *give_numbers(own, _conventional(views))], through, anything)
+
+
+def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port]:
+    """The conventional ports, each with its number as a further name while nothing else of the program uses the number.
+
+    Args:
+        own: the ports whose numbers stand in the text.
+        conventional: those of conventions.
+    """
+    numbers = [port.pin for port in (*own, *conventional)]
+    for port in conventional:
+        if port.pin is not None and numbers.count(port.pin) == 1 and f"P{port.pin}" not in port.names:
+            port.names.append(f"P{port.pin}")
+    return list(conventional)
+
+
+def _flow_ports(flow: Flow, values: Mapping[str, Values], count: int) -> FlowPorts:
+    mine: list[list[Value]] = []
+    for argument in flow.arguments:
+        known: list[Value] = []
+        if argument.call is not None:
+            known = pin_values(argument.parameter, list(argument.call.arguments), argument.argument, values[argument.unit.path])
+        mine.append([v if v.number is None else Value(pin_number(v.number), v.origin) for v in known])
+    said = {v.number for known in mine for v in known if v.number is not None}
+    hidden = any(a.call is None for a in flow.arguments)
+    unknown = any(v.number is None for known in mine for v in known) or hidden
+    written = {place.value for place in flow.places}
+    numbers = said | (written if unknown or not flow.kept else set())
+    anything = unknown and (flow.computed or not flow.places)
+    return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine)
+
+
+def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[tuple[int, ccode.Located]]:
+    """Every number with where it is first, flows in text order, then bits of registers."""
+    for each in through:
+        for number in each.numbers:
+            yield number, _where(each, number)
+    for use in bits:
+        if use.pin is not None:
+            yield use.pin, use.call
+
+
+def _where(each: FlowPorts, number: int) -> ccode.Located:
+    """What holds a number in a flow, else the first call that is reached, else any of its places."""
+    holders: list[ccode.Located] = [place.element for place in each.flow.places if place.value == number]
+    calls: list[ccode.Located] = [a.call for a in each.flow.arguments if a.call is not None]
+    return (holders or calls or [place.element for place in each.flow.places])[0]
+
+
+def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
+    """Call ports as the program does; a name that several ports have is said with its function."""
+    places = [place for each in through for place in each.flow.places if place.value in found]
+    meant: dict[str, set[int]] = {}
+    for place in places:
+        if place.name:
+            meant.setdefault(place.name, set()).add(place.value)
+    for place in places:
+        port = found[place.value]
+        name = _full_name(place, meant)
+        if not name:
+            port.origin = "literal" if port.origin == "runtime" else port.origin
+        elif port.origin != "declaration":
+            port.origin, port.element, port.name = "declaration", place.element, name
+            port.names = [f"P{port.pin}"]
+        elif name != port.name and name not in port.names:
+            port.names.insert(len(port.names) - 1, name)
+
+    for each in through:
+        for argument, known in zip(each.flow.arguments, each.values, strict=True):
+            number = known[0].number if len(known) == 1 else None
+            port = found.get(number) if number is not None else None
+            holder = _constant(argument.argument)
+            if port is not None and holder is not None and port.origin != "declaration":
+                port.origin, port.element, port.name, port.names = "declaration", holder[1], holder[0], [f"P{port.pin}"]
+
+
+def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | None:
+    """The macro or constant that is given for a pin and whose value has no place of its own in the text."""
+    if not isinstance(argument, ccode.NameReference):
+        return None
+    target: ccode.Declaration | None = argument.target
+    if isinstance(target, ccode.Variable) and target.initializer is not None:
+        return str(target.name), target
+    unit = ancestor_of_kind(argument, ccode.SourceUnit)
+    macros = (m for m in (unit.program.units if unit is not None and unit.program is not None else []) for m in m.macros)
+    macro = next((m for m in macros if m.name == argument.name and not m.functionLike), None) if target is None else None
+    call = argument.eContainer()
+    return (str(macro.name), macro) if macro is not None and not getattr(call, "viaMacro", False) else None
+
+
+def _full_name(place: PortPlace, meant: Mapping[str, set[int]]) -> str:
+    if not place.name or len(meant[place.name]) == 1:
+        return place.name
+    return f"{place.within}.{place.name}" if place.within else ""
+
+
+def _use(found: Mapping[int, Port], uses: Sequence[PinUse], through: Sequence[FlowPorts]) -> None:
+    """Give each port its uses; a use of which only the running program knows the pin belongs to all of its flow."""
+    flows = {id(a.argument): each for each in through for a in each.flow.arguments if a.argument is not None}
+    for use in uses:
         if use.origin == "convention":
-            name = f"P{use.pin}"
-            found.setdefault(("convention", use.pin), Port(name, "convention", use.call, use.pin, use.expression)).uses.append(
-                use
-            )
             continue
-        for element in _holders(use.argument, set()):
-            if isinstance(element, ccode.IntegerLiteral):
-                key: object = ("literal", id(element))
-                number = pin_number(int(element.value))
-                if number < 0:
-                    continue
-                port = found.setdefault(key, Port(f"P{number}", "literal", element, number))
-            else:
-                port = found.setdefault(id(element), Port(_name(element), "declaration", element, _value(element)))
-            if use not in port.uses and (port.pin is None or use.pin in (port.pin, None)):
-                port.uses.append(use)
+        flow = flows.get(id(use.argument)) if use.argument is not None else None
+        numbers = [use.pin] if use.pin is not None else flow.numbers if flow is not None else []
+        for number in numbers:
+            if number in found and use not in found[number].uses:
+                found[number].uses.append(use)
+
+
+def _in_macros(through: Sequence[FlowPorts], views: Sequence[CodeView]) -> Iterator[PinUse]:
+    """The uses in bodies of macros: each of the numbers of their flow."""
+    for each in through:
+        for argument in each.flow.arguments:
+            if argument.call is None:
+                call = _made(argument, views)
+                for number in each.numbers:
+                    yield PinUse(number, "", "literal", argument.function, argument.parameter.direction, 0, call)
+
+
+def _made(argument: PinArgument, views: Sequence[CodeView]) -> ccode.Call:
+    """A call that the macro makes where it is used, or any other."""
+    made = (c for v in views for c in v.of_kind(ccode.Call) if c.viaMacro and c.calleeName == argument.function)
+    return next(made, ccode.Call(calleeName=argument.function))
+
+
+def _conventional(views: Sequence[CodeView]) -> list[Port]:
+    """The ports that functions use without being told, one for each role."""
+    found: dict[str, Port] = {}
+    for use in pin_uses(views):
+        if use.origin != "convention":
+            continue
+        name = role_name(use, views)
+        port = found.setdefault(name, Port(name, "convention", use.call, use.pin, what=use.expression))
+        port.uses.append(use)
     return list(found.values())
+
+
+def role_name(use: PinUse, views: Sequence[CodeView]) -> str:
+    """How a person calls the port of a convention: `abdrive.left_servo`."""
+    for view in views:
+        known = str(view.api.settings.get("ports", {}).get("names", {}).get(use.expression, ""))
+        if known:
+            return known
+        function = view.called().get(use.function)
+        if function is not None and function.header:
+            words = "".join(c if c.isalnum() else " " for c in use.expression).split()
+            return f"{function.header.removesuffix('.h')}.{'_'.join(word.lower() for word in words)}"
+    return f"P{use.pin}"
 
 
 def convention_of(port: Port, source: platform.Platform) -> platform.PinConvention | None:
@@ -78,64 +265,4 @@ def convention_of(port: Port, source: platform.Platform) -> platform.PinConventi
             for convention in function.conventions if function.name in called else ():
                 if convention.pin == port.pin:
                     return convention
-    return None
-
-
-def _holders(expression: ccode.Expression | None, seen: set[int]) -> Iterator[ccode.Located]:
-    """The declarations and literals that give an expression its value."""
-    if expression is None or id(expression) in seen:
-        return
-    seen.add(id(expression))
-    if isinstance(expression, ccode.IntegerLiteral):
-        yield expression
-    elif isinstance(expression, ccode.Cast):
-        yield from _holders(expression.operand, seen)
-    elif isinstance(expression, ccode.NameReference):
-        target = expression.target
-        if isinstance(target, ccode.Parameter):
-            for argument in passed_arguments(target):
-                yield from _holders(argument, seen)
-        elif isinstance(target, ccode.Variable):
-            yield from _variable(target, seen)
-        elif isinstance(target, ccode.EnumerationLiteral):
-            yield target
-        elif target is None and (macro := _macro(expression)) is not None:
-            yield macro
-    # Sums, elements of arrays and the like hold no pin in one place; their uses are reported as they are.
-
-
-def _variable(variable: ccode.Variable, seen: set[int]) -> Iterator[ccode.Located]:
-    initial = variable.initializer
-    if isinstance(initial, ccode.NameReference):
-        yield from _holders(initial, seen)
-    elif initial is not None and variable.valueType is not None and not variable.valueType.arrayDims:
-        yield variable
-
-
-def _macro(reference: ccode.NameReference) -> ccode.Macro | None:
-    from robosmi.query import ancestor_of_kind
-
-    unit = ancestor_of_kind(reference, ccode.SourceUnit)
-    if unit is None:
-        return None
-    return next((m for m in unit.macros if m.name == reference.name and not m.functionLike), None)
-
-
-def _name(element: ccode.Located) -> str:
-    return str(getattr(element, "name", ""))
-
-
-def _value(element: ccode.Located) -> int | None:
-    number = _number(element)
-    return None if number is None else pin_number(number)
-
-
-def _number(element: ccode.Located) -> int | None:
-    if isinstance(element, ccode.EnumerationLiteral):
-        return int(element.value)
-    if isinstance(element, ccode.Variable) and isinstance(element.initializer, ccode.IntegerLiteral):
-        return int(element.initializer.value)
-    if isinstance(element, ccode.Macro):
-        text = element.body.strip().strip("()").strip()
-        return int(text) if text.isdigit() else None
     return None

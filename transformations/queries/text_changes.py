@@ -23,6 +23,7 @@ def all_changes(plan: migration.MigrationPlan) -> list[migration.TextChange]:
     """Every change of a plan, in the order that says which of two with the same range counts: edits of persons come first."""
     decisions: tuple[migration.Decision, ...] = (
         *plan.portBindings,
+        *plan.portFlows,
         *plan.libraryChoices,
         *([plan.concurrency] if plan.concurrency is not None else []),
         *plan.dispositions,

@@ -15,6 +15,7 @@ from robosmi.query import ancestor_of_kind
 
 LIMIT = 64
 _NUMBER = re.compile(r"\b(0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)[uUlL]*\b")
+_SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 _WRITES = ("++", "--")
 
 
@@ -174,7 +175,7 @@ class Values:
         return self._guarded(self.macros[name], "macro", lambda m: self._macro_value(str(m.body or "")))
 
     def _macro_value(self, body: str) -> list[Value]:
-        text = _NUMBER.sub(lambda m: str(_c_integer(m[1])), body)
+        text = _NUMBER.sub(lambda m: str(c_integer(m[1])), body)
         try:
             number = self._evaluate(ast.parse(text.strip(), mode="eval").body)
         except (SyntaxError, ValueError, RecursionError):
@@ -235,7 +236,9 @@ class Values:
             if len(values) != 1 or values[0].number is None:
                 return None
             found.append(Value(values[0].number, "array"))
-        return found
+        size = _SIZE.fullmatch(str(target.valueType.arrayDims or "")) if target.valueType is not None else None
+        rest = min(int(size[1]), LIMIT) - len(found) if size is not None else 0
+        return found + [Value(0, "array")] * max(rest, 0)
 
 
 _METHODS: dict[str, Any] = {
@@ -291,7 +294,8 @@ _OPERATIONS: dict[str, Any] = {
 }
 
 
-def _c_integer(text: str) -> int:
+def c_integer(text: str) -> int:
+    """The value of an integer literal of C without its suffix."""
     lower = text.lower()
     if lower.startswith(("0x", "0b")):
         return int(lower[2:], 16 if lower[1] == "x" else 2)

@@ -41,6 +41,14 @@ def bound(*numbers: int) -> migration.MigrationPlan:
     )
 
 
+def decided(*numbers: int) -> migration.MigrationPlan:
+    """A plan with flows and a binding for each of these source ports."""
+    return a_plan(
+        portFlows=lambda p: [migration.PortFlow(name="f", choice="target")],
+        portBindings=lambda p: [migration.PortBinding(name=f"n{i}", sourcePin=n, choice="none") for i, n in enumerate(numbers)],
+    )
+
+
 def decided_on(element: Callable[[migration.MigrationPlan], Any]) -> migration.MigrationPlan:
     """A plan with a decision about an element."""
     return a_plan(dispositions=lambda p: [migration.Disposition(element=element(p), rules=["r"])])
@@ -153,6 +161,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS708": (lambda: edited((0, 5), (5, 9)), lambda: edited((0, 5), (4, 9))),
     "RS711": (lambda: at(3, 9), lambda: at(9, 3)),
     "RS712": (lambda: calling(1), lambda: calling(2)),
+    "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),
     "RS713": (
         lambda: a_program(function("f"), function("f", storage=ccode.Storage.staticStorage), function("g")),
         lambda: a_program(function("f"), function("f")),

@@ -5,9 +5,9 @@
 
 //# helper port
 //#   table: port_pins 32
-//#   fidelity: the pin of a port of the source; no pin when the port is not wired
+//#   fidelity: the pin of a port of the source; no pin when the port is not wired; what is negative stays
 inline int32_t port(int32_t number) {
-  return number >= 0 && number < 32 ? port_pins[number] : 255;
+  return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
 
 //# constant CLKFREQ

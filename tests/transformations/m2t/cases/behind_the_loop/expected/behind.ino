@@ -9,7 +9,7 @@ void setup() {
 }
 
 void loop() {
-  toggle(1);
+  toggle(255 /* P1 is not wired yet */);
 }
 // never reached
 /* nor this */

@@ -7,9 +7,9 @@
 
 // Größe
 void setup() {
-  high(1);
+  high(255 /* P1 is not wired yet */);
 }
 
 void loop() {
-  low(1);
+  low(255 /* P1 is not wired yet */);
 }

@@ -12,12 +12,12 @@ void setup() {
 }
 
 void loop() {
-  if (input(2)) return after_loop();
-  toggle(3);
+  if (input(255 /* P2 is not wired yet */)) return after_loop();
+  toggle(255 /* P3 is not wired yet */);
 }
 
 void after_loop() {
-  low(3);
+  low(255 /* P3 is not wired yet */);
   return end_of_main();
 }
 

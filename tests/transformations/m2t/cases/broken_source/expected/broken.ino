@@ -7,7 +7,7 @@
 
 int32_t n = 0
   while (1) {
-    high(1);
+    high(255 /* P1 is not wired yet */);
 
 void setup() {
 }

@@ -16,7 +16,7 @@ void worker(void *par)
   }
 }
 
-void second(void) { while (1) low(3); }
+void second(void) { while (1) low(255 /* P3 is not wired yet */); }
 
 int32_t cog;
 

@@ -16,6 +16,6 @@ void setup() {
 }
 
 void loop() {
-  high(pin + count);
+  high(port(pin + count));
   count++;
 }

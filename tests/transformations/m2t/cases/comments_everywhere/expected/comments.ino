@@ -10,7 +10,7 @@
 /* between */
 void setup() {
   /* opening */
-  /* own line */ high(1); /* behind high */
+  /* own line */ high(255 /* P1 is not wired yet */); /* behind high */
   /* before the loop */
 }
 
@@ -18,7 +18,7 @@ void setup() {
 /* behind the head */
 void loop() {
   // opening of the loop
-  low(1); // behind low
+  low(255 /* P1 is not wired yet */); // behind low
   /* last in the loop */
 }
 // closing of the loop

@@ -10,7 +10,7 @@
 #ifdef NEW_BOARD
 void lamp(int32_t on)
 {
-  if (on) high(26); else low(26);
+  if (on) high(255 /* P26 is not wired yet */); else low(255 /* P26 is not wired yet */);
 }
 #else
 void lamp(int32_t on)

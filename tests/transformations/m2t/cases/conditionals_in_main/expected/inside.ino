@@ -11,7 +11,7 @@ int32_t n = 0;
 
 void setup() {
 #ifdef LED
-  high(LED);
+  high(port(LED));
 #else
   low(1);
 #endif
@@ -19,7 +19,7 @@ void setup() {
 
 void loop() {
 #if defined(LED) && LED > 3
-  toggle(LED);
+  toggle(port(LED));
 #endif
   n++;
   pause(n);

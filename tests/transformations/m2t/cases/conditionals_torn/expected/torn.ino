@@ -6,13 +6,13 @@
 #include "adapters.h"
 
 void setup() {
-  high(1);
+  high(255 /* P1 is not wired yet */);
 #ifndef ONCE
   while (1) {
 #else
   {
 #endif
-    toggle(1);
+    toggle(255 /* P1 is not wired yet */);
   }
 }
 

@@ -12,8 +12,8 @@ void setup() {
 
 void loop() {
   switch (sirc_key(10)) {
-    case CH_UP: high(1); break;
-    case CH_DN: low(1); break;
+    case CH_UP: high(255 /* P1 is not wired yet */); break;
+    case CH_DN: low(255 /* P1 is not wired yet */); break;
     case VOL_UP: line[0] = 'v'; break;
   }
 }

@@ -8,16 +8,16 @@
 int32_t mode;
 
 void setup() {
-  high(1);
+  high(255 /* P1 is not wired yet */);
 }
 
 void loop() {
   int32_t i;
-  if (input(2)) return;
+  if (input(255 /* P2 is not wired yet */)) return;
   for (i = 0; i < 4; i++) {
     if (i == 2) continue;
     if (i == 3) break;
-    toggle(i);
+    toggle(port(i));
   }
   switch (mode) {
     case 0:

@@ -15,11 +15,11 @@ void setup() {
 #define TWICE(x) \
         PULSE(x, 1); \
         PULSE(x, 2)
-  PULSE(3, 10);
+  PULSE(255 /* P3 is not wired yet */, 10);
 }
 
 void loop() {
-  TWICE(4);
+  TWICE(255 /* P4 is not wired yet */);
 #define LATE 5
   pause(LATE);
 }

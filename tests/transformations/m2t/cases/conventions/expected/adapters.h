@@ -7,10 +7,10 @@
 // void drive_speed(int left, int right)  [abdrive.h]
 // called in line 8
 // it starts code on another core there
-// P12 (left servo) is BasicServo2WriteP1
-// P13 (right servo) is BasicServo1WriteP1
-// P14 (left encoder) is not bound
-// P15 (right encoder) is not bound
+// abdrive.left_servo (left servo) is BasicServo2WriteP1
+// abdrive.right_servo (right servo) is BasicServo1WriteP1
+// abdrive.left_encoder (left encoder) is not bound
+// abdrive.right_encoder (right encoder) is not bound
 void drive_speed(int32_t left, int32_t right) {
   // TODO: complete method
   (void)left;

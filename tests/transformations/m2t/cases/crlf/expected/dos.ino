@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-#define LED 26
+#define LED 255 /* P26 is not wired yet */
 
 int32_t n = 0;
 

@@ -14,7 +14,7 @@ void setup() {
 }
 
 void loop() {
-  high(left.pin);
-  low(right.pin);
+  high(port(left.pin));
+  low(port(right.pin));
   pause(table[0] + left.speed);
 }

@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 void setup() {
-  high(26);
+  high(255 /* P26 is not wired yet */);
 }
 
 void loop() {

@@ -8,7 +8,7 @@
 void setup() {
   int32_t i;
   for (i = 0; ; i++) {
-    high(i % 8);
+    high(port(i % 8));
     pause(10);
   }
 }

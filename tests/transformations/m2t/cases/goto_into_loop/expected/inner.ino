@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 void setup() {
-  high(1);
+  high(255 /* P1 is not wired yet */);
 }
 
 void loop() {

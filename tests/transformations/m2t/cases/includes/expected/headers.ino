@@ -17,7 +17,7 @@
 #endif
 
 void setup() {
-  servo_speed(16, (int32_t)sqrt(400.0));
+  servo_speed(255 /* P16 is not wired yet */, (int32_t)sqrt(400.0));
 }
 
 void loop() {

@@ -14,10 +14,10 @@ inline void drive_setRampStep(int32_t stepsize) {
 // void drive_speed(int left, int right)  [abdrive.h]
 // called in lines 6, 10
 // it starts code on another core there
-// P12 (left servo) is not bound
-// P13 (right servo) is not bound
-// P14 (left encoder) is not bound
-// P15 (right encoder) is not bound
+// abdrive.left_servo (left servo) is not bound
+// abdrive.right_servo (right servo) is not bound
+// abdrive.left_encoder (left encoder) is not bound
+// abdrive.right_encoder (right encoder) is not bound
 inline void drive_speed(int32_t left, int32_t right) {
   // TODO: complete method
   (void)left;

@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-void after_loop(void) { toggle(1); }
+void after_loop(void) { toggle(255 /* P1 is not wired yet */); }
 
 int32_t tries;
 int32_t level;
@@ -23,7 +23,7 @@ void setup() {
 
 void loop() {
   level--;
-  while (input(3)) {
+  while (input(255 /* P3 is not wired yet */)) {
     if (level) break;            // of the inner loop
   }
   switch (level) {
@@ -33,14 +33,14 @@ void loop() {
   if (level == 1) {
     return after_loop_();                       // of main's loop
   }
-  if (level < 0) return (void)(input(2)), end_of_main();
+  if (level < 0) return (void)(input(255 /* P2 is not wired yet */)), end_of_main();
   after_loop();
 }
 
 void after_loop_() {
   // behind the loop
   print("%d %d\n", tries, level);
-  while (1) toggle(level);
+  while (1) toggle(port(level));
   end_of_main();
 }
 

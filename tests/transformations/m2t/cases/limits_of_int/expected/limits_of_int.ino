@@ -12,6 +12,6 @@ void setup() {
 }
 
 void loop() {
-  high(limits[0]);
+  high(port(limits[0]));
   low(tops[0]);
 }

@@ -4,11 +4,11 @@
 
 struct wheel { int32_t pin; int32_t turns; };
 
-static inline void start(struct wheel *w) { low(w->pin); }
+static inline void start(struct wheel *w) { low(port(w->pin)); }
 
 static void turn(struct wheel *w)
 {
-  high(w->pin);
+  high(port(w->pin));
   w->turns++;
 }
 #endif

@@ -7,7 +7,7 @@
 
 void setup() {
   int32_t n = 0;
-  if (input(1)) {
+  if (input(255 /* P1 is not wired yet */)) {
     while (1) { n++; }
   }
   {

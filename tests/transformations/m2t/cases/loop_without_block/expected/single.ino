@@ -12,5 +12,5 @@ void setup() {
 }
 
 void loop() {
-  toggle(26);
+  toggle(255 /* P26 is not wired yet */);
 }

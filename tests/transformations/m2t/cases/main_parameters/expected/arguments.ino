@@ -8,7 +8,7 @@
 void setup() {
   int argc = 0;
   if (argc > 1) pause(argc);
-  high(2);
+  high(255 /* P2 is not wired yet */);
   return;
 }
 

@@ -7,7 +7,7 @@
 
 void spin(void)
 {
-  while (1) toggle(7);
+  while (1) toggle(255 /* P7 is not wired yet */);
 }
 
 void setup() {
@@ -17,7 +17,7 @@ void loop() {
   int32_t n = 0;
   while (1) {
     if (++n > 5) break;
-    for (;;) { if (input(n)) break; }
+    for (;;) { if (input(port(n))) break; }
   }
   if (n > 6) spin();
 }

@@ -8,7 +8,7 @@
 void setup() {
   int32_t i;
   for (i = 0; i < 10; i++) {
-    high(i);
+    high(port(i));
     pause(100);
   }
 }

@@ -5,4 +5,4 @@
 
 #include "adapters.h"
 
-void work(void) { toggle(2); }
+void work(void) { toggle(255 /* P2 is not wired yet */); }

@@ -6,9 +6,9 @@
 #include "adapters.h"
 
 void setup() {
-  high(3);
+  high(255 /* P3 is not wired yet */);
 }
 
 void loop() {
-  toggle(3); pause(10);
+  toggle(255 /* P3 is not wired yet */); pause(10);
 }

@@ -12,9 +12,9 @@ fdserial *term;
 unsigned char buffer[8];
 
 void setup() {
-  term = fdserial_open(31, 30, 0, 115200);
-  gps = serial_open(8, 9, 0, 9600);
-  bus = i2c_newbus(28, 29, 0);
+  term = fdserial_open(0, 1, 0, 115200);
+  gps = serial_open(255 /* P8 is not wired yet */, 255 /* P9 is not wired yet */, 0, 9600);
+  bus = i2c_newbus(A5, A4, 0);
 }
 
 void loop() {

@@ -9,7 +9,7 @@ const int32_t buttonPin = 2;
 #define LED_PIN 13
 #define PINS_PER_SIDE (2)
 enum { SENSOR_PIN = A0, BUZZER_PIN = 9 };
-static const int32_t rows[3] = {10, 11, 12};
+static const int32_t rows[3] = {255 /* P10 is not wired yet */, 255 /* P11 is not wired yet */, 255 /* P12 is not wired yet */};
 int32_t relay = 7;
 
 void pulse(int32_t pin)

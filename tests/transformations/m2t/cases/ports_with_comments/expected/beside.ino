@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 #define LED 13      // the light
-#define BUTTON 2  /* the button */
+#define BUTTON (2)  /* the button */
 static const int32_t buzzer = 4, relay = 5;  // both
 const int32_t sensor /* left */ = /* was 2 */ A1;
 

@@ -15,7 +15,7 @@ void setup() {
 }
 
 void loop() {
-  step(1);
+  step(255 /* P1 is not wired yet */);
   delete_(2);
   add(1, 2);
   pause(shift(3));

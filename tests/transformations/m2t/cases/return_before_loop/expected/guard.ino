@@ -8,12 +8,12 @@
 void end_of_main();
 
 void setup() {
-  if (!input(3))
+  if (!input(255 /* P3 is not wired yet */))
     return end_of_main();
 }
 
 void loop() {
-  toggle(5);
+  toggle(255 /* P5 is not wired yet */);
   pause(50);
 }
 

@@ -5,13 +5,13 @@
 
 #include "adapters.h"
 
-int32_t state(void) { return input(4); }
+int32_t state(void) { return input(255 /* P4 is not wired yet */); }
 
 void setup() {
-  if (input(3) == 0) return;
-  high(5);
-  if (input(6)) {
-    low(5);
+  if (input(255 /* P3 is not wired yet */) == 0) return;
+  high(255 /* P5 is not wired yet */);
+  if (input(255 /* P6 is not wired yet */)) {
+    low(255 /* P5 is not wired yet */);
     return (void)(state());
   }
   return;

@@ -10,7 +10,7 @@ int32_t measure(int32_t n) { if (n) return 0; return 5; }
 void store(int32_t n) { if (n > 2) return (void)(level = n); }
 void show(void) { return store(3); }
 int32_t ask(int32_t n) { if (n) return 1; else return 0; }
-int32_t wait_for(int32_t n) { while (1) { if (input(n)) return n; } }
+int32_t wait_for(int32_t n) { while (1) { if (input(port(n))) return n; } }
 int32_t last(int32_t n) { switch (n) { case 1: return 2; } return 0; }
 
 void setup() {

@@ -17,5 +17,5 @@ void setup() {
 }
 
 void loop() {
-  if (get_state(3)) pause(pause_time);
+  if (get_state(255 /* P3 is not wired yet */)) pause(pause_time);
 }

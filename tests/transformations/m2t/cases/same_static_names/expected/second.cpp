@@ -10,6 +10,6 @@ static int32_t next(void) { return state--; }
 
 int32_t other(void)
 {
-  toggle(CNT & 1);
+  toggle(port(CNT & 1));
   return next();
 }

@@ -5,8 +5,8 @@
 
 #include "adapters.h"
 
-void setup_(void) { high(1); }
-void loop_(void) { toggle(1); }
+void setup_(void) { high(255 /* P1 is not wired yet */); }
+void loop_(void) { toggle(255 /* P1 is not wired yet */); }
 void init_(int32_t n) { pause(n); }
 
 void setup() {

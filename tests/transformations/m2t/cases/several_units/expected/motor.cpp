@@ -13,11 +13,11 @@ static int32_t pin;
 void motor_start(int32_t p)
 {
   pin = p;
-  low(pin);
+  low(port(pin));
 }
 
 void motor_step(int32_t n)
 {
   steps += n > speed ? speed : n;
-  pulse_out(pin, steps);
+  pulse_out(port(pin), steps);
 }

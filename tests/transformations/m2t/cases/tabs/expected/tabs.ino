@@ -13,7 +13,7 @@ int32_t sum(int32_t a, int32_t b)
 int32_t n = 1;
 
 void setup() {
-  high(n);
+  high(port(n));
 }
 
 void loop() {

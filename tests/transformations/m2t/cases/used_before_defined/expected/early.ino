@@ -28,5 +28,5 @@ int32_t helper(int32_t n) { return n + stack[0]; }
 
 void worker(void *par)
 {
-  while (1) { toggle(4); }
+  while (1) { toggle(255 /* P4 is not wired yet */); }
 }

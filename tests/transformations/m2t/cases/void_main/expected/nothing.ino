@@ -6,9 +6,9 @@
 #include "adapters.h"
 
 void setup() {
-  high(1);
-  if (input(2)) return;
-  low(1);
+  high(255 /* P1 is not wired yet */);
+  if (input(255 /* P2 is not wired yet */)) return;
+  low(255 /* P1 is not wired yet */);
 }
 
 void loop() {

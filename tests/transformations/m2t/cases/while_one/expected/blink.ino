@@ -22,15 +22,15 @@ void blink(int32_t pin)
 // behind main
 void setup() {
   // First the direction.
-  set_direction(26, 1);
+  set_direction(255 /* P26 is not wired yet */, 1);
 
-  blink(26);  // say hello
+  blink(255 /* P26 is not wired yet */);  // say hello
 }
 
 // for ever
 void loop() {
   // In the loop.
-  blink(26);
+  blink(255 /* P26 is not wired yet */);
   count++;
 
   if (count > 10) {

@@ -1,0 +1,89 @@
+"""One number space per flow: each case is a program whose lines say behind `// =>` what they are in the sketch.
+
+`robosmi.toml` of a case binds the ports that it binds; all others are open. Nothing is run here: what the numbers do is
+measured in tests/adapters.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.metamodels import migration
+
+CASES = Path(__file__).parent / "ports"
+NAMES = sorted(path.name for path in CASES.iterdir())
+
+
+def sources(name: str) -> list[Path]:
+    """The C files of a case."""
+    return sorted((CASES / name).glob("*.c"))
+
+
+def planned(name: str, **options: Any) -> migration.MigrationPlan:
+    """The plan of a case."""
+    return robosmi.plan_migration(sources(name), **options).plan
+
+
+def port(plan: migration.MigrationPlan, name: str) -> migration.PortBinding:
+    """The binding of a port, by any of its names."""
+    return next(b for b in plan.portBindings if name in (b.name, *b.names))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_line_says_what_it_becomes(name: str, tmp_path: Path) -> None:
+    made = robosmi.migrate(sources(name), tmp_path / "out", widths="keep").sketch
+    lines = [line for path in sorted(made.iterdir()) for line in path.read_text().splitlines() if " // => " in line]
+    said = {line.partition(" // => ")[2].strip() for p in (CASES / name).glob("*.[ch]") for line in p.read_text().splitlines()}
+    assert len(lines) >= len(said - {""}) > 3
+    for line in lines:
+        text, _, wanted = line.partition(" // => ")
+        assert text.strip() == wanted.strip()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_flow_is_moved_or_looked_up_and_never_both(name: str) -> None:
+    plan = planned(name)
+    assert plan.portFlows
+    for flow in plan.portFlows:
+        assert flow.choice in ("target", "source")
+        assert flow.evidence
+        assert not (flow.choice == "target" and flow.changes)
+    looked_up = {(c.unit.path, c.startOffset) for f in plan.portFlows for c in f.changes if c.unit is not None}
+    moved = [(c.unit.path, c.startOffset, c.endOffset) for b in plan.portBindings for c in b.changes if c.unit is not None]
+    assert not any(path == other and start <= at <= end for path, at in looked_up for other, start, end in moved)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_two_ports_share_a_pin_and_each_number_is_one_port(name: str) -> None:
+    plan = planned(name)
+    pins = [b.pin.label for b in plan.portBindings if b.pin is not None]
+    assert len(pins) == len(set(pins))
+    numbers = [b.sourcePin for b in plan.portBindings if b.origin != "convention"]
+    assert len(numbers) == len(set(numbers))
+    names = [n for b in plan.portBindings for n in {b.name, *b.names}]
+    assert len(names) == len(set(names))
+    assert all(b.open or b.choice for b in plan.portBindings)
+
+
+def test_every_port_that_a_program_reaches_is_listed() -> None:
+    reached = {name: {b.sourcePin for b in planned(name).portBindings} for name in NAMES}
+    assert reached["keypad"] == set(range(7))
+    assert reached["tables"] == {12, 13, 14, 16, 17, 5, 6, 20, 21, 0}
+    assert reached["macros"] == {7, 26, 5, 6, 11, 8}
+    assert reached["ranges"] == {*range(8, 16), 9, 26, 4, 5, 0, 1}
+    assert reached["conventions"] == {7, 12, 13, 14}, (
+        "encoders are no ports of a drive without them, but where a person binds one"
+    )
+
+
+def test_a_port_has_all_its_names_and_the_place_that_holds_it() -> None:
+    plan = planned("looked_at")
+    assert (port(plan, "P10").name, port(plan, "P10").element.line) == ("printed", 3)  # type: ignore[union-attr]
+    assert port(plan, "P4").origin == "runtime"
+    assert port(planned("conventions"), "P12").name == "abdrive.left_servo"
+    assert port(planned("conventions"), "P13").name == "main.pin" or port(planned("conventions"), "P13").name == "pin"
+    assert port(planned("conventions"), "abdrive.right_servo").sourcePin == 13

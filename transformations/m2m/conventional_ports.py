@@ -1,0 +1,84 @@
+"""The ports that a program's libraries use without being told: those that its adapters declare, else those of the source.
+
+An adapter asks for what it uses on the target, which may be less than its function used on the source (encoders of a drive that
+is steered without them). A function without an adapter keeps the conventions of the platform's API.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.pin_uses import PinUse
+from robosmi.transformations.queries.plan_adapters import closure
+from robosmi.transformations.queries.ports import Port, ProgramPorts, give_numbers
+from robosmi.transformations.queries.values import Values
+
+_NUMBERED = re.compile(r"_(\d+)\Z")
+
+
+def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], views: Sequence[CodeView]) -> ProgramPorts:
+    """The ports of a program, with the conventions that its adapters have.
+
+    Args:
+        found: the ports, with the conventions of the source platform.
+        uses: the platform functions that are called, each with the adapter that fills it.
+        views: a view of each unit.
+    """
+    settings = views[0].api.settings.get("ports", {})
+    names, channels = settings.get("names", {}), settings.get("channels", {})
+    adapted = {str(use.name): use for use in uses if use.adapter is not None}
+    own = [port for port in found.ports if port.origin != "convention"]
+    conventional: dict[str, Port] = {}
+    for port in found.ports:
+        left = [use for use in port.uses if use.function not in adapted]
+        if port.origin == "convention" and left:
+            conventional[port.name] = Port(port.name, port.origin, left[0].call, port.pin, [], port.what, left)
+    for function, use in adapted.items():
+        assert use.adapter is not None
+        for needed in (port for piece in closure([use.adapter]) for port in piece.ports):
+            for call in _calls(use, str(needed.name), channels.get(function), views):
+                _add(conventional, needed, names, PinUse(
+                    _number(needed), "", "convention", function, needed.direction.name, int(call.line), call,
+                ))  # fmt: skip
+    asked = give_numbers(own, list(conventional.values()))
+    unasked = [p for p in found.ports if p.origin == "convention" and p.name not in conventional]
+    return ProgramPorts([*own, *asked], found.flows, found.anything, unasked)
+
+
+def _number(port: platform.ConventionalPort) -> int | None:
+    """Its number on the source board; a channel of a converter has none there."""
+    return None if port.capability is platform.PinCapability.analog else int(port.number)
+
+
+def _add(found: dict[str, Port], needed: platform.ConventionalPort, names: dict[str, str], use: PinUse) -> None:
+    own = str(needed.name)
+    name = str(names.get(own, own))
+    port = found.get(name)
+    if port is None:
+        what = own.rpartition(".")[2].replace("_", " ")
+        port = found[name] = Port(name, "convention", use.call, use.pin, what=what)
+    port.conventional = port.conventional or needed
+    if own != name and own not in port.names:
+        port.names.append(own)
+    port.uses.append(use)
+
+
+def _calls(use: migration.AdapterUse, name: str, argument: int | None, views: Sequence[CodeView]) -> Iterator[ccode.Call]:
+    """The calls that use a port: of numbered ones only those whose argument may be its number."""
+    numbered = _NUMBERED.search(name)
+    if numbered is not None and argument is None:
+        return
+    for call in use.calls:
+        if numbered is None or argument is None or int(numbered[1]) in _values(call, argument, views):
+            yield call
+
+
+def _values(call: ccode.Call, argument: int, views: Sequence[CodeView]) -> set[int]:
+    """The numbers that an argument may have; any where the text does not say it."""
+    view = next((v for v in views if any(c is call for c in v.calls)), views[0])
+    arguments = list(call.arguments)
+    known = [v.number for v in Values(view.program, view.unit).of(arguments[argument])] if argument < len(arguments) else [None]
+    return set(range(32)) if None in known else {n for n in known if n is not None}

@@ -1,0 +1,143 @@
+"""Changes of the carried-over text that ports want: a number is its pin where it stands, or a call looks it up; never both.
+
+Which of the two, the flows of the program decide (`queries.port_flows`). Each number that is moved is a change of the port's
+binding, each look-up one of the flow. A number that is on no pin of the target becomes one that is none, never stays another's.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.port_pins import text_in_place
+from robosmi.transformations.queries.ports import FlowPorts, ProgramPorts
+from robosmi.transformations.queries.value_flows import PinArgument, PortPlace
+
+RULE = "port"
+"""Id of the rule that writes a pin in the place of a port's number."""
+LOOK_UP = "port-look-up"
+"""Id of the rule that looks up a port where it is given to a function of the platform."""
+NEXT = "enumerator-after-port"
+"""Id of the rule that keeps the value of an enumerator behind one that is a port."""
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_REASONS = 4
+
+
+def port_changes(
+    ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes]
+) -> list[migration.PortFlow]:
+    """The flows of a plan, and the changes of text that they and the bindings want.
+
+    Args:
+        ports: the program's ports.
+        bindings: a decision for each; they are given their changes.
+        sources: path of a unit -> its bytes.
+    """
+    numbers = {b.sourcePin: b for b in bindings if b.sourcePin >= 0 and b.origin != "convention"}
+    for binding in bindings:
+        binding.changes.clear()
+    found = []
+    moved = {id(place.element) for each in ports.flows if each.moved for place in each.flow.places}
+    for each in ports.flows:
+        if each.moved:
+            for place in _distinct(each.flow.places):
+                if place.value in numbers:
+                    changed = [_moved(place, numbers[place.value], sources), *_next(place, moved, sources)]
+                    numbers[place.value].changes.extend(changed)
+            changes: list[migration.TextChange] = []
+        else:
+            changes = [c for a, known in zip(each.flow.arguments, each.values, strict=True) for c in _look_up(a, known)]
+        if each.numbers or changes:
+            found.append(_flow(each, changes, numbers))
+    return found
+
+
+def looked_up(ports: ProgramPorts) -> bool:
+    """Whether a call of the program has to look up the pin of a port."""
+    flows = (each for each in ports.flows if not each.moved)
+    return any(_look_up(a, known) for each in flows for a, known in zip(each.flow.arguments, each.values, strict=True))
+
+
+def _flow(
+    each: FlowPorts, changes: list[migration.TextChange], numbers: Mapping[int, migration.PortBinding]
+) -> migration.PortFlow:
+    first = each.flow.arguments[0]
+    names = list(dict.fromkeys(p.name for p in each.flow.places if p.name))[:3]
+    why = each.flow.kept[:_REASONS] if not each.moved else ["its numbers go to pins of platform functions only"]
+    return migration.PortFlow(
+        name=", ".join(names) or f"{first.function} in line {_line(first)}",
+        choice="target" if each.moved else "source",
+        chosenBy=migration.ChosenBy.rule,
+        confidence=1.0,
+        evidence=why,
+        bindings=[numbers[n] for n in each.numbers if n in numbers],
+        calls=list({id(a.call): a.call for a in each.flow.arguments if a.call is not None}.values()),
+        changes=changes,
+    )
+
+
+def _line(argument: PinArgument) -> int:
+    return int(argument.call.line) if argument.call is not None else 0
+
+
+def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:
+    seen = set()
+    for place in places:
+        key = (place.unit.path, place.start)
+        if key not in seen:
+            seen.add(key)
+            yield place
+
+
+def _moved(place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes]) -> migration.TextChange:
+    return migration.TextChange(
+        unit=place.unit, startOffset=place.start, endOffset=place.end,
+        replacement=replacement(binding, sources[place.unit.path][place.start : place.end]),
+        rule=RULE, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
+    )  # fmt: skip
+
+
+def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> list[migration.TextChange]:
+    """The change that gives an enumerator its own value whose value followed that of a port."""
+    owner = place.element.eContainer() if isinstance(place.element, ccode.EnumerationLiteral) else None
+    if not isinstance(owner, ccode.Enumeration):
+        return []
+    following = list(owner.literals)[list(owner.literals).index(place.element) + 1 :][:1]
+    text = sources[place.unit.path]
+    if not following or id(following[0]) in moved or b"=" in text[following[0].startOffset : following[0].endOffset]:
+        return []
+    at, value = int(following[0].endOffset), int(following[0].value)
+    return [
+        migration.TextChange(
+            unit=place.unit, startOffset=at, endOffset=at, replacement=f" = {value}", rule=NEXT,
+            reason=f"its value was one more than that of {place.name}", step=migration.Step.hardware,
+        )
+    ]  # fmt: skip
+
+
+def replacement(binding: migration.PortBinding, original: bytes) -> str:
+    """What stands for a port instead of the original text; an enumerator keeps its name."""
+    value = text_in_place(binding)
+    name = _NAME.match(original.decode("utf-8", errors="replace"))
+    return f"{name[0]} = {value}" if name is not None else value
+
+
+def _look_up(argument: PinArgument, known: Sequence[object]) -> list[migration.TextChange]:
+    """The insertions that look up the pin where a number of the source is given to an adapter."""
+    numbers = [getattr(value, "number", None) for value in known]
+    if (
+        not argument.translated
+        or argument.parameter.number is not None
+        or (numbers and all(n is not None and n < 0 for n in numbers))
+    ):
+        return []
+    reason = f"the number that '{argument.function}' is given is one of the source"
+    places = ((argument.start, "port("), (argument.end, ")"))
+    return [
+        migration.TextChange(
+            unit=argument.unit, startOffset=at, endOffset=at, replacement=text, rule=LOOK_UP, reason=reason,
+            step=migration.Step.hardware,
+        )
+        for at, text in places
+    ]  # fmt: skip

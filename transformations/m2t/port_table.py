@@ -1,0 +1,39 @@
+"""The table in which a program looks up the pin of a port of the source that it has as a number."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from robosmi.metamodels import migration
+from robosmi.transformations.queries.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
+
+_PORTS = 32
+
+
+@dataclass(frozen=True)
+class PortPins:
+    """The table as templates show it.
+
+    Attributes:
+        unbound: the text for no pin.
+        pins: the text for the pin of each port, from 0 on.
+        names: of each its number, and what it is called in the program where it is on a pin.
+    """
+
+    unbound: str
+    pins: list[str]
+    names: list[str]
+
+
+def port_table(plan: migration.MigrationPlan) -> PortPins | None:
+    """The table, None where the program looks up nothing, or an adapter has it."""
+    if not looks_up_ports(plan) or table_is_declared(plan):
+        return None
+    texts = port_literals(plan)[1]
+    called = {b.sourcePin: f": {b.name}" for b in plan.portBindings if b.sourcePin in texts and b.name != f"P{b.sourcePin}"}
+    count = max([_PORTS, *(number + 1 for number in texts)])
+    return PortPins(
+        UNBOUND,
+        [texts.get(number, UNBOUND) for number in range(count)],
+        [f"P{number}{called.get(number, '')}" for number in range(count)],
+    )

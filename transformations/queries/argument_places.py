@@ -1,0 +1,66 @@
+"""Where the arguments of calls and of uses of macros stand in a text, by its tokens.
+
+The parser knows an argument without the parentheses around it, and nothing of what a macro's body passes on.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Sequence
+
+from robosmi.transformations.knowledge.lexer import Token, tokens
+
+_OPEN, _CLOSE = "([{", ")]}"
+
+
+class TokenText:
+    """The tokens of a text that count for the compiler, comments left out.
+
+    Args:
+        data: the text.
+        offset: of its first byte in the file.
+    """
+
+    def __init__(self, data: bytes, offset: int = 0) -> None:
+        self.tokens: list[Token] = [
+            (kind, start + offset, end + offset, text) for kind, start, end, text in tokens(data) if kind != "comment"
+        ]
+        self._starts = [token[1] for token in self.tokens]
+
+    def at(self, offset: int) -> int:
+        """Index of the first token that begins at an offset or behind it."""
+        return bisect_left(self._starts, offset)
+
+    def arguments(self, index: int) -> list[list[Token]] | None:
+        """The tokens of each argument behind the name with this index; None where no parenthesis follows it or none closes."""
+        if index + 1 >= len(self.tokens) or self.tokens[index + 1][3] != "(":
+            return None
+        found: list[list[Token]] = [[]]
+        depth = 0
+        for token in self.tokens[index + 2 :]:
+            text = token[3]
+            if depth == 0 and text == ")":
+                return found if found != [[]] else []
+            if depth == 0 and text == ",":
+                found.append([])
+                continue
+            depth += (text in _OPEN) - (text in _CLOSE)
+            found[-1].append(token)
+        return None
+
+
+def bare(argument: Sequence[Token]) -> Sequence[Token]:
+    """Tokens without the parentheses around all of them."""
+    while len(argument) > 2 and argument[0][3] == "(" and argument[-1][3] == ")" and _closes_last(argument):
+        argument = argument[1:-1]
+    return argument
+
+
+def _closes_last(argument: Sequence[Token]) -> bool:
+    """Whether the first parenthesis is closed by the last token."""
+    depth = 0
+    for i, token in enumerate(argument):
+        depth += (token[3] in _OPEN) - (token[3] in _CLOSE)
+        if depth == 0:
+            return i == len(argument) - 1
+    return False

@@ -1,0 +1,339 @@
+"""Reads what exchanges values with what in a program's text: declarations, assignments, parameters, results, arrays, members.
+
+It fills `value_flows`. What a value is used for besides is told by `value_uses`, bodies of macros by `port_macros`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.api_facts import PinParameter
+from robosmi.transformations.queries.argument_places import TokenText
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.pin_uses import pin_number
+from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
+
+_DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
+
+
+class FlowReader:
+    """Reads the flows of one program.
+
+    Args:
+        views: a view of each unit.
+        sources: path of a unit -> its bytes.
+    """
+
+    def __init__(self, views: Sequence[CodeView], sources: Mapping[str, bytes]) -> None:
+        self.views = views
+        self.flows = Flows()
+        self.texts = {view.unit.path: TokenText(sources[view.unit.path]) for view in views}
+        self.sources = sources
+        self.macros = {str(m.name): m for view in views for m in view.unit.macros}
+        self.functions = {
+            str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
+        }
+        self.given: dict[tuple[str, int, int], list[Hashable]] = {}
+        """Unit, start and end of an argument of a macro -> what takes it."""
+        self.followed: set[tuple[str, int, int]] = set()
+        """Those of them that the parser knows."""
+        self._known: set[Hashable] = set()
+        self._unread = 0
+        self._defined = {
+            str(d.name)
+            for v in views
+            for d in v.unit.declarations
+            if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.externStorage
+        }
+        self._shared: dict[str, ccode.Declaration] = {}
+        for declaration in (d for view in views for d in view.unit.declarations):
+            if isinstance(declaration, ccode.Variable) and declaration.storage is not ccode.Storage.staticStorage:
+                self._shared.setdefault(str(declaration.name), declaration)
+            elif isinstance(declaration, ccode.Enumeration):
+                self._shared.update({str(literal.name): literal for literal in declaration.literals})
+        for view in views:
+            self._macro_arguments(view)
+
+    # ---- what things are
+
+    def key(self, thing: Any) -> Hashable:
+        """The key of a declaration or expression; what is the same thing in two files has one key."""
+        if isinstance(thing, (ccode.Variable, ccode.Function)) and isinstance(
+            thing.eContainer(), (ccode.SourceUnit, ccode.Program)
+        ):
+            if thing.storage is not ccode.Storage.staticStorage:
+                return (type(thing).__name__, str(thing.name))
+        elif isinstance(thing, ccode.Parameter):
+            function = thing.eContainer()
+            if isinstance(function, ccode.Function):
+                return ("Parameter", self.key(function), list(function.parameters).index(thing))
+        return ("element", id(thing))
+
+    def value(self, expression: Any) -> Hashable:
+        """The key of what an expression gives its value to whom it is passed."""
+        if expression is None:  # in text that the parser could not read
+            self._unread += 1
+            return self._once(("unread", self._unread), "it stands in text that could not be read")
+        kind = type(expression).__name__
+        if kind in _THROUGH:
+            return self.value(getattr(expression, _THROUGH[kind]))
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
+            return self.value(expression.operand)
+        if isinstance(expression, ccode.Binary) and str(expression.operator) == ",":
+            return self.value(expression.right)
+        if isinstance(expression, ccode.NameReference):
+            return self._name(expression)
+        if isinstance(expression, ccode.Member):
+            return self._once(("field", str(expression.name)), f"'{expression.name}' is a member of a structure")
+        if isinstance(expression, ccode.Call):
+            return self._result(expression)
+        if isinstance(expression, ccode.IntegerLiteral):
+            return self._literal(expression)
+        key = self.key(expression)
+        if not isinstance(expression, ccode.ConditionalExpression):
+            self.flows.keep(key, f"line {expression.line} calculates it", computed=True)
+        return key
+
+    def _name(self, reference: ccode.NameReference) -> Hashable:
+        target = reference.target
+        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+            return self.key(target)
+        if isinstance(target, ccode.EnumerationLiteral):
+            return self._enumerator(target)
+        if reference.name in self.macros:
+            return ("macro", str(reference.name))
+        shared = self._shared.get(str(reference.name))
+        if shared is not None:  # declared in a header that the parser did not see
+            return self._enumerator(shared) if isinstance(shared, ccode.EnumerationLiteral) else self.key(shared)
+        return self._once(("name", str(reference.name)), f"'{reference.name}' is not the program's own")
+
+    def _result(self, call: ccode.Call) -> Hashable:
+        own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
+        if own is not None and not call.viaMacro:
+            return ("result", self.key(own))
+        name = call.calleeName or "a function"
+        return self._once(("element", id(call)), f"'{name}' returns it (line {call.line})")
+
+    def _once(self, key: Hashable, why: str) -> Hashable:
+        self.flows.keep(key, why, computed=True)
+        return key
+
+    def _literal(self, literal: ccode.IntegerLiteral) -> Hashable:
+        key = self.key(literal)
+        if key not in self._known:
+            self._known.add(key)
+            name, within, holder = _holder(literal)
+            unit = ancestor_of_kind(literal, ccode.SourceUnit)
+            assert unit is not None
+            self.put(key, unit, literal.startOffset, literal.endOffset, pin_number(int(literal.value)), holder, name, within)
+        return key
+
+    def put(
+        self, key: Hashable, unit: ccode.SourceUnit, start: int, end: int, value: int, element: ccode.Located, name: str,
+        within: str = "",
+    ) -> None:  # fmt: skip
+        """A number in the text comes into a flow."""
+        self.flows.of(key).places.append(PortPlace(unit, start, end, value, element, name, within))
+
+    def _enumerator(self, literal: ccode.EnumerationLiteral) -> Hashable:
+        key = self.key(literal)
+        if key not in self._known:
+            self._known.add(key)
+            unit = ancestor_of_kind(literal, ccode.SourceUnit)
+            if unit is None:
+                return self._once(key, f"'{literal.name}' is not the program's own")
+            number = pin_number(int(literal.value))
+            self.put(key, unit, literal.startOffset, literal.endOffset, number, literal, str(literal.name))
+        return key
+
+    # ---- what exchanges values with what
+
+    def follow(self, view: CodeView) -> None:
+        """Read a unit."""
+        for element in view.elements:
+            if isinstance(element, ccode.Variable):
+                self._variable(element)
+            elif isinstance(element, ccode.Assignment):
+                self._assignment(element)
+            elif isinstance(element, ccode.ConditionalExpression):
+                self.flows.join(self.key(element), self.value(element.whenTrue))
+                self.flows.join(self.key(element), self.value(element.whenFalse))
+            elif isinstance(element, ccode.Return) and element.value is not None:
+                self._return(element)
+            elif isinstance(element, ccode.Call):
+                self._call(element, view)
+            elif isinstance(element, ccode.For) and element.range is not None:
+                for declaration in element.declaration.declarations if element.declaration is not None else ():
+                    self.flows.keep(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
+
+    def _variable(self, variable: ccode.Variable) -> None:
+        key, use = self.key(variable), variable.valueType
+        if use is not None and isinstance(use.declaration, ccode.Record):
+            self._record(variable.initializer, use.declaration, str(variable.name))
+            return
+        if variable.initializer is not None:
+            leaves = list(_leaves(variable.initializer))
+            for inner in leaves:
+                self.flows.join(key, self.value(inner))
+            sizes = [int(n) for n in _DIMENSION.findall(str(use.arrayDims or ""))] if use is not None else []
+            count = 1
+            for size in sizes:
+                count *= size
+            if sizes and len(leaves) < count and isinstance(variable.initializer, ccode.InitializerList):
+                self.flows.keep(key, f"elements of '{variable.name}' are 0 until they get a value", computed=True)
+            return
+        lasting = isinstance(variable.eContainer(), ccode.SourceUnit) or variable.storage is ccode.Storage.staticStorage
+        if variable.storage is ccode.Storage.externStorage:
+            if variable.name not in self._defined:
+                self.flows.keep(key, f"'{variable.name}' is defined elsewhere", computed=True)
+        elif lasting:
+            self.flows.keep(key, f"'{variable.name}' is 0 until it gets a value", computed=True)
+
+    def _record(self, values: Any, record: ccode.Record, name: str) -> None:
+        """The values of a structure, or of an array of them, go to its members in their order."""
+        if not isinstance(values, ccode.InitializerList):
+            if values is not None:
+                self.flows.keep(self.value(values), f"'{name}' is a structure")
+            return
+        if any(isinstance(inner, ccode.InitializerList) for inner in values.elements):
+            for inner in values.elements:
+                self._record(inner, record, name)
+            return
+        for member, inner in zip(record.fields, values.elements, strict=False):
+            why = f"'{member.name}' is a member of a structure"
+            self.flows.join(self._once(("field", str(member.name)), why), self.value(inner))
+
+    def _assignment(self, assignment: ccode.Assignment) -> None:
+        left = self.value(assignment.left)
+        if str(assignment.operator) != "=":
+            self.flows.keep(left, f"line {assignment.line} calculates it", computed=True)
+            return
+        self.flows.join(left, self.value(assignment.right))
+        if not isinstance(assignment.left, ccode.NameReference):
+            self.flows.keep(left, f"line {assignment.line} fills it at run time")
+
+    def _return(self, statement: ccode.Return) -> None:
+        function = ancestor_of_kind(statement, ccode.Function)
+        if function is not None:
+            self.flows.join(("result", self.key(function)), self.value(statement.value))
+
+    def _call(self, call: ccode.Call, view: CodeView) -> None:
+        if call.viaMacro:
+            return
+        arguments = list(call.arguments)
+        own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
+        if own is not None:
+            for parameter, argument in zip(own.parameters, arguments, strict=False):
+                self.flows.join(self.key(parameter), self.value(argument))
+            return
+        parameters = self.pins(str(call.calleeName or ""), view)
+        if not parameters:
+            return
+        text = self.texts[view.unit.path]
+        places = text.arguments(text.at(int(call.startOffset)))
+        for parameter in parameters:
+            if parameter.position >= len(arguments):
+                continue
+            argument = arguments[parameter.position]
+            start, end = int(argument.startOffset), int(argument.endOffset)
+            if places is not None and len(places) == len(arguments) and places[parameter.position]:
+                start, end = places[parameter.position][0][1], places[parameter.position][-1][2]
+            if text.tokens and view_text(self.sources[view.unit.path], start, end) in parameter.none:
+                continue
+            self.reach(self.value(argument), PinArgument(view.unit, start, end, str(call.calleeName), parameter, call, argument))
+
+    def reach(self, key: Hashable, pin: PinArgument) -> None:
+        """A flow ends in an argument that is a pin."""
+        self.flows.of(key).arguments.append(pin)
+        if not pin.translated:
+            self.flows.keep(key, f"it is the end of a range in '{pin.function}'")
+
+    def pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:
+        """The parameters of a function of the platform that are pins; none for any other function."""
+        if view.defined(name):
+            return ()
+        function = view.called().get(name)
+        if function is not None and function.entry is not None:
+            facts = view.api.pins(name, function.header)
+        else:
+            entry = view.resolve(name)
+            facts = view.api.pins(name, entry.header) if entry is not None else None
+        return facts.parameters if facts is not None else ()
+
+    def _macro_arguments(self, view: CodeView) -> None:
+        """Where arguments of macros stand, so that what the body does with them counts, not what the parser made of it."""
+        text = self.texts[view.unit.path]
+        for use in view.unit.macroUses:
+            macro = use.macro or self.macros.get(str(use.name))
+            if macro is None or not macro.functionLike:
+                continue
+            for i, argument in enumerate(text.arguments(text.at(int(use.startOffset))) or []):
+                if argument:
+                    place = (view.unit.path, argument[0][1], argument[-1][2])
+                    self.given.setdefault(place, []).append(("macro parameter", str(macro.name), i))
+
+    def elements_named(self, name: str) -> Iterator[Any]:
+        """The variables, parameters and enumerators of a name, wherever they are declared."""
+        for view in self.views:
+            for element in view.elements:
+                if isinstance(element, (ccode.Variable, ccode.Parameter, ccode.EnumerationLiteral)) and element.name == name:
+                    yield element
+
+    def named(self, name: str) -> list[Hashable]:
+        """The keys of all that a name may mean in the body of a macro."""
+        if name in self.macros:
+            return [("macro", name)]
+        found = [
+            self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
+        ]
+        return list(dict.fromkeys(found))
+
+
+_THROUGH = {"Cast": "operand", "Index": "array", "Assignment": "left"}
+
+
+def view_text(data: bytes, start: int, end: int) -> str:
+    """Bytes of a unit as text."""
+    return data[start:end].decode("utf-8", errors="replace").strip()
+
+
+def _leaves(expression: Any) -> Iterator[Any]:
+    """The values in an initialiser, those of nested lists too."""
+    if isinstance(expression, ccode.InitializerList):
+        for inner in expression.elements:
+            yield from _leaves(inner)
+    elif expression is not None:
+        yield expression
+
+
+def _written(reference: Any) -> bool:
+    """Whether a reference to a variable, or to an element of it, changes it."""
+    inner, outer = reference, reference.eContainer()
+    while isinstance(outer, ccode.Index) and outer.array is inner:
+        inner, outer = outer, outer.eContainer()
+    if isinstance(outer, ccode.Assignment):
+        return outer.left is inner
+    return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
+
+
+def _holder(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
+    """Name of the constant that a literal is the value of, the function that the name belongs to, and the constant itself."""
+    inner, outer = literal, literal.eContainer()
+    index = None
+    while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
+        if isinstance(outer, ccode.InitializerList):
+            if index is not None:
+                return "", "", literal
+            index = list(outer.elements).index(inner)
+        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
+    if not isinstance(outer, ccode.Variable):
+        return "", "", literal
+    function = ancestor_of_kind(outer, ccode.Function)
+    if any(_written(reference) for reference in outer.references):
+        return "", "", literal  # the name says no longer which port it is
+    name = str(outer.name) if index is None else f"{outer.name}[{index}]"
+    return name, str(function.name) if function is not None else "", outer if index is None else literal

@@ -1,0 +1,193 @@
+"""Flows of port numbers through macros: bodies that hold a number, a call of a platform function, or pass a parameter on.
+
+Bodies are no syntax, so their tokens are read: a single number, name or parameter is followed, anything else is a calculation
+that keeps its numbers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Sequence
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.queries.argument_places import TokenText, bare
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flow_reader import FlowReader
+from robosmi.transformations.queries.pin_uses import pin_number
+from robosmi.transformations.queries.value_flows import PinArgument
+from robosmi.transformations.queries.values import c_integer
+
+_INTEGER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)[uUlL]*\Z")
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_ASKS_ONLY = re.compile(r"\s*(defined\b|!\s*defined\b)")
+_PUNCTUATION = frozenset("(){}[];,")
+
+
+def follow_macros(reader: FlowReader) -> None:
+    """Read the bodies of all macros of a program."""
+    bodies: dict[str, set[str]] = {}
+    for view in reader.views:
+        for macro in view.unit.macros:
+            bodies.setdefault(str(macro.name), set()).add(str(macro.body).strip())
+        for token in reader.texts[view.unit.path].tokens:
+            if token[0] == "directive":
+                _directive(token[3], reader, bodies)
+        for use in view.unit.macroUses:
+            _plain_arguments(reader, view, use)
+    for view in reader.views:
+        for macro in view.unit.macros:
+            _MacroBody(reader, view, macro).follow()
+    for name, different in bodies.items():
+        if len(different) > 1:
+            reader.flows.keep(("macro", name), f"'{name}' is defined in more than one way")
+
+
+def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> None:
+    """What directives say of macros: other definitions, which may stand in text that is not compiled, and tests."""
+    match = re.match(r"#\s*(define|if|elif)\b(.*)", text, re.DOTALL)
+    if match is None:
+        return
+    if match[1] == "define":
+        found = re.match(r"\s*(\w+)(.*)", match[2], re.DOTALL)
+        if found is not None and found[1] in reader.macros and not found[2].startswith("("):
+            body = TokenText(found[2].encode("latin-1"))
+            known = TokenText(str(reader.macros[found[1]].body).encode("latin-1", errors="replace"))
+            if [t[3] for t in body.tokens] != [t[3] for t in known.tokens]:
+                bodies.setdefault(found[1], set()).add(found[2])
+        return
+    for name in _NAME.findall(re.sub(r"\bdefined\s*\(?\s*\w+\s*\)?", " ", match[2])):
+        if name in reader.macros:
+            reader.flows.keep(("macro", name), f"'{name}' is tested by #{match[1]}")
+
+
+def _plain_arguments(reader: FlowReader, view: CodeView, use: ccode.MacroUse) -> None:
+    """The arguments of a macro that the parser made nothing of, or that are numbers."""
+    macro = use.macro or reader.macros.get(str(use.name))
+    if macro is None or not macro.functionLike:
+        return
+    text = reader.texts[view.unit.path]
+    for i, argument in enumerate(text.arguments(text.at(int(use.startOffset))) or []):
+        tokens = bare(argument)
+        known = argument and (view.unit.path, argument[0][1], argument[-1][2]) in reader.followed
+        if not known and tokens:
+            _argument(reader, view.unit, argument, ("macro parameter", str(macro.name), i), [])
+
+
+def _argument(
+    reader: FlowReader, unit: ccode.SourceUnit, argument: Sequence[Token], taker: Hashable, own: Sequence[str], macro: str = ""
+) -> None:
+    """What is passed, as tokens, to something."""
+    tokens = bare(argument)
+    if len(tokens) == 1 and tokens[0][0] == "number" and (number := _INTEGER.match(tokens[0][3])):
+        place = ("place", unit.path, tokens[0][1])
+        if not any(p.start == tokens[0][1] and p.unit is unit for p in reader.flows.of(taker).places):
+            reader.put(
+                place, unit, tokens[0][1], tokens[0][2], pin_number(c_integer(number[1])), _element(reader, unit, tokens[0]), ""
+            )
+            reader.flows.join(taker, place)
+        return
+    if len(tokens) == 1 and tokens[0][0] == "name":
+        for key in keys_of(reader, tokens[0][3], own, macro) or [("name", tokens[0][3])]:
+            reader.flows.join(taker, key)
+        return
+    for token in tokens:
+        if token[0] == "name":
+            for key in keys_of(reader, token[3], own, macro):
+                reader.flows.keep(key, f"'{token[3]}' is calculated with")
+    if tokens:
+        reader.flows.keep(taker, "a macro calculates it", computed=True)
+
+
+def _element(reader: FlowReader, unit: ccode.SourceUnit, token: Token) -> ccode.Located:
+    """The element that a number in the text belongs to: a literal, a macro, a use of one."""
+    for kind in (unit.macros, unit.macroUses):
+        for element in kind:
+            if element.startOffset <= token[1] < element.endOffset:
+                return element
+    return unit.macroUses[0]
+
+
+def keys_of(reader: FlowReader, name: str, own: Sequence[str], macro: str) -> list[Hashable]:
+    """What a name in the body of a macro means: a parameter of the macro, another macro, anything declared."""
+    return [("macro parameter", macro, list(own).index(name))] if name in own else reader.named(name)
+
+
+class _MacroBody:
+    """The body of one macro.
+
+    Args:
+        reader: the program's flows.
+        view: of the unit.
+        macro: the macro.
+    """
+
+    def __init__(self, reader: FlowReader, view: CodeView, macro: ccode.Macro) -> None:
+        self.reader, self.view, self.macro, self.name = reader, view, macro, str(macro.name)
+        start = int(macro.startOffset) + 1
+        self.text = TokenText(reader.sources[view.unit.path][start : int(macro.endOffset)], start)
+        self.own = [str(p) for p in macro.parameters]
+        self.begin = self._begin()
+        self.done: set[int] = set()
+
+    def _begin(self) -> int:
+        """Index of the first token of the body: behind `define`, the name and its parameters."""
+        index = next((i for i, t in enumerate(self.text.tokens) if t[3] == self.name), len(self.text.tokens)) + 1
+        if not self.macro.functionLike:
+            return index
+        closing = (i for i in range(index, len(self.text.tokens)) if self.text.tokens[i][3] == ")")
+        return next(closing, len(self.text.tokens)) + 1
+
+    def follow(self) -> None:
+        """Follow what the body passes on, and keep what it uses otherwise."""
+        flows, key = self.reader.flows, ("macro", self.name)
+        body = bare(self.text.tokens[self.begin :])
+        if not self.macro.functionLike and len(body) == 1 and body[0][0] in ("number", "name"):
+            self._single(body[0], key)
+            return
+        if not self.macro.functionLike:
+            flows.keep(key, f"'{self.name}' is calculated", computed=True)
+        for index in range(self.begin, len(self.text.tokens)):
+            if self.text.tokens[index][0] == "name" and (arguments := self.text.arguments(index)) is not None:
+                self._call(self.text.tokens[index][3], arguments)
+        for index in range(self.begin, len(self.text.tokens)):
+            token = self.text.tokens[index]
+            if token[0] == "name" and token[1] not in self.done:
+                for other in keys_of(self.reader, token[3], self.own, self.name):
+                    flows.keep(other, f"'{token[3]}' is used in the macro '{self.name}'")
+
+    def _single(self, token: Token, key: Hashable) -> None:
+        if token[0] == "name":
+            for other in self.reader.named(token[3]) or [("name", token[3])]:
+                if other[:1] == ("name",):  # type: ignore[index]
+                    self.reader.flows.keep(other, f"'{token[3]}' is not the program's own", computed=True)
+                self.reader.flows.join(key, other)
+        elif number := _INTEGER.match(token[3]):
+            value = pin_number(c_integer(number[1]))
+            self.reader.put(key, self.view.unit, token[1], token[2], value, self.macro, self.name)
+        else:
+            self.reader.flows.keep(key, f"'{self.name}' is no whole number", computed=True)
+
+    def _call(self, name: str, arguments: list[list[Token]]) -> None:
+        """What a call in the body passes on."""
+        reader = self.reader
+        takers: dict[int, Hashable] = {}
+        other = reader.macros.get(name)
+        function = reader.functions.get(name)
+        if other is not None and other.functionLike:
+            takers = {i: ("macro parameter", name, i) for i in range(len(arguments))}
+        elif function is not None:
+            takers = {i: reader.key(p) for i, p in enumerate(function.parameters)}
+        else:
+            for parameter in reader.pins(name, self.view):
+                if parameter.position < len(arguments) and arguments[parameter.position]:
+                    first, last = arguments[parameter.position][0], arguments[parameter.position][-1]
+                    taker = ("pin", self.view.unit.path, first[1])
+                    takers[parameter.position] = taker
+                    reader.reach(taker, PinArgument(self.view.unit, first[1], last[2], name, parameter))
+        for position, taker in takers.items():
+            if position < len(arguments):
+                tokens = bare(arguments[position])
+                if len(tokens) == 1:
+                    self.done.add(tokens[0][1])
+                _argument(reader, self.view.unit, arguments[position], taker, self.own, self.name)

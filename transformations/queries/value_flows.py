@@ -1,0 +1,126 @@
+"""Sets of things in a program's text that can exchange a value, with the numbers that come in and the reasons against change.
+
+A union of sets, nothing more: what exchanges values with what is told by `port_flows` and `port_macros`. A thing is known by
+any key; the number of a set's things never matters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.api_facts import PinParameter
+
+
+@dataclass(frozen=True)
+class PortPlace:
+    """A number in the text that may be a port of the source.
+
+    Attributes:
+        unit: the file.
+        start, end: its bytes; of an enumerator the whole of it.
+        value: the number.
+        element: the literal, or the macro or enumerator that has the number in its text.
+        name: of the constant or variable that holds it, `rows[2]` for an element of an array, empty for a bare number.
+        within: the function that the name belongs to, empty at file scope.
+    """
+
+    unit: ccode.SourceUnit
+    start: int
+    end: int
+    value: int
+    element: ccode.Located
+    name: str = ""
+    within: str = ""
+
+
+@dataclass(frozen=True)
+class PinArgument:
+    """An argument that is a pin for a function of the platform.
+
+    Attributes:
+        unit: the file.
+        start, end: the bytes of the argument, in a call or in the body of a macro.
+        function: the platform's function.
+        parameter: what is known of the parameter.
+        call: the call, None in the body of a macro.
+        argument: the argument, None in the body of a macro.
+    """
+
+    unit: ccode.SourceUnit
+    start: int
+    end: int
+    function: str
+    parameter: PinParameter
+    call: ccode.Call | None = None
+    argument: ccode.Expression | None = None
+
+    @property
+    def translated(self) -> bool:
+        """Whether an adapter takes a pin of the target here: the ends of a range stay numbers of the source."""
+        return self.parameter.range_with is None and self.parameter.span == 1
+
+
+@dataclass
+class Flow:
+    """A set of things that exchange values.
+
+    Attributes:
+        places: the numbers that come in.
+        arguments: the pins that go out.
+        kept: why its numbers have to stay as they are; empty where nothing speaks against change.
+        computed: whether a value comes in that no number in the text shows.
+    """
+
+    places: list[PortPlace] = field(default_factory=list)
+    arguments: list[PinArgument] = field(default_factory=list)
+    kept: list[str] = field(default_factory=list)
+    computed: bool = False
+
+
+class Flows:
+    """All flows of a program."""
+
+    def __init__(self) -> None:
+        self._above: dict[Hashable, Hashable] = {}
+        self._flows: dict[Hashable, Flow] = {}
+
+    def of(self, key: Hashable) -> Flow:
+        """The flow that a thing belongs to."""
+        root = self._root(key)
+        return self._flows.setdefault(root, Flow())
+
+    def join(self, one: Hashable, other: Hashable) -> None:
+        """Two things exchange values."""
+        first, second = self._root(one), self._root(other)
+        if first == second:
+            return
+        self._above[second] = first
+        taken = self._flows.pop(second, None)
+        if taken is not None:
+            into = self.of(first)
+            into.places += taken.places
+            into.arguments += taken.arguments
+            into.kept += taken.kept
+            into.computed |= taken.computed
+
+    def keep(self, key: Hashable, why: str, *, computed: bool = False) -> None:
+        """The numbers of a flow have to stay; with `computed`, a value comes in that the text does not show."""
+        flow = self.of(key)
+        if why not in flow.kept:
+            flow.kept.append(why)
+        flow.computed |= computed
+
+    def all(self) -> list[Flow]:
+        """Every flow, in the order in which they were first known."""
+        return list(self._flows.values())
+
+    def _root(self, key: Hashable) -> Hashable:
+        path = []
+        while (above := self._above.get(key)) is not None:
+            path.append(key)
+            key = above
+        for passed in path:
+            self._above[passed] = key
+        return key
