@@ -7,6 +7,7 @@ program in the generators.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -17,9 +18,12 @@ from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import split_parameters
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.adapter_signature import spelling
 from robosmi.transformations.queries.plan_adapters import closure, emitted
+from robosmi.transformations.queries.signature_text import parameter_type, taken_apart
 
 Status = migration.AdapterStatus
+_WORDS = re.compile(r"\b(?:extern|register|signed)\b")
 NO_ADAPTER = "no adapter file has it"
 FUNCTIONS = ("adapter",)
 VALUES = ("constant", "register", "variable")
@@ -89,8 +93,13 @@ class AdapterChoice:
         if why := needed.unserved.get(key):
             use.reason = f"its adapter cannot be used here: {why}"
             return
-        if misfit := _misfit(use.calls, needed.pieces[-1].signatures):
+        taken = needed.pieces[-1].signatures
+        if misfit := _misfit(use.calls, taken):
             use.reason = misfit
+            return
+        own = use.signatureSource is migration.SignatureSource.program
+        if own and _plain(spelling(p) for p in _types_of(use)) not in [_types(signature) for signature in taken]:
+            use.reason = f"the program declares it as '{use.signature}', and its adapter is for '{taken[0]}'"
             return
         if handed:
             use.reason = "it is handed on as a value, and an adapter's types are others"
@@ -165,6 +174,20 @@ def _count(signature: str) -> tuple[int, bool]:
     start = signature.find("(")
     parts = [part for part in split_parameters(signature[start:]) if part != "void"] if start >= 0 else []
     return len(parts) - ("..." in parts), "..." in parts
+
+
+def _types(signature: str) -> list[str]:
+    """The types of a signature, in one spelling."""
+    returned, _, parameters = taken_apart(signature)
+    return _plain([returned, *(parameter_type(parameter) for parameter in parameters)])
+
+
+def _types_of(use: migration.AdapterUse) -> list[migration.TargetType | None]:
+    return [use.result, *(parameter.valueType for parameter in use.parameters)]
+
+
+def _plain(types: Iterable[str]) -> list[str]:
+    return [" ".join(_WORDS.sub(" ", each).replace("*", " * ").split()) for each in types]
 
 
 def settle_use(use: migration.AdapterUse) -> None:

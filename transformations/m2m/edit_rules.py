@@ -219,6 +219,7 @@ RULES: dict[str, EditRule] = {
     "take-out": _out,
     "define-extern": _define_extern,
     "adapter-in-place": _body,
+    "adapter-declared": _out,
 }
 """Rule of a disposition -> the changes of text that it asks for."""
 

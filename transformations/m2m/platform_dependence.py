@@ -231,7 +231,14 @@ def _change_unit_texts(
     renamed = {r.name: r for r in renamings(views, sources, names)}
     for renaming in renamed.values():
         change(renaming.element, RENAME, renaming.new, renaming.reason)
-    adapted = {a.name for a in result.adapters if a.signatureSource is OWN}
+    adapted = {a.name for a in result.adapters if a.signatureSource is OWN and a.adapter is None}
+    served = {a.name for a in result.adapters if a.signatureSource is OWN and a.adapter is not None}
+    for view in views if served else ():
+        for declared in view.of_kind(ccode.Function):
+            if declared.name in served and not declared.definition:
+                change(declared, "adapter-declared", declared.name, "the adapter of that name is declared with the others")
+                verdict = judged.trace.equivalents(declared)[0]
+                verdict.action, verdict.choice = migration.Action.drop, migration.Action.drop.name
     for name, prototype in prototypes.items():
         if name in adapted:
             change(

@@ -118,3 +118,23 @@ def test_placeholders_have_no_bodies_but_constants_have_their_values(tmp_path: P
 def test_adapters_are_filled_or_placeholders(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="adapters cannot be 'empty'"):
         planned(tmp_path, "int main() { }\n", adapters="empty")
+
+
+def test_a_function_that_the_program_declares_itself_is_declared_with_its_adapter_only(tmp_path: Path) -> None:
+    """The program's own `void freqout(int, int, int)` would be another function beside the adapter's, which takes 32 bits."""
+    text = "int ping_cm(int pin);  // centimetres\nextern void freqout(int, int ms, int);\nint main() {\n"
+    (tmp_path / "program.c").write_text(f"{text}  int ping_cm(int);\n  while (1) freqout(4, ping_cm(7), 440);\n}}\n")
+    made = robosmi.migrate([tmp_path / "program.c"], tmp_path / "out")
+    sketch = (tmp_path / "out" / "program" / "program.ino").read_text()
+    assert "ping_cm(int" not in sketch
+    assert "freqout(int" not in sketch
+    assert "// centimetres" in sketch
+    assert all(use.adapter is not None for use in made.models.plan.adapterUses)
+    declared = [d for d in made.models.plan.dispositions if "adapter-declared" in d.rules]
+    assert [(d.element.line, d.action.name) for d in declared if d.element] == [(1, "drop"), (2, "drop"), (4, "drop")]
+
+
+def test_a_function_that_the_program_declares_otherwise_is_not_the_platforms(tmp_path: Path) -> None:
+    use = uses(planned(tmp_path, "void ping_cm(char *text);\nint main() { while (1) ping_cm(0); }\n"))["ping_cm"]
+    assert use.adapter is None
+    assert use.reason == "the program declares it as 'void ping_cm(char *text)', and its adapter is for 'int ping_cm(int pin)'"
