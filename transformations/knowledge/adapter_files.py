@@ -16,7 +16,6 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
-from robosmi.transformations.knowledge.adapter_checks import check_piece
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -250,6 +249,8 @@ def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, st
         raise _wrong(piece.location, message, f"add `{MARK}   for: ...`")
     if piece.kind == "adapter" and not piece.relation:
         raise _wrong(piece.location, f"the adapter '{piece.name}' has no kind", f"add `{MARK}   kind: ...`")
+    from robosmi.transformations.knowledge.adapter_checks import check_piece  # built data needs no check and no lexer
+
     before = next(number for number, line in enumerate(text) if line)
     check_piece(piece, marks, max([piece.location.line or 0, *marks.values()]) + 1 + before)
     return piece
