@@ -57,6 +57,13 @@ class TargetNames:
 
         self.declared, self.macros, self.same, self.absent, self.keywords = (of(kind) for kind in _NAMES)
 
+    def beside(self, declared: frozenset[str], macros: frozenset[str]) -> TargetNames:
+        """The same with further names that a program shares with other text: those declared there, and macros."""
+        made = TargetNames(None)
+        made.declared, made.macros = self.declared | declared, self.macros | macros
+        made.same, made.absent, made.keywords = self.same, self.absent, self.keywords
+        return made
+
 
 class TargetFacts:
     """A view of a target for rules: what they ask, by the words they use.

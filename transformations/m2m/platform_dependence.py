@@ -39,6 +39,7 @@ from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of
+from robosmi.transformations.queries.piece_names import declared_names
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
 
@@ -117,7 +118,8 @@ def partition(
     if look_up and (piece := choice.declare(look_up.partition("/")[2], look_up.partition("/")[0], HELPERS)) is not None:
         result.helpers.append(piece)
     result.pieces, result.unserved = choice.elements, choice.unserved
-    reserved = names.declared | names.macros | names.keywords
+    shared = _beside_adapters(names, views, result)
+    reserved = shared.declared | shared.macros | shared.keywords
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
     result.divisions = [divide(main, reserved, words) for main in mains]
     if not target.model.platform or not target.model.platform.hasCogs:
@@ -128,7 +130,7 @@ def partition(
     judged = dispositions(code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}))
     judged.run()
     result.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element)]
-    _change_unit_texts(views, sources, functions, prototypes, names, result, judged, target.language == CPLUSPLUS)
+    _change_unit_texts(views, sources, functions, prototypes, shared, result, judged, target.language == CPLUSPLUS)
     trace.take(judged.trace)
     for made in result.adapters:
         trace.link("adapter", STEP, [*made.calls, made.function], [made])
@@ -193,6 +195,18 @@ def _symbols(
     headers = implied_headers(views, target, names)
     done = {t.placeholder for t in types}
     return [*(h for h in headers if h.placeholder not in done), *types, *values]
+
+
+def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Dependence) -> TargetNames:
+    """The target's names with those of the adapters, which the program's own cannot have in the sketch.
+
+    A function that the program declares and an adapter defines is the adapter's.
+    """
+    served = {str(use.name) for use in result.adapters if use.adapter is not None}
+    own = {str(d.name) for view in views for d in view.of_kind(ccode.Declaration)}
+    own |= {str(macro.name) for view in views for macro in view.unit.macros}
+    own -= served | {""}
+    return names.beside(*declared_names(result.pieces, own)) if result.pieces else names
 
 
 def _change_unit_texts(

@@ -1,8 +1,8 @@
 """Names of the program's own that the target needs for itself: what they are called in the sketch.
 
-C leaves words to programs that C++ has reserved, and a sketch shares its names with the target's core. Such a name is
-renamed wherever it stands, macros too, so that what is generated goes on meaning the core's. A local that merely hides a name of
-the core stays.
+C leaves words to programs that C++ has reserved, and a sketch shares its names with the target's core and with its adapters.
+Such a name is renamed wherever it stands, macros too, so that what is generated goes on meaning the target's. A local that
+merely hides a name stays.
 """
 
 from __future__ import annotations
@@ -53,9 +53,9 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
         if name in names.keywords:
             reason = f"'{name}' is a word of the target's language"
         elif name in names.macros:
-            reason = f"the target has a macro '{name}'"
+            reason = f"the target or an adapter has a macro '{name}'"
         elif top and name in names.declared:
-            reason = f"the target declares a '{name}' of its own"
+            reason = f"the target or an adapter declares a '{name}' of its own"
         else:
             continue
         if taken is None:

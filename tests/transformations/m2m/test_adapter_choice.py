@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ import robosmi
 from robosmi.errors import UsageError
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.models import MigrationModels
+from tests.tools import require_tools
 
 
 def planned(folder: Path, text: str, **options: str) -> MigrationModels:
@@ -138,3 +140,33 @@ def test_a_function_that_the_program_declares_otherwise_is_not_the_platforms(tmp
     use = uses(planned(tmp_path, "void ping_cm(char *text);\nint main() { while (1) ping_cm(0); }\n"))["ping_cm"]
     assert use.adapter is None
     assert use.reason == "the program declares it as 'void ping_cm(char *text)', and its adapter is for 'int ping_cm(int pin)'"
+
+
+NAMES = """#include "simpletools.h"
+#include "abdrive.h"
+#define servo_places 3
+int left_servo = servo_places;
+struct Io { int wheels; };
+void drive_frame(int ms) { left_servo = ms; }
+int main() {
+  struct Io Wheel = {1};
+  while (1) {
+    drive_frame(Wheel.wheels);
+    drive_speed(left_servo, 0);
+  }
+}
+"""
+
+
+def test_names_of_the_program_give_way_to_those_that_adapters_declare(tmp_path: Path) -> None:
+    """A function of the same types would be defined twice, one of others would be an overload that adapters call."""
+    require_tools("avr-gcc", "arduino-core-avr")
+    (tmp_path / "program.c").write_text(NAMES)
+    robosmi.migrate([tmp_path / "program.c"], tmp_path / "out")
+    sketch = (tmp_path / "out" / "program" / "program.ino").read_text()
+    for name in ("servo_places", "left_servo", "Io", "drive_frame"):
+        assert not re.search(rf"\b{name}\b", sketch), name
+        assert f"{name}_" in sketch
+    assert "drive_speed(left_servo_, 0);" in sketch
+    report = robosmi.compile_sketch(tmp_path / "out")
+    assert [d.message for d in report.diagnostics if d.severity.name != "info"] == []
