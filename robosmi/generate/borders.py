@@ -32,7 +32,10 @@ _RULES: dict[str, tuple[tuple[re.Pattern[str], str], ...]] = {
     "c_char": _STRING,
     "dot_string": ((re.compile(rf"(?<!\\)(?:\\\\)*\\{VALUE}"), "would be part of an escape"),),
     "html": ((re.compile(rf"&#?\w*{VALUE}"), "would be part of a character's reference"),),
-    "html_attribute": ((re.compile(rf"&#?\w*{VALUE}"), "would be part of a character's reference"),),
+    "html_attribute": (
+        (re.compile(rf"&#?\w*{VALUE}"), "would be part of a character's reference"),
+        (re.compile(rf"(?i)<meta\b[^>]*{VALUE}[^>]*\bhttp-equiv"), "would be what the tag does"),
+    ),
     "html_url": (
         (re.compile(rf"&#?\w*{VALUE}"), "would be part of a character's reference"),
         (re.compile(rf"[\"'][^\"'/?#:]*{VALUE}[^\"'/?#:]*:"), "could be the scheme of an address"),
@@ -42,6 +45,16 @@ _RULES: dict[str, tuple[tuple[re.Pattern[str], str], ...]] = {
         ),
     ),
     "html_comment": ((re.compile(rf"-{VALUE}+[->!]"), "could end the comment where it is empty"),),
+}
+_RULES |= {
+    place: ((re.compile(rf"{VALUE}(?!{VALUE}|\Z|{behind})(?=((?s:.{{1,12}})))"), "would be no whole value"),)
+    for place, behind in {
+        "yaml": r"[ \t]*\n|[ \t]+#|:(?:\s|\Z)",
+        "yaml_key": r":(?:\s|\Z)",
+        "yaml_flow": r"[ \t]*[,\]}\n]|:(?:\s|\Z)",
+        "toml": r"[ \t]*(?:[\n#,\]}=.]|\Z)",
+        "csv": r"[,;\t|\r\n]",
+    }.items()
 }
 _REACH = 400  # characters before a value that can matter
 
@@ -59,5 +72,6 @@ def fault(place: str, before: str, text: str) -> str:
     for pattern, problem in _RULES.get(place, ()):
         for found in pattern.finditer(whole):
             if found.end() >= end and VALUE in found[0]:
-                return f"a value beside '{found[0].replace(VALUE, '')}' {problem}"
+                beside = "".join([found[0], *found.groups("")]).replace(VALUE, "")
+                return f"a value beside '{beside}' {problem}"
     return ""

@@ -80,7 +80,8 @@ def _printed(place: str, function: Callable[[str], str]) -> Callable[[Any], str]
             return str.__str__(value)
         if isinstance(value, Undefined) or (markup and isinstance(value, Markup)):
             return str.__str__(str(value))
-        return function(as_string(value))
+        text = function(as_string(value))
+        return Quoted(text, place) if place == "csv" else text  # whose line breaks are the cell's: nothing is put behind them
 
     return quote
 
@@ -154,12 +155,12 @@ class _Walk:
         before, after = self._settled(state), self._settled(behind)
         if before != after:
             raise self._error(node, f"what is printed here or not begins as {before} and ends as {after}")
-        return behind if self.language.place(behind) == self.language.place(state) else state
+        return behind if self.language.place(behind) in (self.language.place(state), "yaml_key") else state
 
     def _settled(self, state: Any) -> str:
-        """The place, where the beginning of a line in Markdown counts as any other of its lines."""
+        """The place, where the beginning of a line in Markdown or YAML counts as any other of its lines."""
         place = self.language.place(state)
-        return "markdown" if place == "markdown_block" else place
+        return {"markdown_block": "markdown", "yaml_key": "yaml"}.get(place, place)
 
     def _expression(self, node: nodes.Expr, state: Any) -> nodes.Expr:
         """The expression with what quotes it."""

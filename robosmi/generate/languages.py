@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi import quoting
+from robosmi.generate import data_places
 
 QUOTING: dict[str, Callable[[str], str]] = {
     "c_word": quoting.c_word,
@@ -36,6 +37,9 @@ QUOTING: dict[str, Callable[[str], str]] = {
     "plantuml": quoting.plantuml,
     "toml": quoting.toml,
     "yaml": quoting.yaml,
+    "yaml_key": quoting.yaml,
+    "yaml_flow": quoting.toml,
+    "yaml_line": quoting.yaml_line,
     "csv": quoting.csv_record_cell,
     "terminal": quoting.terminal,
 }
@@ -136,11 +140,16 @@ _TAG = re.compile(r"<(?P<comment>!--)|<(?P<name>/?(?:[A-Za-z?!][^\s>]*|\Z))")
 _IN_TAG = re.compile(r"(?P<name>[^\s=\"'>]+)\s*=\s*(?P<quote>[\"'])|(?P<end>>)")
 _URLS = frozenset({"href", "src", "action", "formaction", "cite", "poster", "data", "background", "xlink:href"})
 _NOT_TEXT = ("style", "srcdoc", "srcset", "imagesrcset", "ping", "http-equiv")
-_NOT_TEXT_IN = {"meta": ("content",), "script": ("src", "href", "xlink:href"), "base": ("href",)} | dict.fromkeys(
-    ("animate", "set", "animatetransform", "animatemotion"), ("to", "from", "by", "values", "attributename")
-)
+_NOT_TEXT_IN = {
+    "meta": ("content",),
+    "meta!": ("content",),
+    "script": ("src", "href", "xlink:href"),
+    "base": ("href",),
+} | dict.fromkeys(("animate", "set", "animatetransform", "animatemotion"), ("to", "from", "by", "values", "attributename"))
 """Attributes whose text is a list of addresses, or runs."""
 _RAW = ("script", "style")
+_NAMED = "+"
+"""Behind the name of a `meta` that has a name, so that it does nothing."""
 
 
 def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
@@ -156,7 +165,7 @@ def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
             if found is not None and found["end"]:
                 where, name = ("raw" if name.lower() in _RAW else "text"), name
             elif found is not None:
-                where, name = found["quote"], f"{name} {found['name']}"
+                where, name = found["quote"], f"{_known(name, found['name'].lower())} {found['name']}"
         else:
             end = "-->" if where == "comment" else f"</{name}" if where == "raw" else where
             found = re.compile(re.escape(end), re.IGNORECASE).search(text, position)
@@ -165,6 +174,13 @@ def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
         if found is None:
             return where, name
         position = found.end()
+
+
+def _known(tag: str, attribute: str) -> str:
+    """The name of a tag; of a `meta` with what says whether its content is a text that nobody acts on."""
+    if tag.lower() == "meta" and attribute in ("name", "property", "itemprop"):
+        return f"{tag}{_NAMED}"
+    return tag.removesuffix(_NAMED) + "!" if attribute == "http-equiv" else tag
 
 
 def _html_place(state: tuple[str, str]) -> str:
@@ -198,11 +214,6 @@ def _line(state: str, text: str) -> str:
     return (state + text).rpartition("\n")[2]
 
 
-def _commented(value: str) -> Callable[[str], str]:
-    """The place of a value, where `#` begins a comment."""
-    return lambda line: "c_comment" if re.search(r"(?:^|\s)#", line) else NOWHERE if line.count('"') % 2 else value
-
-
 LANGUAGES = {
     "c": Language("c_word", _c, lambda state: NOWHERE if state.startswith(_C_RAW) else str(state), comment="c_block_comment"),
     "markdown": Language(("", False), _markdown, _markdown_place, comment="html_comment"),
@@ -211,9 +222,9 @@ LANGUAGES = {
     "svg": Language(("text", ""), _html, _html_place, comment="html_comment"),
     "dot": Language(("code", 0), _dot, lambda state: _DOT_PLACES[state[0]], comment="c_block_comment"),
     "plantuml": Language("", _line, lambda _: "plantuml"),
-    "toml": Language("", _line, _commented("toml"), whole=True),
-    "yaml": Language("", _line, _commented("yaml"), whole=True),
-    "csv": Language("", _line, lambda line: NOWHERE if line.count('"') % 2 else "csv", whole=True),
+    "toml": Language(data_places.Lines(), data_places.toml, data_places.toml_place, whole=True),
+    "yaml": Language(data_places.Lines(), data_places.yaml, data_places.yaml_place, whole=True),
+    "csv": Language("", _line, data_places.csv_place, whole=True),
     "terminal": Language("", _line, lambda _: "terminal"),
 }
 """What a template may declare: `{% quoting "c" %}`."""

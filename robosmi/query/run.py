@@ -1,7 +1,8 @@
 """A run: which models a query sees, what its extended properties are, what its cached operations remember.
 
 `with Run(model):` opens one; everything it remembers is forgotten with it and nothing of it reaches a file. Outside any there
-is one default run per thread of control, which holds model elements weakly. Nothing here knows what an operation is.
+is one default run; what it remembers of a model's element lies at the element and goes with it. Nothing here knows what an
+operation is.
 """
 
 from __future__ import annotations
@@ -11,6 +12,9 @@ from collections.abc import Set
 from contextvars import ContextVar, Token
 from typing import Any
 
+from pyecore.ecore import EObject
+
+from robosmi.model.driver import ModelElement
 from robosmi.query.values import key
 
 
@@ -30,6 +34,10 @@ class Run:
 
     def notes_of(self, target: Any) -> dict[Any, Any]:
         """The run's own dictionary about one object, empty at first; for values (numbers, texts) one per value."""
+        if self is _DEFAULT and isinstance(target, (EObject, ModelElement)) and hasattr(target, "__dict__"):
+            # what is noted may refer to the element: a table of the run would hold both for ever
+            found: dict[Any, Any] = target.__dict__.setdefault(_NOTES, {})
+            return found
         try:
             place = id(target)
             entry = self._kept.get(place)
@@ -48,7 +56,9 @@ class Run:
         _current.reset(self._tokens.pop())
 
 
-_current: ContextVar[Run] = ContextVar("robosmi_query_run", default=Run())  # noqa: B039 - the default run is meant to be shared
+_NOTES = "_~notes"
+_DEFAULT = Run()
+_current: ContextVar[Run] = ContextVar("robosmi_query_run", default=_DEFAULT)
 
 
 def current_run() -> Run:

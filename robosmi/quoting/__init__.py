@@ -6,7 +6,7 @@ terminal and what all share. Each function leaves harmless texts as they are. Wh
 """
 
 from robosmi.quoting.code import c_block_comment, c_char, c_comment, c_header, c_string, c_word, file_name, identifier
-from robosmi.quoting.data import csv_cell, csv_record_cell, csv_text, json_text, toml, yaml
+from robosmi.quoting.data import csv_cell, csv_record_cell, csv_text, json_text, toml, yaml, yaml_line
 from robosmi.quoting.markdown_text import markdown, markdown_block, markdown_cell, markdown_code, markdown_code_cell
 from robosmi.quoting.markup import (
     dot_label,
@@ -57,4 +57,5 @@ __all__ = [
     "xml_attribute",
     "xml_comment",
     "yaml",
+    "yaml_line",
 ]

@@ -38,6 +38,15 @@ def yaml(text: str) -> str:
     return text if plain and text == visible(one_line(text)) else toml(text)
 
 
+def yaml_line(text: str) -> str:
+    r"""A text in a line of a block of text of YAML (behind `|` or `>`): one line that begins with no blank.
+
+    >>> yaml_line("  a: b\n- c")
+    'a: b - c'
+    """
+    return visible(one_line(text)).lstrip()
+
+
 def csv_cell(text: str) -> str:
     """A text in a cell of a table: before what a spreadsheet takes for a formula comes an apostrophe (`csv_text` undoes it).
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import gc
 import json
 import re
 import shutil
@@ -248,3 +249,16 @@ def test_analyse_and_hardware_are_chains_too() -> None:
     unchecked = hardware_chain()
     unchecked.replace("check the circuit", _nothing)
     assert {f.rule for f in hardware(FOLLOWER / "line_following_robot.fzz", chain=unchecked).findings} == set()
+
+
+def test_models_of_migrations_are_let_go() -> None:
+    """A program that migrates many others holds the models of none, but for those that the constraints saw last."""
+
+    def plans() -> int:
+        gc.collect()
+        return sum(isinstance(one, migration.MigrationPlan) for one in gc.get_objects())
+
+    before = plans()
+    for _ in range(4):
+        plan_migration([FOLLOWER / "line_follower.c"], hardware=FOLLOWER / "line_following_robot.fzz", bind={"leftQTI": "D10"})
+    assert plans() <= before + 1

@@ -83,7 +83,7 @@ class Costs:
             took = spent() - before
             self.add(took, time.monotonic() - begun)
         if took > seconds:
-            raise TooLong
+            raise TooLong(f"{took:.1f} s of processor time")
 
     def add(self, seconds: float, clock: float, memory: int = 0) -> None:
         """Take in what an input has cost elsewhere."""
@@ -100,4 +100,4 @@ class Costs:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    raise TooLong
+    raise TooLong(f"{SECONDS} s of processor time" if number == signal.SIGPROF else f"{PATIENCE} s on the clock")

@@ -56,8 +56,8 @@ def main() -> int:
                     if number % 2 == 0:
                         with_texts(models, lambda chance=chance: judges.any_text(chance))  # type: ignore[misc]
                     wrong = wrong_with(texts_of(models), shape)
-            except TooLong:
-                wrong = "hang"
+            except TooLong as error:
+                wrong = f"hang: {error}"
             except Exception:
                 traceback.print_exc()
                 wrong = "crash"

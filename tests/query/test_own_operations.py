@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -24,6 +26,7 @@ from robosmi.query import (
     operation,
 )
 from robosmi.query import operations as registered
+from tests.library import library as new_library
 
 FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
 
@@ -149,3 +152,25 @@ def test_extended_properties_of_equal_elements_are_apart(library: Any) -> None:
     assert ext(other).mark is None
     ext("text").mark = 2
     assert ext("text").mark == 2
+
+
+def test_what_is_noted_of_an_element_goes_with_it_also_where_it_refers_back() -> None:
+    """A table of the default run would hold both for ever, and a long program would grow with each model."""
+    shelf = new_library()
+    book = shelf.Book.all[0]
+    element = getattr(book, "element", book)
+    ext(element).index = {"of": element}
+    assert ext(element).index["of"] is element
+    gone = weakref.ref(element)
+    del shelf, book, element
+    gc.collect()
+    assert gone() is None
+
+
+def test_what_is_noted_in_a_run_is_of_that_run_alone() -> None:
+    book = new_library().Book.all[0]
+    ext(book).mark = 1
+    with Run():
+        assert ext(book).mark is None
+        ext(book).mark = 2
+    assert ext(book).mark == 1
