@@ -42,6 +42,7 @@ COMMANDS = {
     "check": "hold a drawing, a plan or any model against its constraints",
     "compile": "compile a generated sketch",
     "simulate": "run a generated program on a simulator, and see its console and pins",
+    "verify": "compare what the original and the migrated program do",
     "history": "earlier choices of libraries",
     "libraries": "add installed libraries to the index",
     "run": "run a chain of load, validate, transform and generate; only what has changed",

@@ -135,7 +135,7 @@ def simulate(
     if seconds is not None and not 0 < seconds <= 600:
         raise UsageError(f"{seconds:g} s cannot be simulated", fix="give more than 0 s and at most 600 s")
     horizon_us = 1e6 * seconds if seconds is not None else 1e3 * asked.horizon_ms if asked is not None else 1e6 * SECONDS
-    plan_file = _plan_beside(output)
+    plan_file = plan_beside(output)
     models = load_models(plan_file) if plan_file is not None else None
     ports = bound_ports(models.plan) if models is not None else []
     with tempfile.TemporaryDirectory(prefix="robosmi-simulate-") as folder:
@@ -154,7 +154,7 @@ def simulate(
     return Simulated(report, trace, ports, vcd)
 
 
-def _plan_beside(output: Path) -> Path | None:
+def plan_beside(output: Path) -> Path | None:
     """The stored plan of a program: of the output folder, or of the one above the program's own."""
     for folder in (output, output.parent, output.parent.parent):
         if (path := folder / "models" / "plan.xmi").is_file():

@@ -101,6 +101,14 @@ def bound_ports(plan: migration.MigrationPlan) -> list[BoundPort]:
     return list(found.values())
 
 
+def reads_console(plan: migration.MigrationPlan) -> bool:
+    """Whether a plan's program reads what is typed."""
+    assert plan.source is not None
+    path = resources.find("platform_repo", f"{plan.source.name}/devices.toml")
+    known = DataTable(path, read_data(path)).table("console").texts("reads", ())
+    return any(use.name in known for use in plan.adapterUses)
+
+
 @cache
 def _rules(platform: str) -> tuple[DataTable, ...]:
     path = resources.find("platform_repo", f"{platform}/devices.toml")
@@ -152,8 +160,11 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
         if not place or not kind:
             continue
         given = dict(signals.get(number, {}))
-        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in device_facts().get(kind, {}).get("rest", {}).items()}
-        settings |= {name: [list(point) for point in points] for name, points in given.items()}
+        rest = device_facts().get(kind, {}).get("rest", {})
+        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in rest.items()}
+        for name, points in given.items():
+            before = settings.get(name, []) if points[0][0] > 0 else []  # at rest until its first point
+            settings[name] = [*before, *(list(point) for point in points)]
         settings = settings or {POINTS: []}  # a device that does nothing at rest
         made.append(DeviceUse(kind, {port.pin: place}, settings))
     if CONSOLE in (scenario.signals if scenario is not None else {}):

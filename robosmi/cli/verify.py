@@ -1,0 +1,33 @@
+"""`robosmi verify OUT`: run the original and the migrated program under the same scenarios, and compare what the pins show."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate")
+    parser.add_argument(
+        "--scenario", dest="scenarios", action="append", default=[], metavar="FILE", type=Path,
+        help="a scenario (TOML); those stored with the models and generated ones if none is given",
+    )  # fmt: skip
+    parser.add_argument("--engine", metavar="NAME", help="simulator; the first that is installed if not given")
+    parser.add_argument("--seed", metavar="N", type=int, default=1, help="of the search for scenarios (default: 1)")
+    parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("verify")
+    done = content("chain", "verify")(
+        arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd
+    )
+    report.ok, report.failure_code = done.verdict.exit_code == 0, done.verdict.exit_code
+    report.result, report.findings, report.lines = done.result, done.findings, done.lines()
+    report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
+    return report

@@ -1,0 +1,315 @@
+"""What a program does at a pin as a person or a device sees it: levels that stay, waves, pulses of servos, bursts.
+
+A trace is edges and waves of timers; two programs that do the same on two machines never have the same edges. `activity` turns
+the edges of one pin into few events, in the same way for every machine, and `console_lines` what was printed. Comparing them is
+`comparison`'s. Times are microseconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from statistics import median
+
+from robosmi.verify.simulation import PinTrace
+
+LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
+"""The kinds of events with what they say: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,).
+
+A reading is a line of a program that measures.
+"""
+
+
+@dataclass(frozen=True)
+class Sight:
+    """How closely one looks.
+
+    Attributes:
+        pause_us: pulses that follow each other within this time are one activity: a shorter pause in a tone is not seen.
+        frames: so many frames of a servo at least have to have a width for it to be seen.
+    """
+
+    pause_us: float = 60_000.0
+    frames: int = 3
+
+
+SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0), Sight(60_000.0, 2), Sight(90_000.0, 4))
+"""Several, since a pause, or what a servo shows, may last a little less than any limit on one side and more on the other."""
+
+_SERVO_PERIOD_US = (12_000.0, 30_000.0)
+_SERVO_WIDTH_US = (300.0, 3_000.0)
+_FEWEST = 4
+"""So many pulses at least are a wave or a burst; fewer are levels."""
+_AHEAD = 8
+_STEADY = 1.3
+"""Periods of a wave are within this factor of one another, nearly all of them."""
+_EQUAL_US = 8.0
+"""Widths of two frames of a servo that differ by less are equal: interrupts delay edges by so much."""
+_SILENCE_US = 200_000.0
+
+
+@dataclass(frozen=True)
+class ActivityEvent:
+    """From `at_us` on something is so.
+
+    Attributes:
+        at_us: when it begins.
+        kind: one of the kinds above.
+        value: what it is, as the kind says.
+        pulses: of how many edges up a wave or burst is made, where it is made of edges and not by a timer; else 0.
+    """
+
+    at_us: float
+    kind: str
+    value: tuple[float | str, ...]
+    pulses: int = 0
+
+    def __str__(self) -> str:
+        value = self.value[0]
+        if self.kind == LEVEL:
+            return "high" if value else "low"
+        if self.kind == PULSES:
+            return f"pulses of {value:.0f} us"
+        if self.kind == WAVE:
+            return (
+                f"{value:.6g} Hz" if float(self.value[1]) == 0.5 else f"{value:.6g} Hz, {100 * float(self.value[1]):.3g} % high"
+            )
+        return f"{value} pulses" if self.kind == BURST else repr(value)
+
+
+IDLE = ActivityEvent(0.0, LEVEL, (0,))
+"""What every pin does before the program does anything there, and what one does that is let go."""
+
+
+def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0]) -> list[ActivityEvent]:
+    """What happens at a pin, by time; it begins with `IDLE`, and no event says the same as the one before.
+
+    Args:
+        trace: what was seen.
+        pin: label of the pin.
+        sight: one of `SIGHTS`.
+    """
+    pulses = _pulses(trace, pin)
+    found: list[ActivityEvent] = []
+    number = 0
+    while number < len(pulses):
+        last = number
+        while last + 1 < len(pulses) and pulses[last + 1].begin - pulses[last].end < sight.pause_us:
+            last += 1
+        found += _run(pulses[number : last + 1], trace.simulated_us, sight)
+        number = last + 1
+    return merged([IDLE, *found])
+
+
+def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
+    """Events without those that say the same as the one before."""
+    kept: list[ActivityEvent] = []
+    for event in sorted(events, key=lambda each: each.at_us):
+        if not kept or (event.kind, event.value) != (kept[-1].kind, kept[-1].value):
+            kept.append(event)
+    return kept
+
+
+@dataclass(frozen=True)
+class _Pulse:
+    """A time in which a pin is high, or in which a timer makes a wave there (`hz` above 0)."""
+
+    begin: float
+    end: float
+    hz: float = 0.0
+    duty: float = 0.0
+
+
+def _pulses(trace: PinTrace, pin: str) -> list[_Pulse]:
+    """The high times and waves of a pin, by time; a high time within a wave is the wave's."""
+    waves: list[_Pulse] = []
+    begun: tuple[float, float, float] | None = None
+    for wave in trace.waves:
+        if wave.pin != pin:
+            continue
+        if begun is not None:
+            waves.append(_Pulse(begun[0], wave.at_us, begun[1], begun[2]))
+        begun = (wave.at_us, wave.hz, wave.duty) if wave.hz > 0 and wave.duty > 0 else None
+    if begun is not None:
+        waves.append(_Pulse(begun[0], trace.simulated_us, begun[1], begun[2]))
+    high: list[_Pulse] = []
+    up: float | None = None
+    for at_us, level in trace.levels(pin):
+        if level == 1 and up is None:
+            up = at_us
+        elif level != 1 and up is not None:
+            high.append(_Pulse(up, at_us))
+            up = None
+    if up is not None:
+        high.append(_Pulse(up, trace.simulated_us))
+    outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)]
+    return sorted([*(p for p in waves if p.end > p.begin), *outside], key=lambda pulse: pulse.begin)
+
+
+def _run(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+    """The events of pulses that follow each other closely."""
+    found: list[ActivityEvent] = []
+    number = 0
+    while number < len(pulses):
+        pulse = pulses[number]
+        if pulse.hz > 0:
+            last = number
+            while last + 1 < len(pulses) and pulses[last + 1].hz > 0 and _same_wave(pulses[last + 1], pulse):
+                last += 1
+            found.append(ActivityEvent(pulse.begin, WAVE, (pulse.hz, round(pulse.duty, 3))))
+            found += _end(pulses[last].end, horizon_us, sight)
+            number = last + 1
+            continue
+        last = number
+        while last + 1 < len(pulses) and pulses[last + 1].hz == 0:
+            last += 1
+        found += _edges(pulses[number : last + 1], horizon_us, sight)
+        number = last + 1
+    return found
+
+
+def _same_wave(one: _Pulse, other: _Pulse) -> bool:
+    return abs(one.hz - other.hz) <= 0.01 * other.hz and abs(one.duty - other.duty) <= 0.02
+
+
+def _edges(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+    """The events of high times that follow each other closely: a servo's frames, waves, a burst, or mere levels."""
+    periods = [after.begin - before.begin for before, after in pairwise(pulses)]
+    widths = [pulse.end - pulse.begin for pulse in pulses]
+    frames = len(pulses) >= 2 and all(_SERVO_WIDTH_US[0] <= w <= _SERVO_WIDTH_US[1] for w in widths)
+    if frames and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]:
+        return _frames(pulses, horizon_us, sight)
+    if len(pulses) < _FEWEST:
+        return [event for p in pulses for event in _levels(p, horizon_us)]
+    parts: list[tuple[bool, list[_Pulse]]] = []
+    first = 0
+    while first < len(pulses):
+        last = _steady_until(periods, first)
+        steady = last - first + 1 >= _FEWEST
+        part = pulses[first : last + 1] if steady else pulses[first : first + 1]
+        if not steady and parts and not parts[-1][0]:
+            parts[-1][1].extend(part)
+        else:
+            parts.append((steady, part))
+        first += len(part)
+    return [event for steady, part in _absorbed(parts) for event in _part(steady, part, horizon_us, sight)]
+
+
+def _absorbed(parts: list[tuple[bool, list[_Pulse]]]) -> list[tuple[bool, list[_Pulse]]]:
+    """Parts in which a few odd pulses at the begin or the end of a wave are the wave's."""
+    kept: list[tuple[bool, list[_Pulse]]] = []
+    for steady, part in parts:
+        few = kept and not kept[-1][0] and len(kept[-1][1]) < _FEWEST
+        if (steady and few) or (not steady and len(part) < _FEWEST and kept and kept[-1][0]):
+            kept[-1] = (True, kept[-1][1] + part)
+        else:
+            kept.append((steady, part))
+    return kept
+
+
+def _part(steady: bool, pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+    if steady:
+        return _wave(pulses, horizon_us, sight)
+    if len(pulses) < _FEWEST:
+        return [event for pulse in pulses for event in _levels(pulse, horizon_us)]
+    return [ActivityEvent(pulses[0].begin, BURST, (len(pulses),), len(pulses)), *_end(pulses[-1].end, horizon_us, sight)]
+
+
+def _levels(pulse: _Pulse, horizon_us: float) -> list[ActivityEvent]:
+    down = [ActivityEvent(pulse.end, LEVEL, (0,))] if pulse.end < horizon_us else []
+    return [ActivityEvent(pulse.begin, LEVEL, (1,)), *down]
+
+
+def _steady_until(periods: list[float], first: int) -> int:
+    """The number of the last pulse of a wave that begins with a pulse: most of its periods are about the same.
+
+    Single ones may be odd: an interrupt stretches one, a pause between two bursts of a carrier is one long one.
+    """
+    if first >= len(periods):
+        return first
+    usual = median(periods[first : first + 5])
+    if not _near(periods[first], usual):
+        return first
+    number = first
+    while number < len(periods):
+        if _near(periods[number], usual):
+            usual = 0.9 * usual + 0.1 * periods[number]
+        else:
+            ahead = periods[number + 1 : number + 1 + _AHEAD]
+            if sum(_near(period, usual) for period in ahead) * 2 < len(ahead):
+                return number
+        number += 1
+    return number
+
+
+def _near(period: float, usual: float) -> bool:
+    return usual / _STEADY <= period <= usual * _STEADY
+
+
+def _wave(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+    """A wave by the middle of its periods, and its end."""
+    periods = sorted(after.begin - before.begin for before, after in pairwise(pulses))
+    middle = periods[len(periods) // 10 : len(periods) - len(periods) // 10] or periods
+    period = sum(middle) / len(middle)
+    duty = min(1.0, median(p.end - p.begin for p in pulses) / period)
+    ended = pulses[-1].begin + period
+    return [ActivityEvent(pulses[0].begin, WAVE, (1e6 / period, round(duty, 3)), len(pulses)), *_end(ended, horizon_us, sight)]
+
+
+def _end(at_us: float, horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+    """The end of an activity, where the run went on for long enough to tell it from a pause."""
+    return [ActivityEvent(at_us, LEVEL, (0,))] if at_us + sight.pause_us < horizon_us else []
+
+
+def _frames(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+    """The widths that some frames of a servo have one after the other, and the end of the frames.
+
+    What fewer have is not seen: an interrupt may stretch one, and a ramp passes through.
+    """
+    found: list[ActivityEvent] = []
+    current: float | None = None
+    first = 0
+    while first < len(pulses):
+        width = pulses[first].end - pulses[first].begin
+        last = first
+        while last + 1 < len(pulses) and abs(pulses[last + 1].end - pulses[last + 1].begin - width) <= _EQUAL_US:
+            last += 1
+        if last - first + 1 >= sight.frames:
+            middle = median(pulse.end - pulse.begin for pulse in pulses[first : last + 1])
+            if current is None or abs(middle - current) > _EQUAL_US:
+                found.append(ActivityEvent(pulses[first].begin, PULSES, (middle,)))
+                current = middle
+        first = last + 1
+    return [*found, *_end(pulses[-1].end, horizon_us, sight)] if found else []
+
+
+def console_lines(trace: PinTrace, measures: bool = False) -> list[ActivityEvent]:
+    """What was printed: a line each, at the time of its last character; also what stands without an end when it gets quiet.
+
+    Args:
+        trace: what was seen.
+        measures: whether the program measures, so that what it prints may be a measured number.
+    """
+    kind = READING if measures else LINE
+    found: list[ActivityEvent] = []
+    line = bytearray()
+    last = 0.0
+    for byte in trace.console:
+        if line and byte.at_us - last > _SILENCE_US:
+            found.append(ActivityEvent(last, kind, (_text(line),)))
+            line.clear()
+        if byte.byte in (10, 13):
+            if line:
+                found.append(ActivityEvent(byte.at_us, kind, (_text(line),)))
+            line.clear()
+        else:
+            line.append(byte.byte)
+        last = byte.at_us
+    if line and trace.simulated_us - last > _SILENCE_US:
+        found.append(ActivityEvent(last, kind, (_text(line),)))
+    return found
+
+
+def _text(line: bytearray) -> str:
+    return bytes(line).decode("utf-8", "replace")

@@ -1,0 +1,200 @@
+"""What a verification says: the verdict, what it rests on, and where two programs differ first.
+
+A verdict never says "equivalent": it says that no difference was found, in which scenarios, for how long and with how much of the
+source reached. A difference counts more than a doubt, a doubt more than finding none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
+from robosmi.verify.scenario import Scenario
+
+NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
+    "no-difference-found", "different", "not-decidable", "not-compiled",
+)  # fmt: skip
+EXIT_CODES = {NO_DIFFERENCE: 0, DIFFERENT_VERDICT: 6, NOT_COMPILED: 6, NOT_DECIDABLE: 1}
+"""Exit code of the command by verdict."""
+
+
+@dataclass(frozen=True)
+class ScenarioVerdict:
+    """What became of one scenario.
+
+    Attributes:
+        scenario: the scenario.
+        verdict: no-difference-found, different, or not-decidable.
+        channels: what became of each channel.
+        simulated_ms: how long both sides ran.
+        reason: why nothing could be decided; empty otherwise.
+    """
+
+    scenario: Scenario
+    verdict: str
+    channels: tuple[ChannelComparison, ...]
+    simulated_ms: float
+    reason: str = ""
+
+    @property
+    def first(self) -> FirstDifference | None:
+        """The first difference, by the source's time."""
+        found = [c.difference for c in self.channels if c.difference is not None]
+        return min(found, key=lambda difference: difference.at_ms, default=None)
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form (`scenarios[]`)."""
+        return {
+            "name": self.scenario.name, "origin": self.scenario.origin, "verdict": self.verdict,
+            "simulated_s": round(self.simulated_ms / 1000, 6), "reason": self.reason or None,
+            "channels": [{"name": c.channel, "status": c.status, "events": c.events} for c in self.channels],
+        }  # fmt: skip
+
+
+@dataclass
+class Verdict:
+    """What a verification says.
+
+    Attributes:
+        scenarios: what became of each scenario.
+        reasons: why nothing can be decided, beyond what the scenarios say.
+        compiled: whether the migrated program compiles.
+        engine, compiler, original: the simulator, the target's compiler and core, the source's model and compiler.
+        lines_pct, branches_pct: how much of the source the decidable scenarios reach; branches that only racy ones reach are not
+            counted.
+        racy: how many generated scenarios were dropped because the source differs from itself.
+        racy_branches: branches that only those reach, `file:line`.
+        missed_branches: branches that no scenario reaches, `file:line`.
+        binding: the ports with their pins and devices on both sides.
+        functions: channel -> the platform's functions that make it.
+    """
+
+    scenarios: list[ScenarioVerdict] = field(default_factory=list)
+    reasons: list[str] = field(default_factory=list)
+    compiled: bool = True
+    engine: str = ""
+    compiler: str = ""
+    original: str = ""
+    lines_pct: float = 0.0
+    branches_pct: float = 0.0
+    racy: int = 0
+    racy_branches: list[str] = field(default_factory=list)
+    missed_branches: list[str] = field(default_factory=list)
+    binding: list[dict[str, Any]] = field(default_factory=list)
+    functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
+
+    @property
+    def verdict(self) -> str:
+        """The verdict of all scenarios together."""
+        if not self.compiled:
+            return NOT_COMPILED
+        if any(s.verdict == DIFFERENT_VERDICT for s in self.scenarios):
+            return DIFFERENT_VERDICT
+        decided = [s for s in self.scenarios if s.verdict == NO_DIFFERENCE]
+        if self.reasons or len(decided) < len(self.scenarios) or not decided:
+            return NOT_DECIDABLE
+        return NO_DIFFERENCE
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code of the contract."""
+        return EXIT_CODES[self.verdict]
+
+    @property
+    def simulated_s(self) -> float:
+        """Seconds that were simulated and compared, of all scenarios."""
+        return sum(s.simulated_ms for s in self.scenarios) / 1000
+
+    @property
+    def first_difference(self) -> tuple[ScenarioVerdict, FirstDifference] | None:
+        """The first scenario that differs, and where it does first."""
+        return next(((s, s.first) for s in self.scenarios if s.first is not None), None)
+
+    def channels(self) -> list[dict[str, Any]]:
+        """What became of each channel in all scenarios: different where one differs, not exercised where none uses it."""
+        found: dict[str, list[ChannelComparison]] = {}
+        for scenario in self.scenarios:
+            for channel in scenario.channels:
+                found.setdefault(channel.channel, []).append(channel)
+        return [{"name": name, "status": _worst(each), "events": sum(c.events for c in each)} for name, each in found.items()]
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form."""
+        first = self.first_difference
+        return {
+            "verdict": self.verdict,
+            "reasons": self.all_reasons(),
+            "scenarios": [s.to_json() for s in self.scenarios],
+            "simulated_s": round(self.simulated_s, 6),
+            "source_coverage": {
+                "lines_pct": round(self.lines_pct, 1), "branches_pct": round(self.branches_pct, 1),
+                "missed": self.missed_branches, "only_in_racy": self.racy_branches,
+            },
+            "racy_scenarios": self.racy,
+            "channels": self.channels(),
+            "first_difference": None if first is None else self._difference_json(*first),
+            "engine": self.engine,
+            "compiler": self.compiler,
+            "original": self.original,
+            "binding": self.binding,
+        }  # fmt: skip
+
+    def _difference_json(self, scenario: ScenarioVerdict, difference: FirstDifference) -> dict[str, Any]:
+        return {
+            "scenario": scenario.scenario.name,
+            **difference.to_json(),
+            "functions": list(self.functions.get(difference.channel, ())),
+            "inputs": inputs_until(scenario.scenario, difference.at_ms),
+        }
+
+    def all_reasons(self) -> list[str]:
+        """Why nothing can be decided, of all scenarios, each once."""
+        return list(dict.fromkeys([*self.reasons, *(s.reason for s in self.scenarios if s.reason)]))
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        if self.verdict == NOT_COMPILED:
+            return ["NOT COMPILED: the migrated program does not compile"]
+        what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
+        what += f"; source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
+        lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
+        if (first := self.first_difference) is not None:
+            scenario, difference = first
+            lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
+            lines.append(f"    {difference.message}")
+            if functions := self.functions.get(difference.channel):
+                lines.append(f"    made by {', '.join(functions)}")
+            lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]
+        lines += [f"  {reason}" for reason in self.all_reasons()]
+        if self.racy:
+            lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
+        lines += ["", "channels:"]
+        lines += [f"  {c['status']:14} {c['name']}{_counted(c['events'])}" for c in self.channels()]
+        lines += ["", "binding (please look whether it is right):"]
+        for each in self.binding:
+            device = f", played by {each['device']}" if each["device"] else ""
+            where = each["target"] or "not wired"
+            lines.append(f"  {each['port']}: {each['source']} is {where} {each['component'] or ''}".rstrip() + device)
+        return lines
+
+
+def _counted(events: int) -> str:
+    return f" ({events} events)" if events else ""
+
+
+def _worst(channels: Sequence[ChannelComparison]) -> str:
+    status = [channel.status for channel in channels]
+    return next((s for s in (DIFFERENT, RACY, SAME) if s in status), NOT_EXERCISED)
+
+
+def inputs_until(scenario: Scenario, at_ms: float) -> dict[str, str]:
+    """What the inputs have shown until an instant: input -> its points."""
+    told = {}
+    for name, settings in scenario.signals.items():
+        for setting, points in settings.items():
+            past = [f"{value} at {at:g} ms" for at, value in points if at <= at_ms]
+            if past:
+                told[name if setting == "points" else f"{name} {setting}"] = ", ".join(past[-6:])
+    return told

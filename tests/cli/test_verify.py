@@ -1,0 +1,173 @@
+"""`robosmi verify`: the same program on two boards, faults in the migrated one, doubts, and bad input."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from robosmi.verify.host_model import load_host_model
+from robosmi.verify.original_build import missing_tools
+from tests.running import run
+from tests.tools import require_engine, require_tools
+
+HERE = Path(__file__).parent
+PROGRAMS = HERE.parent / "transformations" / "verification" / "programs"
+
+
+@pytest.fixture(autouse=True)
+def _tools() -> None:
+    require_tools("avr-gcc", "arduino-core-avr", "gcc")
+    if advice := missing_tools(load_host_model("propeller")):
+        pytest.skip(advice)
+    require_engine("simavr")
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The migrated button program, made once."""
+    folder = tmp_path_factory.mktemp("verify")
+    shutil.copytree(PROGRAMS, folder / "input")
+    assert run("migrate", folder / "input" / "button.c", "-o", folder / "out").code == 0
+    return folder / "out"
+
+
+@pytest.fixture
+def out(made: Path, tmp_path: Path) -> Path:
+    """A copy of it."""
+    shutil.copytree(made, tmp_path / "out")
+    return tmp_path / "out"
+
+
+@pytest.fixture
+def pressed(tmp_path: Path) -> Path:
+    """A scenario in which the button is pressed twice."""
+    path = tmp_path / "pressed.toml"
+    points = "[[0, 0], [500, 1], [900, 0], [2000, 1], [3200, 0]]"
+    path.write_text(f'name = "two presses"\nhorizon_ms = 4000\n[signals]\nButton = {points}\n')
+    return path
+
+
+def test_no_difference_is_found_in_a_right_migration(out: Path, pressed: Path, tmp_path: Path) -> None:
+    outcome = run("verify", out, "--scenario", pressed, "-o", tmp_path / "x.vcd", "--json")
+    assert outcome.code == 0, outcome.err
+    result = outcome.result
+    assert result["verdict"] == "no-difference-found"
+    assert [(s["name"], s["origin"], s["verdict"]) for s in result["scenarios"]] == [
+        ("two presses", "given", "no-difference-found")
+    ]
+    assert {c["name"]: c["status"] for c in result["channels"]} == {
+        "Lamp (P26)": "same", "Speaker (P4)": "same", "console": "same"
+    }  # fmt: skip
+    assert result["simulated_s"] == 4.0
+    assert result["source_coverage"]["lines_pct"] == 100.0
+    assert result["source_coverage"]["branches_pct"] == 100.0
+    assert result["first_difference"] is None
+    assert {b["port"]: b["device"] for b in result["binding"]} == {"P3": "levels", "P4": None, "P26": None}
+    text = (tmp_path / "x.vcd").read_text()
+    assert "$scope module source $end" in text
+    assert "$scope module target $end" in text
+
+
+FAULTS = {
+    "pin": ("LampWriteP1 = 13", "LampWriteP1 = 12", "Lamp (P26)", "high is missing"),
+    "duration": ("pause(300)", "pause(290)", "Lamp (P26)", "high lasts 290"),
+    "unit": ("pause(300)", "delayMicroseconds(300)", "Lamp (P26)", "high lasts 0."),
+    "tone": ("freqout(SpeakerWriteP1, 200, 3000)", "freqout(SpeakerWriteP1, 200, 2800)", "Speaker (P4)", "instead of 2999"),
+    "not waiting": ("freqout(SpeakerWriteP1, 200, 3000)", "tone(SpeakerWriteP1, 3000)", "Speaker (P4)", ""),
+    "text": ("presses %d", "press %d", "console", "'press 1' instead of 'presses 1'"),
+    "lost": ("presses++;", "", "console", "'presses 0' instead of 'presses 1'"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_is_told_with_channel_function_and_first_difference(fault: str, out: Path, pressed: Path) -> None:
+    old, new, channel, message = FAULTS[fault]
+    sketch = out / "button" / "button.ino"
+    assert old in sketch.read_text()
+    sketch.write_text(sketch.read_text().replace(old, new, 1))
+    outcome = run("verify", out, "--scenario", pressed, "--json")
+    assert outcome.code == 6
+    result = outcome.result
+    assert result["verdict"] == "different"
+    first = result["first_difference"]
+    assert first["scenario"] == "two presses"
+    assert first["channel"] == channel
+    assert message in first["message"]
+    assert first["inputs"] == {"Button": first["inputs"]["Button"]}
+    if channel != "console":
+        assert first["functions"]
+
+
+def test_a_person_may_write_it_otherwise(out: Path, pressed: Path) -> None:
+    sketch = out / "button" / "button.ino"
+    text = sketch.read_text()
+    for old, new in (("pause(300);", "pause(100); pause(200);"), ("presses++;", "presses = presses + 1;")):
+        assert old in text
+        text = text.replace(old, new, 1)
+    sketch.write_text(text)
+    assert run("verify", out, "--scenario", pressed).code == 0
+
+
+def test_scenarios_are_made_stored_and_used_again(out: Path) -> None:
+    outcome = run("verify", out, "--json")
+    assert outcome.code == 0, outcome.document
+    result = outcome.result
+    assert {s["origin"] for s in result["scenarios"]} == {"generated"}
+    assert result["source_coverage"]["branches_pct"] == 100.0
+    stored = sorted((out / "models" / "scenarios").glob("*.toml"))
+    assert len(stored) == len(result["scenarios"]) > 1
+    assert [a["kind"] for a in outcome.document["artifacts"]] == ["scenario"] * len(stored)
+    again = run("verify", out, "--json").result
+    assert {s["origin"] for s in again["scenarios"]} == {"stored"}
+    assert sorted((out / "models" / "scenarios").glob("*.toml")) == stored
+
+
+def test_what_does_not_compile_is_said(out: Path, pressed: Path) -> None:
+    sketch = out / "button" / "button.ino"
+    sketch.write_text(sketch.read_text() + "\nint broken(\n")
+    outcome = run("verify", out, "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (6, "not-compiled")
+    assert any(f["rule"] == "RS801" for f in outcome.document["findings"])
+
+
+def test_a_scenario_that_names_nothing_is_wrong_usage_before_anything_is_built(out: Path, pressed: Path) -> None:
+    pressed.write_text(pressed.read_text().replace("Button", "Buton"))
+    outcome = run("verify", out, "--scenario", pressed)
+    assert outcome.code == 2
+    assert "did you mean 'Button'?" in outcome.err
+    pressed.write_text("horizon_ms = 10\n[signals]\nButton = [[5, 1], [1, 0]]\n")
+    assert "goes back in time" in run("verify", out, "--scenario", pressed).err
+
+
+def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
+    outcome = run("verify", tmp_path)
+    assert outcome.code == 3
+    assert "there is no stored plan" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("int f(int n) { return f(n + 1) + 1; }\nint main() { high(26); return f(1); }", "its calls use up the stack"),
+        ('int main() { wavplay_now(); high(26); return 0; }\nvoid wavplay_now(void) { wav_play("a.wav"); }', "no model"),
+    ],
+    ids=["recursion", "no model"],
+)
+def test_programs_that_cannot_be_judged_say_why(text: str, reason: str, tmp_path: Path, pressed: Path) -> None:
+    program = tmp_path / "odd.c"
+    more = '#include "wavplayer.h"\nvoid wavplay_now(void);\n' if "wav" in text else ""
+    program.write_text(f'#include "simpletools.h"\n{more}{text}\n')
+    assert run("migrate", program, "-o", tmp_path / "out", "--bind", "P26=D13").code in (0, 1)
+    pressed.write_text("horizon_ms = 300\n")
+    outcome = run("verify", tmp_path / "out", "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (1, "not-decidable"), outcome.result
+    assert any(reason in why for why in outcome.result["reasons"])
+
+
+def test_a_program_that_never_waits_ends_with_the_scenario(tmp_path: Path, pressed: Path) -> None:
+    (tmp_path / "busy.c").write_text('#include "simpletools.h"\nint main() { while (1) { } }\n')
+    assert run("migrate", tmp_path / "busy.c", "-o", tmp_path / "out").code in (0, 1)
+    pressed.write_text("horizon_ms = 300\n")
+    assert run("verify", tmp_path / "out", "--scenario", pressed).code == 0

@@ -1,0 +1,102 @@
+"""What a pin does as a person sees it: the same events for edges, waves of timers and pulses of either machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import pytest
+
+from robosmi.verify.activity import IDLE, Sight, activity, console_lines
+from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace, Wave
+
+
+def trace(
+    levels: Iterable[tuple[float, int | str]] = (), waves: Iterable[Wave] = (), text: Iterable[tuple[float, str]] = ()
+) -> PinTrace:
+    """A trace of four seconds with one pin."""
+    changes = tuple(PinChange(at, "D1", level) for at, level in levels)
+    console = tuple(ConsoleByte(at, ord(c)) for at, c in text)
+    return PinTrace("e", "running", 4_000_000.0, changes, tuple(waves), console, ())
+
+
+def said(seen: PinTrace, sight: Sight | None = None) -> list[tuple[float, str]]:
+    """The events of the pin, in milliseconds."""
+    return [(round(e.at_us / 1000, 1), str(e)) for e in activity(seen, "D1", sight or Sight())]
+
+
+def square(begin: float, hz: float, count: int) -> list[tuple[float, int]]:
+    """Edges of a wave."""
+    period = 1e6 / hz
+    return [(begin + n * period + half, level) for n in range(count) for half, level in ((0.0, 1), (period / 2, 0))]
+
+
+def frames(begin: float, widths: Iterable[float]) -> list[tuple[float, int]]:
+    """Pulses of a servo, 20 ms apart."""
+    return [(begin + n * 20_000 + at, level) for n, width in enumerate(widths) for at, level in ((0.0, 1), (width, 0))]
+
+
+def test_a_pin_that_is_never_used_is_idle() -> None:
+    assert activity(trace(), "D1") == [IDLE]
+    assert activity(trace([(10.0, "z"), (20.0, "p"), (30.0, 0)]), "D1") == [IDLE]
+
+
+def test_levels_are_levels_and_letting_go_is_low() -> None:
+    seen = trace([(100_000, 1), (600_000, 0), (1_000_000, 1), (1_500_000, "z")])
+    assert said(seen) == [(0, "low"), (100, "high"), (600, "low"), (1000, "high"), (1500, "low")]
+
+
+def test_a_tone_is_one_event_whoever_makes_it() -> None:
+    by_hand = trace(square(100_000, 1000, 500))
+    by_timer = trace((), [Wave(100_000.0, "D1", 1000.0, 0.5), Wave(600_000.0, "D1", 0.0, 0.0)])
+    assert said(by_hand) == said(by_timer) == [(0, "low"), (100, "1000 Hz"), (600, "low")]
+
+
+def test_bursts_of_a_carrier_with_short_pauses_are_one_activity() -> None:
+    bursts = [edge for n in range(20) for edge in square(100_000 + n * 25_000, 38_000, 38)]
+    assert [what for _, what in said(trace(bursts))] == ["low", "38000 Hz", "low"]
+    apart = [edge for n in range(4) for edge in square(100_000 + n * 200_000, 38_000, 38)]
+    assert [what for _, what in said(trace(apart))] == ["low", *["38000 Hz", "low"] * 4]
+
+
+def test_edges_that_interrupts_delay_are_still_one_tone() -> None:
+    edges = [(at + (9.0 if number % 70 < 2 else 0.0), level) for number, (at, level) in enumerate(square(100_000, 38_000, 4000))]
+    (_, tone, *_) = activity(trace(edges), "D1")
+    assert tone.kind == "wave"
+    assert float(tone.value[0]) == pytest.approx(38_000, rel=0.005)
+    assert len(activity(trace(edges), "D1")) == 3
+
+
+def test_two_notes_without_a_pause_are_two_events() -> None:
+    both = square(100_000, 440, 200) + square(100_000 + 200 * 1e6 / 440, 880, 200)
+    assert [what.split(" ")[0].split(".")[0] for _, what in said(trace(both))] in (
+        ["low", "440", "880", "low"],
+        ["low", "440", "879", "low"],
+    )
+
+
+def test_a_servos_frames_are_their_width_and_ramps_are_not_seen() -> None:
+    widths = [1500.0] * 10 + [1520, 1540, 1560] + [1580.0] * 10
+    seen = trace(frames(100_000, widths))
+    assert said(seen) == [(0, "low"), (100, "pulses of 1500 us"), (360, "pulses of 1580 us"), (541.6, "low")]
+    jitter = [1500.0 + (5 if n % 7 == 0 else 0) for n in range(30)]
+    assert [what for _, what in said(trace(frames(100_000, jitter)))][1] == "pulses of 1500 us"
+    assert len(said(trace(frames(100_000, [*[1500.0] * 10, 1530.0, *[1500.0] * 10])))) == 3
+
+
+def test_what_goes_on_at_the_end_of_the_run_has_no_end() -> None:
+    assert said(trace(frames(3_000_000, [1500.0] * 49))) == [(0, "low"), (3000, "pulses of 1500 us")]
+    assert [what for _, what in said(trace(square(3_000_000, 1000, 1000)))] == ["low", "1000 Hz"]
+
+
+def test_pulses_of_no_steady_period_are_a_burst_of_so_many() -> None:
+    edges: list[tuple[float, int]] = []
+    at = 100_000.0
+    for number in range(16):
+        edges += [(at, 1), (at + 5, 0)]
+        at += (10, 25, 60, 140)[number % 4]
+    assert [what for _, what in said(trace(edges))] == ["low", "16 pulses", "low"]
+
+
+def test_what_is_printed_is_lines_with_the_time_of_their_end() -> None:
+    text = [(1000.0, "a"), (2000.0, "b"), (3000.0, "\r"), (3100.0, "\n"), (5000.0, "c"), (900_000.0, "d"), (901_000.0, "\n")]
+    assert [(e.at_us, e.value[0]) for e in console_lines(trace(text=text))] == [(3000.0, "ab"), (5000.0, "c"), (901_000.0, "d")]

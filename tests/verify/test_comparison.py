@@ -1,0 +1,104 @@
+"""Comparing events: what counts as the same, what as different, how the first difference is told, when nothing can be said."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.verify.activity import LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.comparison import compare
+
+Told = list[tuple[float, str, tuple[float | str, ...]]]
+
+BLINK: Told = [(0, LEVEL, (0,)), (500, LEVEL, (1,)), (1500, LEVEL, (0,))]
+DRIVE: Told = [(0, LEVEL, (0,)), (20, PULSES, (1500.0,)), (800, PULSES, (1560.0,))]
+TONE: Told = [(0, LEVEL, (0,)), (300, WAVE, (3000.0, 0.5)), (500, LEVEL, (0,))]
+LINES: Told = [(100, READING, ("count 7",)), (900, READING, ("volts 2.48",))]
+TEXT: Told = [(100, LINE, ("count 7",)), (900, LINE, ("volts 2.48",))]
+
+
+def events(told: Told) -> list[ActivityEvent]:
+    return [ActivityEvent(at_ms * 1000.0, kind, value) for at_ms, kind, value in told]
+
+
+def changed(told: Told, number: int, at_ms: float | None = None, value: tuple[float | str, ...] | None = None) -> Told:
+    at, kind, old = told[number]
+    return [*told[:number], (at if at_ms is None else at_ms, kind, old if value is None else value), *told[number + 1 :]]
+
+
+@pytest.mark.parametrize("told", [BLINK, DRIVE, TONE, LINES, TEXT])
+def test_what_is_the_same_is_the_same(told: Told) -> None:
+    result = compare("x", events(told), events(told), [events(told)], 4000)
+    assert (result.status, result.difference) == ("same", None)
+    assert result.events == 2
+
+
+@pytest.mark.parametrize(
+    ("told", "target", "status"),
+    [
+        (BLINK, changed(changed(BLINK, 1, 540), 2, 1540), "same"),
+        (BLINK, changed(changed(BLINK, 1, 560), 2, 1560), "different"),
+        (BLINK, changed(BLINK, 2, 1509), "same"),
+        (BLINK, changed(BLINK, 2, 1480), "different"),
+        (BLINK, BLINK[:2], "different"),
+        (BLINK, [*BLINK, (2000, LEVEL, (1,))], "different"),
+        (BLINK, [*BLINK, (3990, LEVEL, (1,))], "same"),
+        (BLINK, BLINK[:1], "different"),
+        (DRIVE, changed(DRIVE, 2, None, (1564.0,)), "same"),
+        (DRIVE, changed(DRIVE, 2, None, (1440.0,)), "different"),
+        (DRIVE, changed(DRIVE, 2, 820), "same"),
+        (DRIVE, changed(DRIVE, 2, 880), "different"),
+        (TONE, changed(TONE, 1, None, (3030.0, 0.5)), "same"),
+        (TONE, changed(TONE, 1, None, (3100.0, 0.5)), "different"),
+        (TONE, changed(TONE, 1, None, (3000.0, 0.6)), "different"),
+        (TONE, changed(TONE, 2, 503), "different"),
+        (TEXT, changed(TEXT, 0, None, ("count 8",)), "different"),
+        (LINES, changed(LINES, 0, None, ("count 8",)), "same"),
+        (LINES, changed(LINES, 0, None, ("count 9",)), "different"),
+        (LINES, changed(LINES, 1, None, ("volts 2.49",)), "same"),
+        (LINES, changed(LINES, 1, None, ("volt 2.48",)), "different"),
+        (LINES, changed(LINES, 1, None, ("volts -2.48",)), "different"),
+    ],
+)
+def test_tolerances(told: Told, target: Told, status: str) -> None:
+    assert compare("x", events(told), events(target), [events(told)], 4000).status == status
+
+
+def test_the_first_difference_is_told_in_words() -> None:
+    late = compare("LED", events(BLINK), events(changed(BLINK, 1, 700)), [], 4000).difference
+    assert late is not None
+    assert (late.at_ms, late.channel) == (500, "LED")
+    assert late.message.startswith("high comes 200.0 ms too late (allowed are 4")
+    short = compare("LED", events(BLINK), events(changed(BLINK, 2, 1480)), [], 4000).difference
+    assert short is not None
+    assert short.message == "high lasts 980.00 ms instead of 1000.00 ms"
+    missing = compare("LED", events(BLINK), events(BLINK[:1]), [], 4000).difference
+    assert missing is not None
+    assert missing.message == "high is missing"
+    assert missing.to_json()["target"] is None
+    more = compare("LED", events(BLINK[:1]), events(BLINK), [], 4000).difference
+    assert more is not None
+    assert more.message == "high, which the source does not do"
+    other = compare("servo", events(DRIVE), events(changed(DRIVE, 2, None, (1440.0,))), [], 4000).difference
+    assert other is not None
+    assert other.message == "pulses of 1440 us instead of pulses of 1560 us"
+
+
+def test_a_channel_that_the_source_does_not_use_is_not_exercised() -> None:
+    assert compare("x", events(BLINK[:1]), events(BLINK[:1]), [], 4000).status == "not-exercised"
+    assert compare("x", [], [], [], 4000).status == "not-exercised"
+
+
+def test_what_the_source_does_not_do_twice_the_same_is_racy() -> None:
+    varied = changed(DRIVE, 2, None, (1440.0,))
+    assert compare("x", events(DRIVE), events(DRIVE), [events(varied)], 4000).status == "racy"
+    assert compare("x", events(BLINK), events(BLINK), [events(BLINK[:1])], 4000).status == "racy"
+    assert compare("x", events(BLINK), events(BLINK), [events([*BLINK, (3999, LEVEL, (1,))])], 4000).status == "same"
+
+
+def test_times_may_be_off_by_twice_what_the_source_is_off_from_itself() -> None:
+    """A lamp that is on while a button is held lasts as long as a person holds it, and the looks in between."""
+    varied = changed(BLINK, 2, 1530)
+    late = changed(BLINK, 2, 1555)
+    assert compare("x", events(BLINK), events(late), [events(BLINK)], 4000).status == "different"
+    assert compare("x", events(BLINK), events(late), [events(varied)], 4000).status == "same"
+    assert compare("x", events(BLINK), events(changed(BLINK, 2, 1650)), [events(varied)], 4000).status == "different"

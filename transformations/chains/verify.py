@@ -1,0 +1,316 @@
+"""The chain `verify`: does the migrated program do the same? The original and the sketch run under the same scenarios.
+
+The sources are those stored with the plan, the sketch is the one that now stands in the output folder. Scenarios are given,
+stored with the models, or made by a search; new ones are stored. Nothing else is written but the trace that was asked for.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import SourceError, VerificationError
+from robosmi.metamodels import ccode, migration
+from robosmi.model.files import write_atomic
+from robosmi.transformations.chains.models import MigrationModels, load_models
+from robosmi.transformations.chains.simulate import plan_beside
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.verification.jobs import job
+from robosmi.transformations.verification.original_side import (
+    SETTLED,
+    Place,
+    SourceRuns,
+    channel_events,
+    compared,
+    places_reached,
+    run_source,
+    run_varied,
+)
+from robosmi.transformations.verification.originals import original_program
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, played, reads_console, signals_of
+from robosmi.transformations.verification.scenario_search import search
+from robosmi.verify.activity import ActivityEvent
+from robosmi.verify.comparison import DIFFERENT, RACY
+from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.host_model import load_host_model
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_coverage import SourceCoverage, coverage
+from robosmi.verify.scenario import Scenario, read_scenario
+from robosmi.verify.simulation import PinTrace, engine_for
+from robosmi.verify.simulation import simulate as run_job
+from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.vcd import vcd_text
+from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, ScenarioVerdict, Verdict
+
+FOLDER = "scenarios"
+"""Where scenarios are stored, beside the models."""
+LIMIT_S = 60.0
+"""Seconds of this machine's time for each run of each side."""
+
+
+@dataclass
+class Verified:
+    """A verification with what was written.
+
+    Attributes:
+        verdict: the verdict.
+        compiled: how the migrated program was compiled.
+        written: files that were written, with their kind.
+    """
+
+    verdict: Verdict
+    compiled: CompileReport
+    written: list[tuple[Path, str]] = field(default_factory=list)
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What the compiler found, but for mere information."""
+        return [f for f in self.compiled.diagnostics if f.severity is not Severity.info]
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's part of the document."""
+        return self.verdict.to_json()
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        return self.verdict.lines()
+
+
+def verify(
+    output: Path,
+    *,
+    scenarios: Sequence[Path] = (),
+    engine: str | None = None,
+    seed: int = 1,
+    vcd: Path | None = None,
+    generate: bool = True,
+) -> Verified:
+    """Compare a migrated program with its original.
+
+    Args:
+        output: the output folder of a migration.
+        scenarios: files with scenarios; those stored with the models, and generated ones, if there are none.
+        engine: name of the simulator.
+        seed: of the search for scenarios.
+        vcd: file for both traces of the first scenario that differs, else of the first.
+        generate: whether to search for scenarios where none are given.
+
+    Raises:
+        SourceError: there is no plan or program, or a file cannot be read or written.
+        UsageError: a scenario names what is not there, or no simulator knows the board.
+        MissingToolError: a compiler or simulator is not installed.
+        VerificationError: the simulator crashed or did not end.
+    """
+    plan_file = plan_beside(output)
+    if plan_file is None:
+        raise SourceError(f"there is no stored plan in {output}", fix="name the output folder of migrate, with its models")
+    models = load_models(plan_file)
+    plan = models.plan
+    assert plan.program is not None
+    assert plan.source is not None
+    ports = bound_ports(plan)
+    given = [read_scenario(path) for path in scenarios]
+    for scenario in given:
+        signals_of(ports, scenario)  # before anything is compiled
+    with tempfile.TemporaryDirectory(prefix="robosmi-verify-") as place:
+        folder = Path(place)
+        (folder / "target").mkdir()
+        report = compile_sketch(output, keep=folder / "target")
+        verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
+        verdict.functions = {port.title: port.functions for port in ports}
+        if not report.ok:
+            return Verified(verdict, report)
+        side = _Target(models, report, ports, engine)
+        verdict.engine = side.engine
+        (folder / "source").mkdir()
+        try:
+            program = _original(models, plan_file.parent, folder / "source")
+        except VerificationError as error:
+            verdict.reasons.append(f"the original cannot be run here: {error.message}")
+            return Verified(verdict, report)
+        verdict.original = f"{program.model.title}, {program.compiler}"
+        cases, made = _cases(program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict)
+        traces = side.run([scenario for scenario, _ in cases])
+        for (scenario, runs), trace in zip(cases, traces, strict=True):
+            verdict.scenarios.append(_judged(scenario, runs, trace, ports))
+        _cover(verdict, program, cases, made.racy_counts, plan)
+        done = Verified(verdict, report)
+        _store(made.new, plan_file.parent / FOLDER, done)
+        if vcd is not None and cases:
+            _write_vcd(vcd, verdict, cases, traces, done)
+    return done
+
+
+# ---- both sides
+
+
+@dataclass
+class _Target:
+    models: MigrationModels
+    report: CompileReport
+    ports: list[BoundPort]
+    wanted: str | None
+
+    def __post_init__(self) -> None:
+        stored = self.models.plan.board
+        self.board = stored if stored is not None and stored.name == self.report.board else load_board(self.report.board)
+        chip = self.board.microcontroller
+        self.engine = engine_for(str(chip.name) if chip is not None else "", self.wanted).name
+
+    def run(self, scenarios: Sequence[Scenario]) -> list[PinTrace]:
+        """The migrated program in each scenario, as many at once as there are cores."""
+        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            return list(pool.map(self._run, scenarios))
+
+    def _run(self, scenario: Scenario) -> PinTrace:
+        assert self.report.elf is not None
+        assert self.report.hex is not None
+        devices = played(self.ports, scenario, target=True)
+        asked = job(self.report.elf, self.report.hex, self.board, scenario.horizon_ms * 1000, devices)
+        return run_job(asked, self.engine, LIMIT_S)
+
+
+def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalProgram:
+    plan = models.plan
+    assert plan.program is not None
+    assert plan.source is not None
+    sources = [folder / unit.path for unit in plan.program.units if not is_header(unit)]
+    return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
+
+
+@dataclass
+class _Made:
+    new: list[Scenario] = field(default_factory=list)
+    racy_counts: list[bytes] = field(default_factory=list)
+
+
+Case = tuple[Scenario, SourceRuns]
+
+
+def _cases(
+    program: OriginalProgram, ports: list[BoundPort], plan: migration.MigrationPlan, given: list[Scenario], stored: Path,
+    seed: int | None, verdict: Verdict,
+) -> tuple[list[Case], _Made]:  # fmt: skip
+    """The scenarios with their runs of the source: the given ones alone, else stored and generated ones."""
+    listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
+    cases: list[Case] = []
+    for scenario in listed:
+        nominal = run_source(program, ports, scenario, LIMIT_S)
+        cases.append((scenario, run_varied(program, ports, scenario, nominal, LIMIT_S)))
+    made = _Made()
+    if given or seed is None:
+        return cases, made
+    known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal) for _, runs in cases))
+    found = search(program, ports, reads_console(plan), seed, known)
+    fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal) <= known]
+    verdict.racy = found.racy
+    made.racy_counts = found.racy_counts
+    made.new = [scenario for scenario, _ in fresh]
+    return [*cases, *fresh], made
+
+
+def _judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: list[BoundPort]) -> ScenarioVerdict:
+    """What the two sides have in common in a scenario."""
+    nominal = runs.nominal
+    horizon_ms = min(scenario.horizon_ms, trace.simulated_us / 1000)
+    if nominal.status not in SETTLED:
+        horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
+    target = channel_events(trace, ports, target=True)
+    found = [
+        compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms)
+        for name, seen in runs.channels.items()
+    ]
+    if any(c.status == DIFFERENT for c in found):
+        return ScenarioVerdict(scenario, DIFFERENT_VERDICT, tuple(found), horizon_ms)
+    if trace.state == "crashed":
+        return ScenarioVerdict(scenario, NOT_DECIDABLE, tuple(found), horizon_ms, "the migrated program crashed on the simulator")
+    if nominal.status not in SETTLED:
+        cause = f": {nominal.cause}" if nominal.cause else ""
+        what = {"unmodelled": "it calls a function that has no model", "recursion": "its calls use up the stack"}
+        reason = f"the original did not run to its end ({what.get(nominal.status, nominal.status)}{cause})"
+        return ScenarioVerdict(scenario, NOT_DECIDABLE, tuple(found), horizon_ms, reason)
+    if racy := [c.channel for c in found if c.status == RACY]:
+        reason = f"in '{scenario.name}' the source differs from itself ({', '.join(racy)})"
+        return ScenarioVerdict(scenario, NOT_DECIDABLE, tuple(found), horizon_ms, reason)
+    return ScenarioVerdict(scenario, NO_DIFFERENCE, tuple(found), horizon_ms)
+
+
+def _until(events: Sequence[ActivityEvent], horizon_ms: float) -> list[ActivityEvent]:
+    return [event for event in events if event.at_us / 1000 <= horizon_ms]
+
+
+# ---- what it rests on
+
+
+def _cover(
+    verdict: Verdict, program: OriginalProgram, cases: Sequence[Case], racy: Sequence[bytes], plan: migration.MigrationPlan
+) -> None:
+    """How much of the source the decidable scenarios reach, and which unfinished adapters were called."""
+    decided = [
+        runs.nominal.counts for (_, runs), told in zip(cases, verdict.scenarios, strict=True) if told.verdict != NOT_DECIDABLE
+    ]
+    covered = coverage(program, [c for c in decided if c])
+    by_racy = coverage(program, [c for c in racy if c]) if any(racy) else None
+    verdict.lines_pct = covered.line_percent
+    only_racy = {place for place in covered.missed_branches if by_racy is not None and by_racy.branches.get(place, 0) > 0}
+    missed = [place for place in covered.missed_branches if place not in only_racy]
+    counted = len(covered.branches) - len(only_racy)
+    verdict.branches_pct = 100.0 * (counted - len(missed)) / counted if counted else 100.0
+    verdict.racy_branches = [f"{Path(file).name}:{line}" for file, line, _ in sorted(only_racy)]
+    verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
+    verdict.reasons += _unfinished(covered, plan)
+
+
+def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan) -> list[str]:
+    """Calls of adapters without a body that a scenario has reached."""
+    lines = {(Path(file).name, line) for (file, line), count in covered.lines.items() if count}
+    found = []
+    for use in plan.adapterUses:
+        if use.status not in (migration.AdapterStatus.todo, migration.AdapterStatus.unsupported):
+            continue
+        if any((Path(_unit(call)).name, int(call.line)) in lines for call in use.calls):
+            found.append(f"{use.name} is called and has no body yet")
+    return found
+
+
+def _unit(element: Any) -> str:
+    while element is not None and not isinstance(element, ccode.SourceUnit):
+        element = element.eContainer()
+    return str(element.path) if element is not None else ""
+
+
+# ---- what is written
+
+
+def _store(scenarios: Sequence[Scenario], folder: Path, done: Verified) -> None:
+    """New scenarios, each as a file beside the models."""
+    try:
+        for scenario in scenarios:
+            number = 1
+            while (path := folder / f"generated_{number:02}.toml").exists():
+                number += 1
+            folder.mkdir(exist_ok=True)
+            write_atomic(path, scenario.text().encode())
+            done.written.append((path, "scenario"))
+    except OSError as error:
+        raise SourceError(
+            f"the scenarios cannot be stored: {error.strerror or error}", fix="check the folder's permissions"
+        ) from error
+
+
+def _write_vcd(path: Path, verdict: Verdict, cases: Sequence[Case], traces: Sequence[PinTrace], done: Verified) -> None:
+    number = next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), 0)
+    scenario, runs = cases[number]
+    try:
+        write_atomic(path, vcd_text({"source": runs.nominal.trace, "target": traces[number]}, scenario.name).encode())
+    except OSError as error:
+        raise SourceError(f"the trace cannot be written: {error.strerror or error}", fix="give another file") from error
+    done.written.append((path, "vcd"))

@@ -1,0 +1,171 @@
+"""The source's side of a verification: the program in its host model, run as it is and a few times with other costs and inputs.
+
+What the runs of one scenario differ in tells how exact a comparison can be, and whether the scenario is racy.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from robosmi.transformations.verification.port_devices import BoundPort, device_facts, played
+from robosmi.verify.activity import SIGHTS, ActivityEvent, activity, console_lines
+from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_coverage import coverage
+from robosmi.verify.original_run import OriginalRun, Variation, run_original
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import DeviceUse, PinTrace
+
+CONSOLE_CHANNEL = "console"
+Place = tuple[str | int, ...]
+"""File and line of a line of the source, or file, line and number of a branch."""
+SETTLED = ("running", "finished")
+"""Status of a run that came to its end by itself."""
+
+_FACTORS = (
+    Variation(1, block_factor=2.0, call_factor=2.0),
+    Variation(2, block_factor=0.5, call_factor=0.5),
+    Variation(3, noise=0.3, late_us=100.0),
+    Variation(4, block_factor=1.3, call_factor=0.8, noise=0.3, late_us=100.0),
+)
+"""What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
+_MEASURED = ("voltages", "capacitor", "ranger")
+"""Devices whose values two boards never measure quite alike."""
+_MOVED_MS = 20.0
+"""By so much the instants of inputs are moved: the longest time between two looks of a program that polls."""
+
+
+@dataclass(frozen=True)
+class SourceRuns:
+    """The runs of one scenario.
+
+    Attributes:
+        nominal: the run that is compared.
+        varied: the others.
+        channels: name of each channel -> for each of `SIGHTS` its events in the nominal run, then in each varied run.
+    """
+
+    nominal: OriginalRun
+    varied: tuple[OriginalRun, ...]
+    channels: dict[str, list[list[list[ActivityEvent]]]]
+
+    @property
+    def racy_channels(self) -> list[str]:
+        """The channels on which the source differs from itself."""
+        horizon = self.nominal.trace.simulated_us / 1000
+        return [
+            name
+            for name, seen in self.channels.items()
+            if compared(name, seen, [own for own, *_ in seen], horizon).status == RACY
+        ]
+
+
+def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> dict[str, list[list[ActivityEvent]]]:
+    """What a trace has of each channel, for each of `SIGHTS`: the ports that are watched, and the console.
+
+    Args:
+        trace: what was seen.
+        ports: the ports.
+        target: whether the trace is the target's.
+    """
+    found = {
+        port.title: [activity(trace, port.target if target else port.source, sight) for sight in SIGHTS]
+        for port in ports
+        if port.target and not port.device
+    }
+    found[CONSOLE_CHANNEL] = [console_lines(trace, any(port.device in _MEASURED for port in ports))]
+    return found
+
+
+def compared(
+    channel: str,
+    source: Sequence[Sequence[Sequence[ActivityEvent]]],
+    target: Sequence[Sequence[ActivityEvent]],
+    horizon_ms: float,
+) -> ChannelComparison:
+    """Compare a channel; where one sight tells no difference, there is none.
+
+    Args:
+        channel: its name.
+        source: for each sight the events of the nominal run, then of each varied one.
+        target: for each the target's events.
+        horizon_ms: how long both ran.
+    """
+    found = []
+    for (own, *varied), theirs in zip(source, target, strict=True):
+        result = compare(channel, own, theirs, varied, horizon_ms)
+        if result.status in (SAME, NOT_EXERCISED):
+            return result
+        found.append(result)
+    return next((result for result in found if result.status == DIFFERENT), found[0])
+
+
+def run_source(program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0) -> OriginalRun:
+    """The nominal run of a scenario."""
+    return run_original(program, scenario.horizon_ms * 1000, played(ports, scenario, target=False), limit_s=limit_s)
+
+
+def places_reached(program: OriginalProgram, run: OriginalRun) -> frozenset[Place]:
+    """The lines and branches of the source that a run has reached."""
+    if not run.counts:
+        return frozenset()
+    covered = coverage(program, [run.counts])
+    return frozenset([place for place, count in (*covered.lines.items(), *covered.branches.items()) if count])
+
+
+def run_varied(
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0
+) -> SourceRuns:
+    """The varied runs of a scenario beside its nominal one.
+
+    Args:
+        program: the original.
+        ports: the ports.
+        scenario: what happens.
+        nominal: its nominal run.
+        limit_s: seconds of this machine's time for each run.
+    """
+    devices = played(ports, scenario, target=False)
+    varied: list[OriginalRun] = []
+    seen = [channel_events(nominal.trace, ports, target=False)]
+    for variation in _FACTORS:
+        moved = moved_devices(devices, random.Random(variation.seed)) if variation.noise else devices
+        varied.append(run_original(program, scenario.horizon_ms * 1000, moved, variation, limit_s))
+        seen.append(channel_events(varied[-1].trace, ports, target=False))
+        channels = {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
+        runs = SourceRuns(nominal, tuple(varied), channels)
+        if runs.racy_channels:
+            break  # the others could not make it decidable
+    return runs
+
+
+def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:
+    """Devices whose signals change a little earlier or later, and whose values are a little off."""
+    facts = device_facts()
+    made = []
+    for use in devices:
+        percent = float(facts.get(use.kind, {}).get("jitter_percent", 0))
+        settings = {
+            name: [_moved(point, chance, percent) for point in value] if _is_signal(value) else value
+            for name, value in use.settings.items()
+        }
+        for name, value in settings.items():
+            if _is_signal(value):
+                settings[name] = sorted(value, key=lambda point: float(point[0]))
+        made.append(replace(use, settings=settings))
+    return made
+
+
+def _is_signal(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(point, list) and len(point) == 2 for point in value)
+
+
+def _moved(point: list[Any], chance: random.Random, percent: float) -> list[Any]:
+    at_ms, value = point
+    at_ms = max(0.0, at_ms + chance.uniform(-_MOVED_MS, _MOVED_MS)) if at_ms else at_ms
+    if percent and isinstance(value, (int, float)):
+        value = value * (1 + chance.uniform(-percent, percent) / 100)
+    return [at_ms, value]

@@ -1,0 +1,208 @@
+"""Scenarios made by a search: random signals at the inputs of a program, kept where they reach what no other has reached.
+
+The measure is lines and branches of the source, the dice have a seed; the search ends when nothing new is reached for a while.
+Scenarios on which the source differs from itself are dropped and counted, since nothing could be decided with them.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from time import monotonic
+from typing import Any
+
+from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
+from robosmi.transformations.verification.port_devices import CONSOLE, TYPING, BoundPort, device_facts
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.scenario import POINTS, Points, Scenario
+
+_HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
+_APART_MS = 250.0
+"""Inputs do not change nearer to one another than this: which of two is seen first would be a matter of luck."""
+_MOST = 8
+_PATIENCE = 40
+_PROBE_MS = 600.0
+
+
+@dataclass
+class FoundScenarios:
+    """What a search found.
+
+    Attributes:
+        scenarios: those to verify with, each with its runs of the source.
+        racy: how many were dropped because the source differs from itself.
+        racy_counts: what dropped ones left, for the branches that only they reach.
+        tried: how many were run.
+    """
+
+    scenarios: list[tuple[Scenario, SourceRuns]] = field(default_factory=list)
+    racy: int = 0
+    racy_counts: list[bytes] = field(default_factory=list)
+    tried: int = 0
+
+
+def search(
+    program: OriginalProgram,
+    ports: Sequence[BoundPort],
+    types: bool,
+    seed: int,
+    known: frozenset[Place] = frozenset(),
+    budget_s: float = 60.0,
+) -> FoundScenarios:
+    """Make scenarios for a program.
+
+    Args:
+        program: the original.
+        ports: its ports.
+        types: whether it reads what is typed.
+        seed: of all that is random.
+        known: what other scenarios reach of the source.
+        budget_s: seconds of this machine's time.
+    """
+    made = _Search(program, ports, set(known), monotonic() + budget_s)
+    made.horizon = _horizon(program, ports)
+    inputs = _inputs(ports, types)
+    made.try_signals({})
+    for each in (i for i in inputs if i.name != CONSOLE):
+        for value in each.values:
+            made.try_signals(_constant(each, value))
+        made.seek_borders(each)
+    chance = random.Random(seed)
+    while inputs and len(made.found.scenarios) < _MOST and made.fruitless < _PATIENCE and monotonic() < made.until:
+        made.try_signals(_random_signals(inputs, made.horizon, chance))
+    return _without_needless(made.found, made.reached_by, known)
+
+
+@dataclass
+class _Search:
+    """The state of a search: what was found, what is reached, and for how long nothing new was."""
+
+    program: OriginalProgram
+    ports: Sequence[BoundPort]
+    seen: set[Place]
+    until: float
+    horizon: float = 0.0
+    fruitless: int = 0
+    found: FoundScenarios = field(default_factory=FoundScenarios)
+    reached_by: list[frozenset[Place]] = field(default_factory=list)
+    only_racy: set[Place] = field(default_factory=set)
+
+    def try_signals(self, signals: Mapping[str, Mapping[str, Points]]) -> frozenset[Place]:
+        """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches."""
+        found = self.found
+        if monotonic() >= self.until:
+            return frozenset()
+        found.tried += 1
+        scenario = Scenario(f"generated {found.tried}", self.horizon, signals, "generated")
+        run = run_source(self.program, self.ports, scenario)
+        places = places_reached(self.program, run)
+        self.fruitless += 1
+        if found.scenarios and places <= self.seen:
+            return places
+        if places <= self.seen | self.only_racy and self.fruitless > _PATIENCE // 2:
+            return places
+        runs = run_varied(self.program, self.ports, scenario, run)
+        if runs.racy_channels:
+            found.racy += 1
+            found.racy_counts.append(run.counts)
+            return places
+        self.seen |= places
+        self.fruitless = 0
+        found.scenarios.append((scenario, runs))
+        self.reached_by.append(places)
+        return places
+
+    def seek_borders(self, each: _Input) -> None:
+        """Halve the span between two values at which the source goes different ways, down to where these meet.
+
+        What a program does at the border itself, as when a count equals a limit, is reached by no other value.
+        """
+        numbers = sorted({v for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)})
+        ways = {value: self._probe(each, value) for value in numbers} if len(numbers) > 2 else {}
+        for low, high in pairwise(numbers if ways else []):
+            begin, end = float(low), float(high)
+            while ways[low] != ways[high] and end - begin > max(1.0, 0.001 * end) and monotonic() < self.until:
+                middle = round((begin + end) / 2)
+                places = self._probe(each, middle)
+                if not places <= self.seen | self.only_racy:
+                    self.only_racy |= self.try_signals(_constant(each, middle)) - self.seen
+                begin, end = (middle, end) if places == ways[low] else (begin, middle)
+
+    def _probe(self, each: _Input, value: float) -> frozenset[Place]:
+        """What a short run reaches in which an input shows one value."""
+        scenario = Scenario("probe", min(self.horizon, _PROBE_MS), _constant(each, value))
+        return places_reached(self.program, run_source(self.program, self.ports, scenario))
+
+
+def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
+    """Signals in which one input shows one value all the time."""
+    return {each.name: {each.setting: ((0.0, value),)}}
+
+
+def _horizon(program: OriginalProgram, ports: Sequence[BoundPort]) -> float:
+    """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again."""
+    before: frozenset[Place] | None = None
+    for horizon in _HORIZONS_MS:
+        run = run_source(program, ports, Scenario("rest", horizon))
+        places = places_reached(program, run)
+        if places == before or run.status == "finished":
+            return horizon
+        before = places
+    return _HORIZONS_MS[-1]
+
+
+@dataclass(frozen=True)
+class _Input:
+    """A signal of a port: the port's name, the setting, the values that it takes, and how long it keeps one."""
+
+    name: str
+    setting: str
+    values: tuple[Any, ...]
+    hold_ms: float
+
+
+def _inputs(ports: Sequence[BoundPort], types: bool) -> list[_Input]:
+    facts = device_facts()
+    made = []
+    for port in ports:
+        if port.target and port.device:
+            known = facts.get(port.device, {})
+            for setting, values in known.get("values", {}).items():
+                made.append(_Input(port.name, setting, tuple(None if v == "none" else v for v in values), known["hold_ms"]))
+    if types:
+        made.append(_Input(CONSOLE, POINTS, tuple(facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"]))
+    return made
+
+
+def _random_signals(inputs: Sequence[_Input], horizon: float, chance: random.Random) -> Mapping[str, Mapping[str, Points]]:
+    """Some inputs that change some times, no two of them at nearly the same instant."""
+    chosen = [each for each in inputs if chance.random() < 0.7] or list(inputs[:1])
+    slots = [at * _APART_MS for at in range(1, int((horizon - 500) / _APART_MS))]
+    chance.shuffle(slots)
+    signals: dict[str, dict[str, Points]] = {}
+    for each in chosen:
+        begin = [(0.0, chance.choice(each.values))] if each.name != CONSOLE and chance.random() < 0.5 else []
+        wanted = chance.randint(1, 5)
+        at = 0.0
+        points: list[tuple[float, Any]] = list(begin)
+        for slot in sorted(slots[:wanted]):
+            if slot - at >= each.hold_ms:
+                points.append((slot, chance.choice(each.values)))
+                at = slot
+        del slots[:wanted]
+        if points:
+            signals.setdefault(each.name, {})[each.setting] = tuple(points)
+    return signals
+
+
+def _without_needless(found: FoundScenarios, places: list[frozenset[Place]], known: frozenset[Place]) -> FoundScenarios:
+    """The scenarios that reach something that no other does; the first stays."""
+    keep = list(range(len(places)))
+    for number in range(1, len(places)):
+        rest = known.union(*(places[n] for n in keep if n != number))
+        if places[number] <= rest:
+            keep.remove(number)
+    found.scenarios = [found.scenarios[number] for number in keep]
+    return found
