@@ -123,14 +123,21 @@ def test_drive_goto_without_encoders_never_ends() -> None:
     assert driven("drive_goto(10, 10); high(3);", 5000).trace.levels("P3") == []
 
 
+CALCULATED = 'int l, r; drive_getTicksCalc(&l, &r); print("%d %d", l, r);'
+
+
 def test_settings_of_the_drive() -> None:  # setAcceleration.c: FOR_SPEED sets both; setMaxSpeed.c
-    trace = driven("drive_setAcceleration(FOR_SPEED, 200); drive_setMaxVelocity(FOR_GOTO, 50); drive_speed(100, -100); "
-        "pause(1000); "
-                   'int l, r; drive_getTicksCalc(&l, &r); print("%d %d", l, r);', 1400).trace  # fmt: skip
+    set_up = "drive_setAcceleration(FOR_SPEED, 200); drive_setMaxVelocity(FOR_GOTO, 50); drive_feedback(0); "
+    trace = driven(f"{set_up} drive_speed(100, -100); pause(1000); {CALCULATED}", 1400).trace
     left, right = map(int, trace.text.split())
     assert left == pytest.approx(50 * 1.11 - 50 * 50 / 400, abs=3)
     assert right == pytest.approx(-left, abs=1)
     assert [width for _, width in trace.pulses("P12") if width > 1501][:3] == pytest.approx([1506, 1512.5, 1518.75], abs=1)
+
+
+def test_calculated_ticks_stay_near_to_those_of_the_encoders() -> None:  # abdrive.c: abd_edMax
+    assert driven(f"drive_speed(60, -60); pause(1500); {CALCULATED}", 2000).trace.text == "10 -10"
+    assert driven(f"drive_setErrorLimit(4); drive_speed(60, -60); pause(1500); {CALCULATED}", 2000).trace.text == "4 -4"
 
 
 def test_pins_of_the_drive_are_kept_in_the_eeprom() -> None:  # servoPins.c

@@ -30,7 +30,7 @@ def told(statements: str, typed: str = "", headers: str = "") -> str:
         ('print("%5d|%05d|%5d", 42, 42, -42)', "   42|00042|-  42"),  # the sign is written before the padding
         ('print("%8b|%08b|%4x|%10s|", 5, 5, 255, "ab")', "     101|00000101|  ff|ab|"),  # %s takes no width
         ('print("%ld %d", 5, 6)', "d 5"),  # an unknown letter prints nothing and takes no value
-        ('print("%f %.2f %.0f %5.1f", 1.5, 3.14159, 2.5, -0.25)', "1.500000 3.14 3 -0.3"),  # floatToString.c
+        ('print("%f %.2f %.0f %5.1f", 1.5, 3.14159, 2.5, -0.25)', "1.500000 3.14 3  -0.3"),  # floatToString.c
         ('print("%f %f %f", 0.1, 1234567.0, 100.0)', "0.100000 1234567.000000 100.000000"),
         ('print("%f %f", 1.0 / 0, -1.0 / 0)', "inf -inf"),
         ('print("%d%c%d", 1, HOME, 2)', "1\x012"),
@@ -38,11 +38,11 @@ def told(statements: str, typed: str = "", headers: str = "") -> str:
         ('printi("%d %f", 3, 1.5)', "3 "),
         ("putDec(-5); putChar(' '); putHex(255); putChar(' '); putBin(5); putChar(' '); putFloat(1.5)", "-5 ff 101 1.500000"),
         ('putStr("ab"); putln("cd"); putLine("ef"); putDecLen(7, 3); putHexLen(10, 2); putBinLen(2, 4); putStrLen("xy", '
-            '3)', "abcd\ref\r  7 a  10 xy"),
+            '3)', "abcd\ref\r0070a0010 xy"),
         ('putStrWithNpcVals("a\\n")', "a[10]\r[0]"),
         ("term_cmd(CRSRXY, 4, 2); term_cmd(CLS); term_cmd(CRSRX, 9)", "\x02\x04\x02\x10\x0e\x09"),
         ('char b[20]; int n = sprint(b, "%d:%s", 5, "xy"); print("%s %d", b, n)', "5:xy 4"),
-        ('char b[20]; print("%s", float2string(12.345, b, 6, 2))', "12.35"),
+        ('char b[20]; print("%s", float2string(12.345, b, 6, 2))', " 12.35"),
         ('writeDec(simpleterm_pointer(), 12); dprint(simpleterm_pointer(), " %d", 3)', "12 3"),
         ('printf("%5.2f|%-4d|%s|%ld|%c\\n", 3.14159, 5, "ab", 7L, 65); puts("x"); putchar(66)', " 3.14|5   |ab|7|A\nx\nB"),
         ('char b[20]; sprintf(b, "%03d %g", 7, 0.5); print("%s", b)', "007 0.5"),

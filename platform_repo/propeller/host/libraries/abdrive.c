@@ -17,6 +17,7 @@ static struct wheel {
   int sense, level, seen, servo, encoder;
 } wheels[2];
 static volatile unsigned frames_done;
+static volatile int corrects = 1, most_ahead = 10;  /* calculated ticks stay that near to those of the encoders */
 static volatile int speed_limit = ABD_SPEED_LIMIT, ramp_step = ABD_RAMP_STEP, goto_step = ABD_GOTO_RAMP_STEP, goto_waits = 1;
 static int drive_cog, ready, last[2];
 
@@ -76,6 +77,8 @@ static void frame(struct wheel *wheel, int counter) {
   if (before && !speed) wheel->rest = ABD_STOP_50ths;
   if (speed) wheel->sense = speed > 0 ? 1 : -1;
   *host_register(HOST_PHSA + counter) = speed ? -us_high * HOST_TICKS_PER_US : 0;
+  int ahead = wheel->calculated / 800 - wheel->ticks;
+  if (corrects && magnitude(ahead) > most_ahead) wheel->calculated = (wheel->ticks + (ahead > 0 ? most_ahead : -most_ahead)) * 800;
   if (!speed && wheel->rest && !--wheel->rest) wheel->calculated = wheel->ticks * 800;
 }
 
@@ -243,10 +246,9 @@ void drive_setAcceleration(int forGotoOrSpeed, int ticksPerSecSq) {
   if (forGotoOrSpeed == FOR_SPEED || forGotoOrSpeed == FOR_GOTO) goto_step = step;
 }
 
-/* Both say how far encoders may correct: there is no correction here. */
-void drive_feedback(int enabled) { (void)enabled; }
+void drive_feedback(int enabled) { corrects = enabled; }
 
-void drive_setErrorLimit(int maxDistDiffTicks) { (void)maxDistDiffTicks; }
+void drive_setErrorLimit(int maxDistDiffTicks) { most_ahead = maxDistDiffTicks; }
 
 static void keep_pins(char kind, int left, int right, int offset) {
   unsigned char bytes[8] = {kind, 'p', 'L', (unsigned char)left, ' ', 'R', (unsigned char)right, ' '};

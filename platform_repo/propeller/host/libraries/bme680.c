@@ -125,7 +125,7 @@ void bme680_configure(bme680_t *dev, char setting, int value) {
   if (setting == BME680_SETTING_HUMIDITY_SAMPLES) dev->hum_oversample = value;
   int samples = 0;
   const unsigned char counts[3] = {dev->temp_oversample, dev->pres_oversample, dev->hum_oversample};
-  for (int i = 0; i < 3; i++) samples += counts[i] ? 1 << (counts[i] - 1) : 0;  /* 1 << -1 is 0 on the Propeller */
+  for (int i = 0; i < 3; i++) samples += 1u << ((counts[i] - 1) & 31);  /* without samples the chip shifts by 31 */
   dev->sensor_reading_period = 183 + samples / 15;
   bme680_loadSettings(dev);
 }

@@ -193,12 +193,18 @@ void writeBinLen(text_t *device, int value, int digits) { printNumber(device, (u
 void writeDec(text_t *device, int value) { writeDecLen(device, value, 1); }
 void writeHex(text_t *device, int value) { writeHexLen(device, value, 1); }
 void writeBin(text_t *device, int value) { writeBinLen(device, value, 1); }
-void putDecLen(int value, int width) { writeDecLen(terminal_now(), value, width); }
-void putHexLen(int value, int digits) { writeHexLen(terminal_now(), value, digits); }
-void putBinLen(int value, int digits) { writeBinLen(terminal_now(), value, digits); }
-void putDec(int value) { putDecLen(value, 1); }
-void putHex(int value) { putHexLen(value, 1); }
-void putBin(int value) { putBinLen(value, 1); }
+void putDec(int value) { writeDec(terminal_now(), value); }
+void putHex(int value) { writeHex(terminal_now(), value); }
+void putBin(int value) { writeBin(terminal_now(), value); }
+
+/* Those of the terminal fill with zeros, those of a device with spaces. */
+void putDecLen(int value, int width) {
+  if (value < 0) putChar('-');
+  printNumber(terminal_now(), value < 0 ? -(unsigned)value : (unsigned)value, 10, width, '0');
+}
+
+void putHexLen(int value, int digits) { printNumber(terminal_now(), (unsigned)value, 16, digits, '0'); }
+void putBinLen(int value, int digits) { printNumber(terminal_now(), (unsigned)value, 2, digits, '0'); }
 
 void writeFloatPrecision(text_t *device, float value, int width, int precision) {
   char text[60];
@@ -207,7 +213,7 @@ void writeFloatPrecision(text_t *device, float value, int width, int precision) 
 
 void writeFloat(text_t *device, float value) { writeFloatPrecision(device, value, 1, 10); }
 void putFloatPrecision(float value, int width, int precision) { writeFloatPrecision(terminal_now(), value, width, precision); }
-void putFloat(float value) { writeFloat(terminal_now(), value); }
+void putFloat(float value) { putFloatPrecision(value, 4, 10); }
 
 /* The width counts letters and digits up to the first other character; no more than `width` characters go out. */
 int writeStrLen(text_t *device, char *str, int width) {
@@ -235,7 +241,6 @@ int putStrWithNpcVals(const char *s) {
 char *float2string(float value, char *s, int width, int precision) {
   enum { MOST_DIGITS = 6 };
   int at = 0;
-  (void)width;
   if (value != value) return strcpy(s, "nan");
   if (value != 0 && value + value == value) return strcpy(s, value < 0 ? "-inf" : "inf");
   if (precision > MOST_DIGITS) precision = MOST_DIGITS;
@@ -255,6 +260,12 @@ char *float2string(float value, char *s, int width, int precision) {
       value -= digit * scale;
       s[at++] = '0' + digit;
     }
+  }
+  int missing = width - at - precision - (precision != 0);
+  if (missing > 0) {
+    memmove(s + missing, s, at);
+    memset(s, ' ', missing);
+    at += missing;
   }
   if (precision > 0) s[at++] = '.';
   for (int digit = 0; digit <= precision; digit++) {  /* one more than is shown, to round by */
