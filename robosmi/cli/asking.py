@@ -1,15 +1,18 @@
-"""The prompt for a choice that flags, project file, history and rules have left open. Asked only at a terminal.
+"""The prompts for choices that flags, project file, history and rules have left open. Asked only at a terminal.
 
-What is shown is the ranked list with its reasons; what is answered counts as a person's choice, so it is remembered. An
-empty answer leaves the choice open. Nothing is known here of how candidates were ranked.
+What is shown is the ranked list with its reasons; what is answered counts as a person's choice. An empty answer leaves the
+choice open. Nothing is known here of how candidates were ranked. Answers may be kept in the project file.
 """
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, TextIO
 
+from robosmi.cli.project_entries import add_to_project
+from robosmi.project import FILE_NAME
 from robosmi.quoting import terminal
 
 SHOWN = 7
@@ -54,8 +57,90 @@ def ask_libraries(
     return said
 
 
+def ask_ports(
+    choices: Sequence[Mapping[str, Any]],
+    pins: Sequence[str],
+    *,
+    answer: Callable[[str], str] = input,
+    out: TextIO | None = None,
+) -> dict[str, str]:
+    """Ask for a pin for each open port.
+
+    Args:
+        choices: open ports as the contract has them (`bindings[]`).
+        pins: what may be answered: pins of the board and names of connections.
+        answer: reads one line.
+        out: where is written; stdout if None.
+
+    Returns:
+        Name of the port -> pin, connection or `none`, for what was answered.
+    """
+    said: dict[str, str] = {}
+    for choice in choices:
+        options = list(choice["options"])[:SHOWN]
+        others = [name for name in choice["names"] if name != choice["name"]]
+        also = f" ({', '.join(others)})" if others else ""
+        print(f"\nWhich pin is the port '{terminal(choice['name'])}'{terminal(also)} on?", file=out or sys.stdout)
+        for number, option in enumerate(options, 1):
+            print(terminal(f"  {number}  {option['label']}: {'; '.join(option['reasons'])}"), file=out or sys.stdout)
+        print("  0  none, it is not wired; the label of a pin takes that; Enter leaves it open", file=out or sys.stdout)
+        names = [str(option["label"]) for option in options]
+        try:
+            text = answer("> ").strip()
+            while text and not (text.isdecimal() and int(text) <= len(names)) and text not in (*pins, NONE):
+                print(f"  there is no {'number' if text.isdecimal() else 'pin'} {terminal(text)}", file=out or sys.stdout)
+                text = answer("> ").strip()
+        except EOFError:
+            return said
+        if name := _named(text, names):
+            said[str(choice["name"])] = name
+    return said
+
+
+class Answers:
+    """What a person answers in one run, to be kept where the person wishes.
+
+    Args:
+        answer: reads one line.
+        out: where is written; stdout if None.
+    """
+
+    def __init__(self, answer: Callable[[str], str] = input, out: TextIO | None = None) -> None:
+        self.answer, self.out = answer, out
+        self.said: dict[str, dict[str, str]] = {}
+
+    def libraries(self, choices: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+        """Ask for libraries; see `ask_libraries`."""
+        found = ask_libraries(choices, answer=self.answer, out=self.out)
+        self.said.setdefault("libraries", {}).update(found)
+        return found
+
+    def ports(self, choices: Sequence[Mapping[str, Any]], pins: Sequence[str]) -> dict[str, str]:
+        """Ask for pins; see `ask_ports`."""
+        found = ask_ports(choices, pins, answer=self.answer, out=self.out)
+        self.said.setdefault("bind", {}).update(found)
+        return found
+
+    def offer(self, folder: Path) -> Path | None:
+        """Offer to keep what was answered in the project file of a folder; the file, if the person wants it.
+
+        Raises:
+            SourceError: the file cannot be read or written.
+        """
+        entries = {table: values for table, values in self.said.items() if values}
+        if not entries:
+            return None
+        count = sum(map(len, entries.values()))
+        print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(str(folder / FILE_NAME))}? (y, Enter: no)", file=self.out)
+        try:
+            wanted = self.answer("> ").strip().lower() in ("y", "yes")
+        except EOFError:
+            return None
+        return add_to_project(folder, entries) if wanted else None
+
+
 def _named(text: str, names: Sequence[str]) -> str:
-    """The library behind a number of the list or a name."""
+    """The option behind a number of the list, or a name."""
     if not text.isdecimal():
         return text
     return names[int(text) - 1] if int(text) else NONE

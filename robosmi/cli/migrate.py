@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from robosmi.cli.asking import ask_libraries, may_ask
+from robosmi.cli.asking import Answers, may_ask
 from robosmi.cli.common import add_source_options, output_folder, pairs
 from robosmi.cli.progress import progress
 from robosmi.diagnostics import Finding
@@ -68,6 +68,7 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("migrate")
     project = project_of(arguments.files[0])
+    answers = Answers() if may_ask(yes=arguments.yes, as_json=arguments.json) else None
     with progress() as told:
         done = content("chain", "migrate")(
             arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
@@ -75,8 +76,11 @@ def run(arguments: argparse.Namespace) -> Report:
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
             widths=arguments.widths,
-            ask=ask_libraries if may_ask(yes=arguments.yes, as_json=arguments.json) else None, progress=told,
+            ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
         )  # fmt: skip
+    if answers is not None and not arguments.dry_run:
+        first = arguments.files[0]
+        answers.offer(first if first.is_dir() else first.parent)
     return filled(report, done, project.severity, project.accept)
 
 

@@ -9,9 +9,11 @@ from typing import Any
 
 import pytest
 
-from robosmi.cli.asking import ask_libraries, may_ask
+from robosmi.cli.asking import Answers, ask_libraries, ask_ports, may_ask
+from robosmi.cli.project_entries import add_to_project, with_entries
+from robosmi.errors import SourceError
 from robosmi.plugins import content
-from robosmi.project import defaults
+from robosmi.project import defaults, load_project
 from robosmi.recommend.history import History
 
 CHOICE = {
@@ -72,3 +74,64 @@ def test_an_answer_is_a_persons_choice_and_is_remembered(
     assert by["Red (633nm)-LED1"] == ("nobody", "", True)
     remembered = [entry for entry in History().entries() if entry.library == "HIH4030"]
     assert [(entry.count, entry.target) for entry in remembered] == [(2, "uno")]
+
+
+PORT = {"name": "LED", "names": ["P26"], "options": [{"label": "LedWriteP1", "reasons": ["shares 'led' with the port's name"]}]}
+PINS = ["D8", "D13", "LedWriteP1"]
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [("1", {"LED": "LedWriteP1"}), ("0", {"LED": "none"}), ("none", {"LED": "none"}), ("", {}), (" D13 ", {"LED": "D13"})],
+)
+def test_a_port_is_asked_for(answer: str, said: Mapping[str, str]) -> None:
+    out = io.StringIO()
+    assert ask_ports([PORT], PINS, answer=lambda _: answer, out=out) == said
+    assert "Which pin is the port 'LED' (P26) on?" in out.getvalue()
+    assert "1  LedWriteP1: shares 'led'" in out.getvalue()
+
+
+def test_a_pin_that_is_not_there_is_asked_for_again() -> None:
+    answers, out = iter(["D77", "4", "D8"]), io.StringIO()
+    assert ask_ports([PORT], PINS, answer=lambda _: next(answers), out=out) == {"LED": "D8"}
+    assert "there is no pin D77" in out.getvalue()
+    assert "there is no number 4" in out.getvalue()
+
+
+def test_answers_for_ports_are_taken_and_kept_in_the_project_file(line_follower: Path, tmp_path: Path) -> None:
+    project = line_follower.parent / "robosmi.toml"
+    text = project.read_text()
+    project.write_text(text.replace('leftQTI = "D10"\n', ""))
+    replies = iter(["D10", "y"])
+    answers = Answers(answer=lambda _: next(replies), out=io.StringIO())
+    made = content("chain", "migrate")([line_follower], tmp_path / "out", ask_ports=answers.ports)
+    assert {b.name: b.choice for b in made.models.plan.portBindings}["leftQTI"] == "HIH40302ReadP1"
+    assert answers.offer(line_follower.parent) == project
+    kept = project.read_text()
+    assert load_project(project.parent).bind["leftQTI"] == "D10"
+    assert [line for line in text.splitlines() if "#" in line] == [line for line in kept.splitlines() if "#" in line]
+
+
+@pytest.mark.parametrize(
+    ("text", "kept"),
+    [
+        ("", '[bind]\nLED = "D8"\n"rows[2]" = "none"\n'),
+        ("# mine\n", '# mine\n\n[bind]\nLED = "D8"\n"rows[2]" = "none"\n'),
+        ('[bind] # here\na = "D1"\n\n[roles]\nU1 = "Input"', None),
+        ('[bind]\na = "D1"\n', '[bind]\na = "D1"\nLED = "D8"\n"rows[2]" = "none"\n'),
+        ('[bind]\r\na = "D1"\r\n', '[bind]\r\na = "D1"\r\nLED = "D8"\r\n"rows[2]" = "none"\r\n'),
+    ],
+)
+def test_entries_come_to_the_end_of_their_table(text: str, kept: str | None) -> None:
+    made = with_entries(text, "bind", {"LED": "D8", "rows[2]": "none"})
+    expected = '[bind] # here\na = "D1"\nLED = "D8"\n"rows[2]" = "none"\n\n[roles]\nU1 = "Input"\n'
+    assert made == (kept if kept is not None else expected)
+
+
+def test_a_file_in_which_entries_would_change_others_stays_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "robosmi.toml"
+    for text in ('bind = { a = "D1" }\n', '[libraries]\nx = """\n[bind]\n"""\n', "[bind\n"):
+        path.write_text(text)
+        with pytest.raises(SourceError):
+            add_to_project(tmp_path, {"bind": {"LED": "D8"}})
+        assert path.read_text() == text

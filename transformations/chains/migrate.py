@@ -30,27 +30,26 @@ from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import earlier_choices, history_findings
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
+from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
 from robosmi.transformations.chains.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
+from robosmi.transformations.constraints.plan_ports import port_faults
 from robosmi.transformations.knowledge.adapter_index import adapter_index
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
-from robosmi.transformations.m2m.conventional_ports import with_conventions
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
-from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.m2m.port_texts import looked_up
 from robosmi.transformations.m2m.widths import Widened, lost_findings
-from robosmi.transformations.queries.plan import library_json
-from robosmi.transformations.queries.port_flows import port_flows
-from robosmi.transformations.queries.ports import ProgramPorts, program_ports
+from robosmi.transformations.queries.plan import binding_json, library_json
+from robosmi.transformations.queries.ports import ProgramPorts
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
@@ -174,11 +173,6 @@ def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
     return earlier_choices(history, target)
 
 
-def ports(program: StoredProgram) -> ProgramPorts:
-    """The ports of the program, and how their numbers flow to the functions that take them."""
-    return program_ports(program.views, port_flows(program.views, program.copies))
-
-
 def judgement(
     program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, ports: ProgramPorts, adapters: str | None
 ) -> tuple[Dependence, Trace]:
@@ -207,28 +201,6 @@ def widenings(
 ) -> Widened:
     """What is written otherwise so that the program's numbers keep the widths that they have on the source."""
     return widened(program, program_files, judgement[0], api, target, widths)
-
-
-def bindings(
-    program: StoredProgram,
-    ports: ProgramPorts,
-    api: ApiIndex,
-    judgement: tuple[Dependence, Trace],
-    drawing: StoredDrawing | None,
-    board: platform.Board,
-    bind: Mapping[str, str],
-    settings: Project,
-) -> list[migration.PortBinding]:
-    """Which connection each port of the program becomes; flags go before the project file.
-
-    Raises:
-        UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
-    """
-    source = judgement[0].source
-    assert source is not None
-    connections = list(drawing.hardware.connections) if drawing is not None else []
-    asked = with_conventions(ports, judgement[0].adapters, program.views)
-    return bind_ports(asked, api, source, connections, board, (settings.bind, {**bind}), defaults()["choices"]["limit"])
 
 
 def library_decisions(
@@ -279,7 +251,7 @@ def models(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
         *judgement, widenings, widths != KEEP, ports, bindings, *library_decisions, files, findings, places,
     )  # fmt: skip
-    plan, repository = put_together(decided, plan_faults)
+    plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))
     circuit = drawing.hardware.circuit if drawing is not None else None
@@ -360,6 +332,7 @@ def migrate(
     history: str | None = None,
     widths: str = FIX,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
+    ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> Generated:
@@ -373,6 +346,7 @@ def migrate(
         project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
             widths, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
+        ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
 
     Raises:
         SourceError: an input cannot be read or used, or the output cannot be written.
@@ -391,6 +365,10 @@ def migrate(
             left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
             if ask is not None and left and (answers := ask(left)):
                 run.give(libraries={**chosen, **answers})
+                models = run.value("models")
+            ports_left = [binding_json(b) for b in models.plan.portBindings if b.open]
+            if ask_ports is not None and ports_left and (pins := ask_ports(ports_left, pins_to_choose(models.plan))):
+                run.give(bind={**(bind or {}), **pins})
                 models = run.value("models")
         made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made, history)

@@ -8,10 +8,11 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.diagnostics import Severity
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import migration
 from robosmi.query import root_of
 from robosmi.transformations.constraints.code_rules import moved
 from robosmi.transformations.constraints.electrical_plan import together
+from robosmi.transformations.constraints.plan_ports import bound_pin, named, plan_of, ports
 from robosmi.transformations.queries.text_changes import all_changes, decision_of
 from robosmi.validate import EVL, Fail, Fix
 
@@ -20,6 +21,7 @@ plan = EVL()
 
 plan.include(together)
 plan.include(moved)
+plan.include(ports)
 
 bindings = plan.context(migration.PortBinding)
 decisions = plan.context(migration.Decision)
@@ -28,62 +30,11 @@ libraries = plan.context(migration.LibraryChoice)
 plans = plan.context(migration.MigrationPlan)
 
 
-def plan_of(decision: Any) -> migration.MigrationPlan:
-    """The plan that an element belongs to."""
-    found = root_of(decision)
-    assert isinstance(found, migration.MigrationPlan)
-    return found
-
-
-def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
-    """The pin of a binding, directly or by its connection."""
-    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
-
-
-def named(decision: Any) -> str:
-    """A decision as a message names it."""
-    if isinstance(decision, migration.PortBinding):
-        return f"port '{decision.name}'" if decision.name else f"port P{decision.sourcePin}"
-    if isinstance(decision, migration.LibraryChoice):
-        return f"library of '{decision.component.title}'" if decision.component is not None else "library of no component"
-    element = getattr(decision, "element", None)
-    return (
-        f"{getattr(element, 'name', '') or type(element).__name__} in line {element.line}" if element is not None else "decision"
-    )
-
-
 @dispositions.constraint(id="RS701", advice="make the plan again with migrate")
 def DecidesOnTheProgram(d: migration.Disposition) -> Any:
     """A decision about code is about an element of the plan's program."""
     inside = d.element is not None and root_of(d.element) is plan_of(d).program
     return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
-
-
-@bindings.constraint(
-    id="RS702", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin"
-)
-def PinIsBoundOnce(b: migration.PortBinding) -> Any:
-    """No two ports of the source are bound to one pin."""
-    pin = bound_pin(b)
-    for other in plan_of(b).portBindings:
-        if other is b:
-            return True
-        if bound_pin(other) is pin and other.sourcePin != b.sourcePin:
-            assert pin is not None
-            return Fail(f"the {named(b)} and the {named(other)} are both bound to pin {pin.label}", pin=pin.label)
-    return True
-
-
-@bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
-def PortIsDecidedOnce(b: migration.PortBinding) -> Any:
-    """A port of the source has one binding: a number that is no convention, or a name."""
-    for other in plan_of(b).portBindings:
-        if other is b:
-            return True
-        number = b.sourcePin >= 0 and other.sourcePin == b.sourcePin and "convention" not in (b.origin, other.origin)
-        if number or other.name == b.name:
-            return Fail(f"the {named(b)} has two bindings, to {other.choice or 'nothing'} and to {b.choice or 'nothing'}")
-    return True
 
 
 @bindings.constraint(

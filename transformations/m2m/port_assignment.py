@@ -62,12 +62,15 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         fits = {(i, k): f for i, s in enumerate(waiting) for k, c in enumerate(left) if (f := fit(s, c)) is not None}
         pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and _best(fits, i, k)]
         pairs = [p for p in pairs if _confidence(fits[p], first) >= limit]
+        pins = [left[k].pin for _, k in pairs]
+        pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
         if not pairs:
             break
         for i, k in pairs:
             _bind(waiting[i].binding, left[k], fits[i, k], first)
         waiting = [s for i, s in enumerate(waiting) if i not in {p[0] for p in pairs}]
-        left = [c for k, c in enumerate(left) if k not in {p[1] for p in pairs}]
+        taken = [left[k] for _, k in pairs]
+        left = [c for c in left if c not in taken and (c.pin is None or c.pin not in [t.pin for t in taken])]
         first = False
     for i, seat in enumerate(waiting):
         ranked = sorted(((f, left[k]) for (j, k), f in fits.items() if j == i), key=lambda pair: -pair[0].points)

@@ -37,6 +37,12 @@ def report(plan: migration.MigrationPlan) -> dict[str, Any]:
         "findings": [_said(f) for f in plan.findings],
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
+        "flows": bool(plan.portFlows),
+        "kept": [
+            {"name": f.name, "ports": ", ".join(b.name for b in f.bindings) or "any", "why": "; ".join(f.evidence)}
+            for f in plan.portFlows
+            if f.choice == "source"
+        ],
         "libraries": [_library(c) for c in plan.libraryChoices],
         "groups": [_group(u, plan) for u in (plan.program.units if plan.program else [])] + _outside(plan),
         "adapters": [_adapter(a) for a in plan.adapterUses],
@@ -72,11 +78,19 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
     return {
         "name": binding.name,
         "pin": f"P{binding.sourcePin}" if binding.sourcePin >= 0 else "",
+        "names": ", ".join(n for n in dict.fromkeys([binding.name, *binding.names]) if n != f"P{binding.sourcePin}"),
+        "component": binding.connection.component.title if binding.connection and binding.connection.component else "",
+        "target": _target(binding),
         "what": binding.what,
         "choice": binding.choice,
         "by": WHO[binding.chosenBy.name],
         "why": "; ".join(binding.evidence),
     }
+
+
+def _target(binding: migration.PortBinding) -> str:
+    pin = binding.connection.pin if binding.connection is not None else binding.pin
+    return pin.label if pin is not None else "not wired" if not binding.open else "open: its calls do nothing"
 
 
 def _library(choice: migration.LibraryChoice) -> dict[str, str]:

@@ -145,6 +145,28 @@ def library_json(choice: migration.LibraryChoice) -> dict[str, Any]:
     }  # fmt: skip
 
 
+def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
+    """Every choice that a person may make in the contract's form: of a pin for each port, of a library for each component."""
+    ports = [(f"port:{b.name}", "port", b.name, b) for b in plan.portBindings]
+    libraries = [
+        (f"library:{c.component.elementId}", "library", c.component.title, c)
+        for c in plan.libraryChoices
+        if c.component is not None
+    ]
+    return [
+        {
+            "id": identity,
+            "kind": kind,
+            "subject": subject,
+            "options": [{"value": o.label, "score": o.score, "why": "; ".join(o.reasons)} for o in decision.options],
+            "chosen": None if decision.open else decision.choice,
+            "by": decision.chosenBy.name,
+            "why": "; ".join(decision.evidence),
+        }
+        for identity, kind, subject, decision in (*ports, *libraries)
+    ]
+
+
 def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
     """The contract's `plan`."""
     return {
@@ -179,6 +201,7 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
             for f in plan.portFlows
         ],
         "libraries": [library_json(c) for c in plan.libraryChoices],
+        "choices": choices_json(plan),
         "tasks": len(plan.tasks),
         "open_choices": len(open_choices(plan)),
     }

@@ -49,6 +49,17 @@ def decided(*numbers: int) -> migration.MigrationPlan:
     )
 
 
+def on_one_pin(count: int) -> migration.MigrationPlan:
+    """A plan whose first pin reaches so many components."""
+
+    def made(plan: migration.MigrationPlan) -> list[migration.Connection]:
+        parts = [hardware.Component(elementId=str(i), title=f"Led{i}") for i in range(count)]
+        signal = migration.Signal.write
+        return [migration.Connection(name=p.title, component=p, pin=pins(plan)[0], signal=signal) for p in parts]
+
+    return a_plan(connections=made)
+
+
 def decided_on(element: Callable[[migration.MigrationPlan], Any]) -> migration.MigrationPlan:
     """A plan with a decision about an element."""
     return a_plan(dispositions=lambda p: [migration.Disposition(element=element(p), rules=["r"])])
@@ -161,6 +172,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS708": (lambda: edited((0, 5), (5, 9)), lambda: edited((0, 5), (4, 9))),
     "RS711": (lambda: at(3, 9), lambda: at(9, 3)),
     "RS712": (lambda: calling(1), lambda: calling(2)),
+    "RS715": (lambda: on_one_pin(2), lambda: on_one_pin(3)),
     "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),
     "RS713": (
         lambda: a_program(function("f"), function("f", storage=ccode.Storage.staticStorage), function("g")),

@@ -1,0 +1,50 @@
+"""The steps of `migrate` about ports: which the program has, how their numbers flow, and which pin each becomes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from robosmi.metamodels import migration, platform
+from robosmi.project import Project, defaults
+from robosmi.transform import Trace
+from robosmi.transformations.chains.drawn import StoredDrawing
+from robosmi.transformations.chains.program import StoredProgram
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.m2m.conventional_ports import with_conventions
+from robosmi.transformations.m2m.platform_dependence import Dependence
+from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.queries.port_flows import port_flows
+from robosmi.transformations.queries.ports import ProgramPorts, program_ports
+
+
+def ports(program: StoredProgram) -> ProgramPorts:
+    """The ports of the program, and how their numbers flow to the functions that take them."""
+    return program_ports(program.views, port_flows(program.views, program.copies))
+
+
+def bindings(
+    program: StoredProgram,
+    ports: ProgramPorts,
+    api: ApiIndex,
+    judgement: tuple[Dependence, Trace],
+    drawing: StoredDrawing | None,
+    board: platform.Board,
+    bind: Mapping[str, str],
+    settings: Project,
+) -> list[migration.PortBinding]:
+    """Which connection each port of the program becomes; flags go before the project file.
+
+    Raises:
+        UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
+    """
+    source = judgement[0].source
+    assert source is not None
+    connections = list(drawing.hardware.connections) if drawing is not None else []
+    asked = with_conventions(ports, judgement[0].adapters, program.views)
+    return bind_ports(asked, api, source, connections, board, (settings.bind, {**bind}), defaults()["choices"]["limit"])
+
+
+def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:
+    """What a port may be bound to: pins of the board by all their names, and connections."""
+    pins = [name for pin in (plan.board.pins if plan.board is not None else []) for name in (pin.label, *pin.aliases)]
+    return [*pins, *(connection.name for connection in plan.connections)]

@@ -1,0 +1,89 @@
+"""Constraints on the ports of a migration plan: one decision for each, and one port on each pin.
+
+`migrate` asks these of a new plan, `check` of a stored one with all others (`plan`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.metamodels import migration, platform
+from robosmi.model import EmfModel
+from robosmi.query import root_of
+from robosmi.validate import EVL, Fail
+
+ports = EVL()
+"""The constraints on ports; run them over a plan."""
+
+bindings = ports.context(migration.PortBinding)
+connections = ports.context(migration.Connection)
+MANY = 3
+"""So many components on one pin are told of: of two, one may well be a pull-up or an indicator."""
+
+
+def port_faults(plan: migration.MigrationPlan) -> list[Finding]:
+    """What these constraints find in a plan."""
+    return ports.run(EmfModel(plan, name="plan")).findings()
+
+
+def plan_of(decision: Any) -> migration.MigrationPlan:
+    """The plan that an element belongs to."""
+    found = root_of(decision)
+    assert isinstance(found, migration.MigrationPlan)
+    return found
+
+
+def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
+    """The pin of a binding, directly or by its connection."""
+    return binding.pin or (binding.connection.pin if binding.connection is not None else None)
+
+
+def named(decision: Any) -> str:
+    """A decision as a message names it."""
+    if isinstance(decision, migration.PortBinding):
+        return f"port '{decision.name}'" if decision.name else f"port P{decision.sourcePin}"
+    if isinstance(decision, migration.LibraryChoice):
+        return f"library of '{decision.component.title}'" if decision.component is not None else "library of no component"
+    element = getattr(decision, "element", None)
+    return (
+        f"{getattr(element, 'name', '') or type(element).__name__} in line {element.line}" if element is not None else "decision"
+    )
+
+
+@bindings.constraint(
+    id="RS702", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin"
+)
+def PinIsBoundOnce(b: migration.PortBinding) -> Any:
+    """No two ports of the source are bound to one pin."""
+    pin = bound_pin(b)
+    for other in plan_of(b).portBindings:
+        if other is b:
+            return True
+        if bound_pin(other) is pin and (other.sourcePin != b.sourcePin or b.sourcePin < 0):
+            assert pin is not None
+            return Fail(f"the {named(b)} and the {named(other)} are both bound to pin {pin.label}", pin=pin.label)
+    return True
+
+
+@bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
+def PortIsDecidedOnce(b: migration.PortBinding) -> Any:
+    """A port of the source has one binding: a number that is no convention, or a name."""
+    for other in plan_of(b).portBindings:
+        if other is b:
+            return True
+        number = b.sourcePin >= 0 and other.sourcePin == b.sourcePin and "convention" not in (b.origin, other.origin)
+        if number or other.name == b.name:
+            return Fail(f"the {named(b)} has two bindings, to {other.choice or 'nothing'} and to {b.choice or 'nothing'}")
+    return True
+
+
+@connections.constraint(id="RS715", severity=Severity.warning, advice="see whether the drawing says what is meant")
+def PinReachesFewComponents(c: migration.Connection) -> Any:
+    """A pin that is no bus reaches one component, or two."""
+    same = [other for other in plan_of(c).connections if other.pin is not None and other.pin is c.pin]
+    titles = list(dict.fromkeys(o.component.title for o in same if o.component is not None))
+    if same[:1] != [c] or len(titles) < MANY or any(other.signal is migration.Signal.bus for other in same):
+        return True
+    assert c.pin is not None
+    return Fail(f"pin {c.pin.label} reaches {len(titles)} components: {', '.join(titles)}", pin=c.pin.label)
