@@ -174,7 +174,13 @@ def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
 
 
 def judgement(
-    program: StoredProgram, api: ApiIndex, target: TargetFacts, board: platform.Board, ports: ProgramPorts, adapters: str | None
+    program: StoredProgram,
+    api: ApiIndex,
+    target: TargetFacts,
+    board: platform.Board,
+    ports: ProgramPorts,
+    adapters: str | None,
+    widths: str | None,
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), which adapters fill its calls, and from what that was made.
 
@@ -186,7 +192,7 @@ def judgement(
         raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
     index = adapter_index(target.platform, api.name)
     mcu = board.microcontroller.name if board.microcontroller is not None else ""
-    choice = AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0])
+    choice = AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widths != KEEP)
     look_up = str(api.settings.get("ports", {}).get("look_up", "")) if looked_up(ports) else ""
     return judge_program(program.views, target, choice, program.copies, look_up)
 

@@ -47,10 +47,11 @@ class AdapterChoice:
         api: the source platform.
         mcu: the microcontroller.
         filled: whether functions get bodies; constants have their values in any case.
+        widened: whether the program's numbers are written with the widths of the source, which are those of adapters.
     """
 
-    def __init__(self, index: AdapterIndex, api: ApiIndex, mcu: str, *, filled: bool = True) -> None:
-        self.index, self.api, self.mcu, self.filled = index, api, mcu, filled
+    def __init__(self, index: AdapterIndex, api: ApiIndex, mcu: str, *, filled: bool = True, widened: bool = False) -> None:
+        self.index, self.api, self.mcu, self.filled, self.widened = index, api, mcu, filled, widened
         self.pieces = AdapterPieces(index)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
         self._unserved: dict[str, UnservedHeader] = {}
@@ -101,8 +102,8 @@ class AdapterChoice:
         if own and _plain(spelling(p) for p in _types_of(use)) not in [_types(signature) for signature in taken]:
             use.reason = f"the program declares it as '{use.signature}', and its adapter is for '{taken[0]}'"
             return
-        if handed:
-            use.reason = "it is handed on as a value, and an adapter's types are others"
+        if handed and (not self.widened or "template" in needed.pieces[-1].text):
+            use.reason = "it is handed on as a value, and its adapter has other types"
             return
         if conflict := self._conflict(needed.pieces):
             use.reason = conflict

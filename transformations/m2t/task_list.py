@@ -94,9 +94,10 @@ def _target(binding: migration.PortBinding) -> str:
 
 
 def _library(choice: migration.LibraryChoice) -> dict[str, str]:
+    unused = choice.chosen is not None and not choice.included
     return {
         "component": choice.component.title if choice.component else "",
-        "choice": choice.choice or "open",
+        "choice": (choice.choice or "open") + ", which nothing in the program uses" * unused,
         "by": WHO[choice.chosenBy.name],
         "candidates": ", ".join(o.label for o in list(choice.options)[:5]),
     }

@@ -170,3 +170,14 @@ def test_names_of_the_program_give_way_to_those_that_adapters_declare(tmp_path: 
     assert "drive_speed(left_servo_, 0);" in sketch
     report = robosmi.compile_sketch(tmp_path / "out")
     assert [d.message for d in report.diagnostics if d.severity.name != "info"] == []
+
+
+def test_an_adapter_is_handed_on_where_the_program_has_its_widths(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    text = '#include "simpletools.h"\nunsigned int (*ask)(int);\nint main() { ask = get_state; while (1) pause(ask(3)); }\n'
+    kept = uses(planned(tmp_path, text, widths="keep"))["get_state"]
+    assert (kept.adapter, kept.reason) == (None, "it is handed on as a value, and its adapter has other types")
+    made = robosmi.migrate([tmp_path / "program.c"], tmp_path / "out")
+    assert all(use.adapter is not None for use in made.models.plan.adapterUses)
+    report = robosmi.compile_sketch(tmp_path / "out")
+    assert [d.message for d in report.diagnostics if d.severity.name != "info"] == []
