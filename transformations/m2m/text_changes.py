@@ -128,9 +128,9 @@ def mark_rewritten(plan: migration.MigrationPlan) -> None:
 
 
 def _binding_changes(binding: migration.PortBinding, texts: Sequence[SourceText]) -> list[migration.TextChange]:
-    """The change that gives a port of the source its new pin; none for a convention, whose pin stands in no text."""
+    """The change that gives a port of the source its new pin; none where no text has its number: by convention, in a mask."""
     value = port_text(binding)
-    if value is None or binding.element is None or binding.origin == "convention":
+    if value is None or binding.element is None or binding.origin not in ("declaration", "literal"):
         return []
     text, place = _text(binding.element, texts), port_place(binding.element)
     if place is None or not _whole(binding.element, place, text):
