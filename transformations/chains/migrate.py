@@ -16,7 +16,7 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import UsageError, did_you_mean
+from robosmi.errors import UsageError
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.plugins import content
@@ -37,10 +37,9 @@ from robosmi.transformations.chains.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.constraints.plan_ports import port_faults
-from robosmi.transformations.knowledge.adapter_index import adapter_index
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
-from robosmi.transformations.m2m.adapter_choice import AdapterChoice
+from robosmi.transformations.m2m.adapter_choice import adapter_choice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
@@ -55,8 +54,6 @@ GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
     "adapters", "widths",
 )  # fmt: skip
-ADAPTERS = ("filled", "placeholders")
-"""What adapters can be: with bodies as far as there are any, or all still to be written."""
 """What a migration is told from outside; `migration_chain` says what each is used for."""
 
 
@@ -188,11 +185,7 @@ def judgement(
         UsageError: adapters are neither filled nor placeholders.
     """
     how = adapters or defaults()["migrate"]["adapters"]
-    if how not in ADAPTERS:
-        raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
-    index = adapter_index(target.platform, api.name)
-    mcu = board.microcontroller.name if board.microcontroller is not None else ""
-    choice = AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widths != KEEP)
+    choice = adapter_choice(target.platform, api, board, how, widened=widths != KEEP)
     look_up = str(api.settings.get("ports", {}).get("look_up", "")) if looked_up(ports) else ""
     return judge_program(program.views, target, choice, program.copies, look_up)
 
@@ -296,7 +289,7 @@ def plan_migration(
         defines: macros defined from outside.
         libraries: component -> library, before the project file.
         bind: port of the source -> target pin, before the project file.
-        adapters: one of `ADAPTERS`; what the defaults say if None.
+        adapters: `filled` or `placeholders`; what the defaults say if None.
         history: place of earlier choices, a file or a URL; the user's own if None.
         widths: `fix` writes the text so that numbers keep the widths of the source, `keep` leaves it as it is.
         progress: told of each step.

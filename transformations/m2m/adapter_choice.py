@@ -11,9 +11,10 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
-from robosmi.transformations.knowledge.adapter_index import AdapterIndex
+from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
 from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import split_parameters
@@ -24,6 +25,8 @@ from robosmi.transformations.queries.signature_text import parameter_type, taken
 
 Status = migration.AdapterStatus
 _WORDS = re.compile(r"\b(?:extern|register|signed)\b")
+ADAPTERS = ("filled", "placeholders")
+"""What adapters can be: with bodies as far as there are any, or all still to be written."""
 NO_ADAPTER = "no adapter file has it"
 FUNCTIONS = ("adapter",)
 VALUES = ("constant", "register", "variable")
@@ -157,6 +160,25 @@ class AdapterChoice:
                 needs = (self.pieces.key(name, piece.header) for name in piece.needs)
                 made.needs.extend([self._made[need] for need in needs if need is not None])
         return self._made[key]
+
+
+def adapter_choice(target: str, api: ApiIndex, board: platform.Board, how: str, *, widened: bool) -> AdapterChoice:
+    """The adapters of a plan.
+
+    Args:
+        target: name of the target platform.
+        api: the source platform.
+        board: the target board.
+        how: one of `ADAPTERS`.
+        widened: whether the program's numbers are written with the widths of the source.
+
+    Raises:
+        UsageError: adapters are neither filled nor placeholders.
+    """
+    if how not in ADAPTERS:
+        raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
+    mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
+    return AdapterChoice(adapter_index(target, api.name), api, mcu, filled=how == ADAPTERS[0], widened=widened)
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
