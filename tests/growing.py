@@ -327,7 +327,7 @@ def _metamodel(folder: Path, n: int) -> Words:
 OTHERS: dict[str, tuple[Callable[[Path, int], Words], int]] = {
     "headers: migrate": (_headers, 400),
     "headers of headers: analyse": (_headers_of_headers, 400),
-    "source files: analyse": (_sources, 150),
+    "source files: analyse": (_sources, 399),
     "elements: query": (_xml, 40_000),
     "rows: query": (_table, 40_000),
     "components: recommend": (_components, 300),

@@ -65,6 +65,10 @@ def calls(context: UnitContext) -> Coverage:
     return Coverage(in_text, in_model, lost)
 
 
+_WITHIN = "function definition is not allowed here"
+"""What the parser says of a function within a function."""
+
+
 def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
     """The parser's complaints that are not about missing declarations; those about the form of the text are findings RS101."""
     found: list[ccode.SyntaxProblem] = []
@@ -79,6 +83,9 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
         if _is_error_directive(context, start):
             message = f"#error: {diagnostic.message.strip(chr(34))}"
             context.find("RS101", Severity.error, message, start, None, "define what the text asks for with -D")
+        elif diagnostic.message == _WITHIN:
+            message = "a function is defined within another one, which GNU C takes and C++ does not: it is kept as text"
+            context.find("RS101", Severity.error, message, start, None, "move it in front of the function that it is in")
         elif diagnostic.syntax:
             context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
     return found

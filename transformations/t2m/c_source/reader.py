@@ -28,6 +28,10 @@ from robosmi.transformations.t2m.c_source.sources import Compiled, source_files
 PathLike = str | os.PathLike[str]
 
 
+MOST_FILES = 400
+"""Source files of one program: the parser takes 0.9 MB for each, however small, and what is linked is held until the end."""
+
+
 def read_program(
     paths: PathLike | Iterable[PathLike],
     *,
@@ -48,7 +52,7 @@ def read_program(
         The code model with its externals, and the findings (rules RS101 to RS107) in the order of the units.
 
     Raises:
-        SourceError: a file cannot be read or is no C.
+        SourceError: a file cannot be read or is no C, or there are more than `MOST_FILES`.
         UsageError: no file is given.
         PlatformDataError: the repository has no such platform.
         MissingToolError: libclang is not installed.
@@ -60,6 +64,11 @@ def read_program(
     folders = [os.fspath(d) for d in include_dirs]
     contexts: list[UnitContext] = []
     files = source_files(given, folders, defines)
+    if len(files) > MOST_FILES:
+        raise SourceError(
+            f"the program has {len(files)} source files; {MOST_FILES} are the most that are read as one",
+            location=Location(os.fspath(given[0])), fix="give the files of one program, or part after part",
+        )  # fmt: skip
     with collector_at_rest():
         try:
             units, left_out = _units(files, api, contexts)

@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.bounds import cuts
 from robosmi.transformations.t2m.c_source.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.reader import MOST_FILES
 from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
 
 ROOT = Path(__file__).resolve().parents[4]
@@ -170,6 +171,16 @@ def test_headers_that_are_included_often_are_no_trap(tmp_path: Path) -> None:
     assert sorted(Path(header.path).name for header in found.headers) == ["guarded.h", "once.h", "pin.def"]
     assert all(header.text is None for header in found.headers)
     assert not found.itself
+
+
+def test_more_files_than_memory_is_for_are_refused(tmp_path: Path) -> None:
+    for number in range(MOST_FILES + 1):
+        (tmp_path / f"s{number}.c").write_text(f"int g{number};\n")
+    with pytest.raises(SourceError, match=f"has {MOST_FILES + 1} source files; {MOST_FILES} are the most") as raised:
+        read_program(tmp_path)
+    assert raised.value.fix
+    with pytest.raises(SourceError, match="are the most"):
+        read_program(sorted(tmp_path.iterdir()))
 
 
 @pytest.mark.parametrize(

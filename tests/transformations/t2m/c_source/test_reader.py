@@ -164,6 +164,15 @@ def test_names_and_texts_are_as_they_are_written_in_any_language() -> None:
     assert unit.callsInText == unit.callsInModel
 
 
+def test_a_function_within_a_function_is_told_as_what_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "nested.c"
+    path.write_text("int main(void) { int twice(int x) { return 2 * x; } return twice(1); }\n")
+    _, findings = read_program(path)
+    (finding,) = [f for f in findings if f.rule == "RS101"]
+    assert "GNU C takes and C++ does not" in finding.message
+    assert finding.fix == "move it in front of the function that it is in"
+
+
 def test_a_macro_of_a_file_in_latin1_is_read_in_latin1() -> None:
     program, _ = read_program(HERE / "latin1_macro.c")
     unit = program.units[0]
