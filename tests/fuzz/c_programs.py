@@ -95,6 +95,19 @@ _TOP = (
     "int {0}_prototype(int (*)(void), char [static 2], int [*], ...);",
     "static int {0}_forward();",
     "int (*{0}_chooser(int a))(int) {{ return 0; }}",
+    "#if 1\nint {0}_head(int x)\n#else\nint {0}_head(char *x)\n#endif\n{{ return 0; }}",
+    "int {0}_cut(\n#ifdef NEVER\nchar a,\n#endif\nint b) {{\n#if defined(A) || !defined(B)\nif (b) {{\n#else\n{{\n#endif\nhigh(b); }}"
+    "\nreturn 0; }}",
+    "struct {0} {{\n#ifdef A\nint a;\n#elif defined(B)\n#else\nchar b;\n#endif\n}};",
+    "enum {{ {0}_1,\n#if 0\n{0}_2,\n#endif\n{0}_3 }};",
+    "#define {0}_LIST(X) X({0}_a) X({0}_b)\n#define {0}_ITEM(n) static int n;\n{0}_LIST({0}_ITEM)\n#undef {0}_ITEM",
+    "#define high(p) high((p) + 0)",
+    "#define int int",
+    "#define while(c) for (; (c); )",
+    "#define inline __inline\n#define register",
+    "#define {0}_open {{\n#define {0}_close }}\nint {0}_braces(void) {0}_open return 0; {0}_close",
+    '#pragma push_macro("{0}")\n#define {0} 1\n#pragma pop_macro("{0}")',
+    "#if 0\n#if 1\n#else\n#endif\n#elif 0\n#elif 1\nint {0}_elif;\n#else\n#error no\n#endif",
 )
 _GLOBALS = (
     "int {0};",
@@ -268,7 +281,11 @@ class _Grammar:
             lambda: f"extern int e{local}(void); int (*p{local})(void) = e{local}; (*p{local})(); p{local}();",
             lambda: f"if (0) {{ return{self.pick(' 1', '')}; }}",
             lambda: f'_Static_assert(1, ""); __extension__ long long {local} = 1; (void){local};',
-        )[self.chance.randrange(20)]()
+            lambda: f"if (\n#if 1\n({value})\n#else\n0 +\n#endif\n) {body}",
+            lambda: f"#ifdef NEVER\nif ({value}) {{\n#else\nif (!({value})) {{\n#endif\n;\n}}",
+            lambda: f"high(\n#if {self.pick('0', '1')}\n1\n#else\n2\n#endif\n);",
+            lambda: f"switch ({value}) {{\n#if 0\ncase 1:\n#else\ncase 2:\n#endif\ndefault: {body} }}",
+        )[self.chance.randrange(24)]()
 
     # --- the file
 
