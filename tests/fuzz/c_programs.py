@@ -96,8 +96,8 @@ _TOP = (
     "static int {0}_forward();",
     "int (*{0}_chooser(int a))(int) {{ return 0; }}",
     "#if 1\nint {0}_head(int x)\n#else\nint {0}_head(char *x)\n#endif\n{{ return 0; }}",
-    "int {0}_cut(\n#ifdef NEVER\nchar a,\n#endif\nint b) {{\n#if defined(A) || !defined(B)\nif (b) {{\n#else\n{{\n#endif\nhigh(b); }}"
-    "\nreturn 0; }}",
+    "int {0}_cut(\n#ifdef NEVER\nchar a,\n#endif\nint b) {{\n"
+    "#if defined(A) || !defined(B)\nif (b) {{\n#else\n{{\n#endif\nhigh(b); }}\nreturn 0; }}",
     "struct {0} {{\n#ifdef A\nint a;\n#elif defined(B)\n#else\nchar b;\n#endif\n}};",
     "enum {{ {0}_1,\n#if 0\n{0}_2,\n#endif\n{0}_3 }};",
     "#define {0}_LIST(X) X({0}_a) X({0}_b)\n#define {0}_ITEM(n) static int n;\n{0}_LIST({0}_ITEM)\n#undef {0}_ITEM",
