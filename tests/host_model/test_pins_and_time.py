@@ -231,3 +231,23 @@ def test_counters_of_the_cog_are_simulated() -> None:
     assert [width for _, width in trace.pulses("P6")] == [pytest.approx(1000)]
     use = DeviceUse("levels", {"pin": "P3"}, {"points": [[0, 0], [10, 1], [13, 0]]})
     assert said('CTRB = 8 << 26 | 3; FRQB = 1; PHSB = 0; pause(20); print("%d", PHSB / 80);', 100, [use]) == ["3000"]
+
+
+def test_threads_are_cogs() -> None:  # propgcc, lib/pthread
+    before = """#include <pthread.h>
+pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+pthread_cond_t ready;
+int shared;
+void *add(void *p) { for (int i = 0; i < 50; i++) { pthread_mutex_lock(&lock); int n = shared; pause(1); shared = n + 1;
+  pthread_mutex_unlock(&lock); } return (void *)((int)p * 2); }
+void *wait_for_it(void *p) { pthread_mutex_lock(&lock); pthread_cond_wait(&ready, &lock); shared = -1;
+  pthread_mutex_unlock(&lock); pthread_exit((void *)7); return 0; }
+"""
+    words = said(
+        "pthread_t a, b; void *x, *y; pthread_create(&a, 0, add, (void *)4); pthread_create(&b, 0, add, (void *)5); "
+        "pthread_join(a, &x); "
+        'pthread_join(b, &y); print("%d %d %d ", (int)x, (int)y, shared); pthread_create(&a, 0, wait_for_it, 0); pause(5); '
+        'print("%d ", shared); pthread_cond_signal(&ready); pthread_join(a, &x); print("%d %d", shared, (int)x);',
+        before=before,
+    )
+    assert words == ["8", "10", "100", "100", "-1", "7"]
