@@ -19,6 +19,8 @@ from robosmi.project import read_data
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 _EMPTY_WORDS = {"port", "pin", "basic", "on", "of", "the", "to", "in", "out", "pulse", "signal", "sig", "read", "write", "board"}
+_SENDS, _RECEIVES = {"tx", "txd", "txo", "dout", "sout"}, {"rx", "rxd", "rxi", "din", "sin"}
+"""Connectors by which a component sends to the board, and those by which it receives from it."""
 NAME_CONFIDENCE = 0.9
 """Confidence of a binding by a name or by a role that fits one free component only."""
 BOTH_CONFIDENCE = 0.95
@@ -33,11 +35,13 @@ class Seat(NamedTuple):
     Attributes:
         binding: its decision, open.
         words: what the program and its platform call it.
+        parameters: what the functions call the parameter that is given it.
         role: the kind of component that the functions expect, empty for any.
     """
 
     binding: migration.PortBinding
     words: Sequence[str]
+    parameters: Sequence[str]
     role: str
 
 
@@ -109,6 +113,9 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
     if signal != "bus" and connection.signal.name not in (signal, "bus"):
         return None
     mine, theirs = _said(seat.words), _said(component_texts(connection))
+    connectors = _said(c.name for c in connection.connectors)
+    if (signal == "read" and connectors & _RECEIVES) or (signal == "write" and connectors & _SENDS):
+        return None
     words, groups = known_roles()
     for group in groups:
         if mine & group and theirs & group and not mine & theirs & group:
@@ -126,6 +133,9 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
     elif by_name:
         reasons.append(f"its name means: {', '.join(sorted(by_name))}")
     points = 2.0 * by_role + len(shared) + (len(by_name) if not shared else 0)
+    if points and (same := (mine | _said(seat.parameters)) & connectors - _SENDS - _RECEIVES):
+        reasons.append(f"its connector is called '{', '.join(sorted(same))}', too")
+        points += 0.5 * len(same)
     if points and (side := mine & theirs & qualifiers):
         reasons.append(f"both are called '{', '.join(sorted(side))}'")
         points += 0.5 * len(side)
@@ -142,11 +152,11 @@ def name_words(name: str) -> set[str]:
 
 
 def component_texts(connection: migration.Connection) -> list[str]:
-    """What a component and its connectors are called: by its title, its part's title, its family."""
+    """What a component is called: by its title, its part's title, its family."""
     component = connection.component
     if component is None:
         return []
-    return [component.title, component.partTitle, component.family, *(c.name for c in connection.connectors)]
+    return [component.title, component.partTitle, component.family]
 
 
 def known_roles() -> tuple[dict[str, frozenset[str]], tuple[frozenset[str], ...]]:

@@ -56,7 +56,11 @@ def bind_ports(
     taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
     free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
     roles: dict[str, str] = api.settings.get("ports", {}).get("roles", {})
-    seats = [Seat(b, _words(p), _role(p, roles, api)) for p, b in zip(ports, bindings, strict=True) if b.open]
+    seats = [
+        Seat(b, _words(p, api), _parameters(p, found), _role(p, roles, api))
+        for p, b in zip(ports, bindings, strict=True)
+        if b.open
+    ]
     for seat in seats:
         seat.binding.role = seat.role
     assign(seats, free, limit)
@@ -151,7 +155,7 @@ def _on_board(
 ) -> None:
     """Bind a port that is wired on the source board to what takes its place on the target, where the target has it."""
     known = api.settings.get("ports", {}).get("board", {}).get(f"P{port.pin}") if port.pin is not None else None
-    if known is None:
+    if known is None or (port.origin != "convention" and any(use.function not in known["functions"] for use in port.uses)):
         return
     binding.what = binding.what or str(known["what"])
     if known["pin"] == NOT_WIRED:
@@ -173,10 +177,22 @@ def signal_of(port: Port) -> str:
     return _SIGNALS[next(iter(directions))] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
 
 
-def _words(port: Port) -> list[str]:
-    """What the program and its platform call the port."""
-    own = [port.name, *port.names] if port.origin != "convention" else []
-    return [*own, port.what]
+def _words(port: Port, api: ApiIndex) -> list[str]:
+    """What the program and its platform call the port, and the libraries whose functions are given it."""
+    if port.origin == "convention":
+        return [port.what]
+    headers = {entry.header.rpartition(".")[0] for use in port.uses for entry in api.entries(use.function)}
+    return [port.name, *port.names, port.what, *sorted(headers)]
+
+
+def _parameters(port: Port, found: ProgramPorts) -> list[str]:
+    """What the functions call the parameters that are given a port."""
+    return [
+        argument.parameter.name
+        for each in found.flows
+        for argument, known in zip(each.flow.arguments, each.values, strict=True)
+        if port.pin is not None and port.pin in {value.number for value in known}
+    ]
 
 
 def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
