@@ -616,6 +616,8 @@ class AdapterUse(Element, metaclass=MetaEClass):
     """The adapter that fills it, if any."""
     reason: str = EAttribute(eType=EString, default_value="")
     """Why nothing fills it: what is missing, for the person who does it; empty where an adapter does."""
+    written: bool = EAttribute(eType=EBoolean)
+    """True when a person has written its body in the program that was made before, so that it counts as filled."""
     calls: MutableSequence[Call] = EReference(upper=-1)
     """The calls."""
 
@@ -636,6 +638,7 @@ class AdapterUse(Element, metaclass=MetaEClass):
             function: ApiFunction | None = None,
             adapter: Adapter | None = None,
             reason: str | None = None,
+            written: bool | None = None,
             calls: Iterable[Call] | None = None,
         ) -> None: ...
 
@@ -783,6 +786,8 @@ class PlanTask(Element, metaclass=MetaEClass):
     """Column in it, 0 for none."""
     effort: str = EAttribute(eType=EString, default_value="")
     """Rough effort: small, medium or large."""
+    done: bool = EAttribute(eType=EBoolean)
+    """True when a person has ticked it in the report that was made before."""
     fix: str = EAttribute(eType=EString, default_value="")
     """How, if known."""
     elements: MutableSequence[Element] = EReference(upper=-1)
@@ -800,6 +805,7 @@ class PlanTask(Element, metaclass=MetaEClass):
             line: int | None = None,
             column: int | None = None,
             effort: str | None = None,
+            done: bool | None = None,
             fix: str | None = None,
             elements: Iterable[Element] | None = None,
         ) -> None: ...
@@ -820,6 +826,7 @@ class PlanFinding(PlanTask):
             line: int | None = None,
             column: int | None = None,
             effort: str | None = None,
+            done: bool | None = None,
             fix: str | None = None,
             elements: Iterable[Element] | None = None,
         ) -> None: ...

@@ -43,6 +43,7 @@ COMMANDS = {
     "compile": "compile a generated sketch",
     "simulate": "run a generated program on a simulator, and see its console and pins",
     "verify": "compare what the original and the migrated program do",
+    "adapters": "what does on the target what the source platform's functions do, and bodies of your own",
     "history": "earlier choices of libraries",
     "libraries": "add installed libraries to the index",
     "run": "run a chain of load, validate, transform and generate; only what has changed",

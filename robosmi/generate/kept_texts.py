@@ -5,8 +5,9 @@ The caller writes them, with whatever else it makes, in one commit. The record o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
@@ -44,7 +45,14 @@ class KeptTexts:
     findings: list[Finding] = field(default_factory=list)
 
 
-def keep_texts(places: Places, place: str, made: Mapping[str, str], known: Mapping[str, str]) -> KeptTexts:
+Seen = Callable[[str, str, str, str, Path], tuple[str, str]]
+"""Relative path, the text that was made last, the one that is there, the newly made one and the path -> the first two as the
+merge is to see them: what is a person's by right counts as no change."""
+
+
+def keep_texts(
+    places: Places, place: str, made: Mapping[str, str], known: Mapping[str, str], seen: Seen | None = None
+) -> KeptTexts:
     """Merge newly made texts with the files that are there.
 
     Args:
@@ -52,6 +60,7 @@ def keep_texts(places: Places, place: str, made: Mapping[str, str], known: Mappi
         place: the folder of the last texts, relative to it.
         made: relative path -> text.
         known: relative path -> digest, of the files as the last run wrote them.
+        seen: how the merge is to see the texts; as they are if None.
 
     Raises:
         StoppedError: an edit would be lost; all such files are named.
@@ -63,7 +72,7 @@ def keep_texts(places: Places, place: str, made: Mapping[str, str], known: Mappi
     for name, text in made.items():
         kept.files[name] = text.encode()
         kept.records[record.path(name)] = text.encode()
-        _merge(places, record, name, text, known, kept, refused)
+        _merge(places, record, name, text, known, kept, refused, seen)
     if refused:
         told = "; ".join(f"{f.location}: {f.message}" if len(refused) > 1 else f.message for f in refused)
         raise StoppedError(f"{told}; nothing was written", location=refused[0].location, fix=refused[0].fix)
@@ -81,6 +90,7 @@ def _merge(
     known: Mapping[str, str],
     kept: KeptTexts,
     refused: list[Finding],
+    seen: Seen | None,
 ) -> None:
     path, copy = str(places.folder / name), record.path(name)
     there = places.look(name)
@@ -107,7 +117,10 @@ def _merge(
         message = "the file is no text in UTF-8, so your edits cannot be merged with what is made anew"
         refused.append(Finding("RS905", Severity.error, message, Location(path), fix="save it as UTF-8, then run again"))
         return
-    result = keep(path, base, form.text if there is not None else None, text, styles_in(text))
+    existing = form.text if there is not None else None
+    if seen is not None and base is not None and existing is not None:
+        base, existing = seen(name, base, existing, text, places.folder / name)
+    result = keep(path, base, existing, text, styles_in(text))
     if result.refused is not None:
         refused.append(result.refused)
         return

@@ -30,6 +30,7 @@ from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import earlier_choices, history_findings
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
+from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters
 from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
@@ -178,16 +179,20 @@ def judgement(
     ports: ProgramPorts,
     adapters: str | None,
     widths: str | None,
+    settings: Project,
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program (paper 3.1), which adapters fill its calls, and from what that was made.
 
     Raises:
         UsageError: adapters are neither filled nor placeholders.
+        PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
     """
     how = adapters or defaults()["migrate"]["adapters"]
-    choice = adapter_choice(target.platform, api, board, how, widened=widths != KEEP)
+    choice = adapter_choice(adapter_files_of(settings, target, api), api, board, how, widened=widths != KEEP)
     look_up = str(api.settings.get("ports", {}).get("look_up", "")) if looked_up(ports) else ""
-    return judge_program(program.views, target, choice, program.copies, look_up)
+    judged = judge_program(program.views, target, choice, program.copies, look_up)
+    check_own_adapters(choice, target, board)
+    return judged
 
 
 def widenings(

@@ -19,6 +19,7 @@ from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places, free_name
+from robosmi.generate.record import Record
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, trace
 from robosmi.model.commit import update
@@ -27,6 +28,7 @@ from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
+from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
 from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said, target_of
 
@@ -101,7 +103,8 @@ class Generated:
             f"  {sites['total']} calls of {len(plan.adapterUses)} platform functions: "
             f"{sites['with_body']} with a body, {sites['todo']} to do"
         )
-        lines.append(f"  {len(plan.tasks)} tasks: see {self.sketch / 'MIGRATION.md'}")
+        done = sum(task.done for task in plan.tasks)
+        lines.append(f"  {len(plan.tasks) - done} tasks{f', {done} done' if done else ''}: see {self.sketch / 'MIGRATION.md'}")
         return lines
 
 
@@ -148,7 +151,13 @@ def produce(
     with nullcontext() if dry_run else at_work(output):
         manifest, places = Manifest.load(output), Places(output)
         made: Generation = generator(plan, models.files)
-        kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files)
+        hand = by_hand(
+            plan, places, {file.name: file.after or "" for file in made.files}, Record(places.folder, LAST, manifest.files)
+        )
+        if hand.names or hand.done:
+            made = generator(plan, models.files)
+        kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files, hand.base)
+        kept.findings += hand.findings
         _trace_texts(plan, made, kept.files)
         contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
         exempt = inputs or {}

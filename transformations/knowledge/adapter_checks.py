@@ -122,6 +122,16 @@ def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wron
             raise wrong("for", signature, message, "let the text take as many as the signature has")
 
 
+def parameters_of(text: str, name: str) -> list[str]:
+    """The names of the parameters of a function that a text defines; an empty text for one without a name.
+
+    Args:
+        text: the text.
+        name: of the function; where it is not defined there are none.
+    """
+    return next(_defined(tokens(text.encode()), name), [])
+
+
 def _split(parameters: str) -> list[str]:
     """Parameters as texts; none for `void` and for nothing."""
     depth, parts = 0, [""]

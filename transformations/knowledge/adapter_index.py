@@ -7,15 +7,21 @@ piece. Which pieces a program needs is told in `queries.adapter_needs`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from functools import cache
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePosixPath
+from types import MappingProxyType
 
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapter_files import AdapterFile, AdapterPiece
+
+BUILT_IN = "built-in"
+OWN = "adapters"
+"""Name of the folder with adapter files beside a project file, and in a user's data."""
+ENDING_OF = {"C": ".c", "C++": ".cpp"}
+"""Language of a target's programs -> the ending of adapter files in it."""
 
 
 class AdapterIndex:
@@ -24,17 +30,24 @@ class AdapterIndex:
     Args:
         folders: those that count first in front.
         mcus: the microcontrollers that there are, which variants can be for; any if none are given.
+        ending: of the files, which says in which language they are; any if it is empty.
+        own: folders among them that persons keep for themselves -> whose they are, `project` or `user`.
     """
 
-    def __init__(self, folders: Sequence[Path], mcus: Iterable[str] = ()) -> None:
+    def __init__(
+        self, folders: Sequence[Path], mcus: Iterable[str] = (), ending: str = "", own: Mapping[Path, str] = MappingProxyType({})
+    ) -> None:
         self.folders = list(folders)
         self.mcus = sorted(mcus)
+        self.own = dict(own)
+        self._ending = ending
+        self._listings: dict[Path, list[tuple[str, Path]]] = {}
         self._files: dict[str, list[AdapterFile]] = {}
 
     @property
     def headers(self) -> list[str]:
         """The headers that files are for, in the order of their names."""
-        return sorted({header for folder in self.folders for header, _ in _listed(folder)})
+        return sorted({header for folder in self.folders for header, _ in self._listed(folder)})
 
     def files(self, header: str) -> list[AdapterFile]:
         """The files for a header, the one that counts first in front.
@@ -46,8 +59,20 @@ class AdapterIndex:
         if known is None:
             known = self._files[header] = []
             for folder in self.folders:
-                known += [self._checked(path, header) for named, path in _listed(folder) if named == header]
+                known += [self._checked(path, header) for named, path in self._listed(folder) if named == header]
         return known
+
+    def kept_by(self, piece: AdapterPiece) -> str:
+        """Whose a piece is: `project`, `user` or `built-in`."""
+        path = Path(piece.location.path)
+        return next((whose for folder, whose in self.own.items() if path.is_relative_to(folder)), BUILT_IN)
+
+    def _listed(self, folder: Path) -> list[tuple[str, Path]]:
+        """The adapter files of a folder, with the headers that they are named like."""
+        if folder not in self._listings:
+            paths = [path for path in adapter_paths(folder) if not self._ending or path.suffix == self._ending]
+            self._listings[folder] = [(path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in paths]
+        return self._listings[folder]
 
     def _checked(self, path: Path, header: str) -> AdapterFile:
         file = load(path)
@@ -73,21 +98,33 @@ class AdapterIndex:
         return "" if any(file.pieces for file in files) else next((f.unsupported for f in files if f.unsupported), "")
 
 
-def adapter_index(target: str, source: str, project: Path | None = None) -> AdapterIndex:
-    """The adapter files of the platform repository.
+def adapter_index(
+    target: str, source: str, project: Path | None = None, *, beside: Path | None = None, language: str = ""
+) -> AdapterIndex:
+    """The adapter files that there are: those that persons keep for themselves, then those of the platform repository.
 
     Args:
         target: name of the target platform.
         source: name of the source platform.
         project: the project folder; the current folder if None.
+        beside: the folder of the project file, whose folder `adapters` counts first; None without a project file.
+        language: of the target's programs; files in another one are left out.
     """
     relative = PurePosixPath(target, "adapters", source)
     folders = list(resources.folders("platform_repo", project))
     mcus = {path.stem for folder in folders for path in (folder / "mcus").glob("*.toml")}
-    return AdapterIndex([place for folder in folders if (place := folder / relative).is_dir()], mcus)
+    own = {folder: whose for folder, whose in own_folders(beside).items() if folder.is_dir()}
+    places = [place for folder in folders if (place := folder / relative).is_dir()]
+    shipped = resources.built_in("platform_repo")
+    repositories = {place: "user" for place in places if not place.is_relative_to(shipped)}
+    return AdapterIndex([*own, *places], mcus, ENDING_OF.get(language, ""), own | repositories)
 
 
-@cache
-def _listed(folder: Path) -> tuple[tuple[str, Path], ...]:
-    """The adapter files of a folder with the headers that they are named like."""
-    return tuple((path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in adapter_paths(folder))
+def own_folders(beside: Path | None) -> dict[Path, str]:
+    """Where persons keep adapter files for themselves, whether or not it is there: for one project, and for all of a user's.
+
+    Args:
+        beside: the folder of the project file; None without one.
+    """
+    of_project = {beside / OWN: "project"} if beside is not None else {}
+    return {**of_project, resources.user_data() / OWN: "user"}

@@ -103,6 +103,12 @@ class ApiIndex:
         """What a header itself declares, by name."""
         return {name: entry for name, entries in self._entries.items() for entry in entries if entry.header == header}
 
+    def functions_of(self, header: str) -> list[str]:
+        """The names of the functions that a header declares."""
+        return sorted(
+            name for name, entries in self._entries.items() if any(e.header == header and e.kind == "function" for e in entries)
+        )
+
     def resolve(self, name: str, includes: Iterable[str]) -> ApiEntry | None:
         """The one declaration that a program with these includes means.
 

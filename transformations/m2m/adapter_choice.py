@@ -8,13 +8,13 @@ program in the generators.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
-from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
+from robosmi.transformations.knowledge.adapter_index import AdapterIndex
 from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import split_parameters
@@ -51,12 +51,16 @@ class AdapterChoice:
         mcu: the microcontroller.
         filled: whether functions get bodies; constants have their values in any case.
         widened: whether the program's numbers are written with the widths of the source, which are those of adapters.
+
+    Attributes:
+        chosen_pieces: the pieces that elements were made of.
     """
 
     def __init__(self, index: AdapterIndex, api: ApiIndex, mcu: str, *, filled: bool = True, widened: bool = False) -> None:
         self.index, self.api, self.mcu, self.filled, self.widened = index, api, mcu, filled, widened
         self.pieces = AdapterPieces(index)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
+        self.chosen_pieces: list[AdapterPiece] = []
         self._unserved: dict[str, UnservedHeader] = {}
         self._interrupts: dict[str, tuple[AdapterPiece, str]] = {}
 
@@ -157,16 +161,17 @@ class AdapterChoice:
             own = piece.header, piece.name
             if own not in self._made:
                 made = self._made[own] = adapter_element(piece)
+                self.chosen_pieces.append(piece)
                 needs = (self.pieces.key(name, piece.header) for name in piece.needs)
                 made.needs.extend([self._made[need] for need in needs if need is not None])
         return self._made[key]
 
 
-def adapter_choice(target: str, api: ApiIndex, board: platform.Board, how: str, *, widened: bool) -> AdapterChoice:
+def adapter_choice(index: AdapterIndex, api: ApiIndex, board: platform.Board, how: str, *, widened: bool) -> AdapterChoice:
     """The adapters of a plan.
 
     Args:
-        target: name of the target platform.
+        index: the adapter files.
         api: the source platform.
         board: the target board.
         how: one of `ADAPTERS`.
@@ -178,7 +183,7 @@ def adapter_choice(target: str, api: ApiIndex, board: platform.Board, how: str, 
     if how not in ADAPTERS:
         raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
     mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
-    return AdapterChoice(adapter_index(target, api.name), api, mcu, filled=how == ADAPTERS[0], widened=widened)
+    return AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widened)
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
@@ -213,13 +218,21 @@ def _plain(types: Iterable[str]) -> list[str]:
     return [" ".join(_WORDS.sub(" ", each).replace("*", " * ").split()) for each in types]
 
 
-def settle_use(use: migration.AdapterUse) -> None:
-    """Bring the state of a use up to its adapter, which a person may have taken out of a stored plan, or put in."""
+def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> None:
+    """Bring the state of a use up to its adapter, which a person may have taken out of a stored plan, or put in, or written.
+
+    Args:
+        use: of a function.
+        unserved: the reasons why headers cannot be served.
+    """
     if use.adapter is not None:
         use.status = Status.care if any(piece.limits for piece in closure([use.adapter])) else Status.filled
         use.reason = ""
+    elif use.written:
+        use.status = Status.filled
     elif use.status in (Status.filled, Status.care):
-        use.status, use.reason = Status.todo, "its adapter was taken out of the plan"
+        use.status = Status.unsupported if use.reason in unserved else Status.todo
+        use.reason = use.reason or "its adapter was taken out of the plan"
 
 
 def settle_libraries(plan: migration.MigrationPlan) -> None:

@@ -78,10 +78,16 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
     for library in plan.libraryChoices:
         if library.choice != NO_LIBRARY or library.chosen is not None:
             _settle(library, library.chosen.name if library.chosen is not None else "")
-    for use in plan.adapterUses:
-        settle_use(use)
     settle_libraries(plan)
     settle_bindings(plan, [SourceText(u, sources[u.path], ()) for u in plan.program.units] if plan.program else [])
+    settle_tasks(plan)
+
+
+def settle_tasks(plan: migration.MigrationPlan) -> None:
+    """Bring the tasks of a plan in line with its decisions, and its uses with the adapters and bodies that they have."""
+    unserved = [header.reason for header in plan.target.unsupportedHeaders] if plan.target is not None else []
+    for use in plan.adapterUses:
+        settle_use(use, unserved)
     kept = [t for t in plan.tasks if t.rule not in DERIVED]
     plan.tasks.clear()
     plan.tasks.extend([*plan_tasks(plan), *kept])

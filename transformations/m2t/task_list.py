@@ -53,6 +53,7 @@ def report(plan: migration.MigrationPlan) -> dict[str, Any]:
 def _said(task: migration.PlanTask) -> dict[str, Any]:
     place = f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
     return {
+        "tick": "x" if task.done else " ",
         "message": task.message,
         "rule": task.rule,
         "place": place,
@@ -151,5 +152,6 @@ def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
     return {
         "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls),
         "state": adapter.status.name, "kind": RELATIONS[piece.adapterKind.name] if piece is not None else "",
-        "fidelity": piece.fidelity if piece is not None else adapter.reason, "limits": "; ".join(limits(adapter)),
+        "fidelity": piece.fidelity if piece is not None else "written by you" if adapter.written else adapter.reason,
+        "limits": "; ".join(limits(adapter)),
     }  # fmt: skip

@@ -219,6 +219,7 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
         location = _place(entry, places)
         kind = Finding if isinstance(entry, migration.PlanFinding) else Task
         evidence: dict[str, Any] = {"effort": entry.effort} if entry.effort else {}
+        evidence |= {"done": True} if entry.done else {}
         if isinstance(entry, migration.PlanFinding):
             evidence |= next(({"component": e.title, "model_index": e.elementId} for e in _components(entry)), {})
             if len(located := _located(entry)) > 1:

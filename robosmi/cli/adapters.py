@@ -1,0 +1,42 @@
+"""`robosmi adapters list`, `show NAME` and `save OUT`: what fills calls of the source platform, and bodies of a person's own."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
+    listing = actions.add_parser("list", help="which functions have an adapter, and whose it is")
+    showing = actions.add_parser("show", help="an adapter with its text")
+    showing.add_argument("name", metavar="NAME", help="a function of the source platform, or HEADER/NAME")
+    saving = actions.add_parser("save", help="keep bodies that were written in a generated program as adapter files")
+    saving.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate")
+    saving.add_argument(
+        "--as", dest="whose", choices=("user", "project"), default="user",
+        help="for all programs of yours (default), or beside robosmi.toml for those of the project",
+    )  # fmt: skip
+    for action in (listing, showing):
+        action.add_argument("--target", metavar="NAME", help="the target (default: as in migrate)")
+        action.add_argument("--source-platform", metavar="NAME", help="the source platform (default: as in migrate)")
+    for action in (listing, showing, saving):
+        action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("adapters")
+    if arguments.action == "list":
+        done = content("chain", "adapters_list")(arguments.target, arguments.source_platform)
+    elif arguments.action == "show":
+        done = content("chain", "adapters_show")(arguments.name, arguments.target, arguments.source_platform)
+    else:
+        done = content("chain", "adapters_save")(arguments.output, arguments.whose)
+        report.artifacts = [{"path": path, "kind": "adapters"} for path in done.written]
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    return report

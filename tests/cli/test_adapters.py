@@ -1,0 +1,243 @@
+"""`robosmi adapters`, adapter files of a project and of a user, and what persons write into a generated program."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.running import Outcome, run
+from tests.tools import require_tools
+
+SOURCE = Path(__file__).parent / "adapters" / "tilt.c"
+OWN = """//# header mx2125.h
+//# adapter mx_accel
+//#   for: int mx_accel(int axisPin)
+//#   kind: oneToMany
+//#   needs: simpletools.h/pulse_in
+//#   pin: axisPin digital in
+//#   limit: only level
+inline int32_t mx_accel(int32_t axisPin) {
+  return pulse_in(axisPin, 1) - 5000;
+}
+"""
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project with the program, and a user without data."""
+    monkeypatch.setenv("ROBOSMI_HOME", str(tmp_path / "home"))
+    folder = tmp_path / "project"
+    folder.mkdir()
+    shutil.copy(SOURCE, folder)
+    (folder / "robosmi.toml").touch()
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def migrated(project: Path) -> Outcome:
+    return run("migrate", project / "tilt.c", "-o", project / "out", "--json")
+
+
+def sites(outcome: Outcome) -> tuple[int, int]:
+    found = outcome.document["result"]["plan"]["call_sites"]
+    return found["with_body"], found["todo"]
+
+
+def write_body(project: Path, name: str = "mx_accel", body: str = "return pulseIn(axisPin, HIGH) - 5000;") -> None:
+    path = project / "out" / "tilt" / "adapters.h"
+    text, count = re.subn(
+        rf"({name}\(int32_t axisPin\)) \{{.*?^\}}", rf"\1 {{\n  {body}\n}}", path.read_text(), flags=re.S | re.M
+    )
+    assert count == 1
+    path.write_text(text)
+
+
+@pytest.mark.parametrize("place", ["project/adapters", "home/adapters"])
+def test_own_adapter_files_go_before_the_built_in_ones(place: str, project: Path) -> None:
+    assert sites(migrated(project)) == (1, 2)
+    folder = project.parent / place
+    folder.mkdir(parents=True)
+    (folder / "mx2125.cpp").write_text(OWN)
+    outcome = migrated(project)
+    assert sites(outcome) == (2, 1)
+    assert "return pulse_in(axisPin, 1) - 5000;" in (project / "out" / "tilt" / "adapters.h").read_text()
+    rows = run("adapters", "list", "--json").document["result"]["adapters"]
+    mine = [row for row in rows if row["function"] == "mx_accel"]
+    assert mine == [
+        {
+            "function": "mx_accel", "header": "mx2125.h", "kind": "1:n", "source": place.split("/")[0].replace("home", "user"),
+            "status": "care", "limits": ["only level"],
+        }
+    ]  # fmt: skip
+
+
+def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None:
+    (project / "adapters").mkdir()
+    (project / "adapters" / "mx2125.c").write_text(OWN.replace("inline", "static inline"))
+    assert sites(migrated(project)) == (1, 2)
+    outcome = run("migrate", project / "tilt.c", "-o", project / "out-c", "--target", "avr-c", "--json")
+    assert sites(outcome) == (2, 1)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said", "fix"),
+    [
+        ("pulse_in(axisPin", "pulse_inn(axisPin", 9, "'pulse_inn' was not declared", "correct it"),
+        (
+            "//#   needs: simpletools.h/pulse_in\n",
+            "",
+            8,
+            "'pulse_in' was not declared",
+            "add `//#   needs: simpletools.h/pulse_in`",
+        ),
+        (
+            "needs: simpletools.h/pulse_in",
+            "needs: simpletools.h/pulse_inn",
+            2,
+            "'simpletools.h/pulse_inn', which is not there",
+            "",
+        ),
+        ("- 5000;\n}", "- 5000;\n", 8, "'{' is never closed", "close each bracket"),
+        ("pin: axisPin", "pin: axis", 6, "no parameter 'axis' (did you mean 'axisPin'?)", "correct the name"),
+        (
+            "//#   limit: only level",
+            "//#   mcu: atmega382p",
+            2,
+            "'atmega382p', a microcontroller of which nothing is known",
+            "use: ",
+        ),
+    ],
+)
+def test_a_bad_adapter_file_is_an_error_and_the_old_sketch_stays(
+    old: str, new: str, line: int, said: str, fix: str, project: Path
+) -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    migrated(project)
+    before = {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()}
+    (project / "adapters").mkdir()
+    path = project / "adapters" / "mx2125.cpp"
+    path.write_text(OWN.replace(old, new))
+    outcome = run("migrate", project / "tilt.c", "-o", project / "out")
+    assert outcome.code == 3
+    assert f"{path}:{line}: " in outcome.err
+    assert said in outcome.err
+    assert fix in outcome.err
+    assert {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()} == before
+
+
+def test_a_body_that_a_person_wrote_counts_as_filled(project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    outcome = migrated(project)
+    assert sites(outcome) == (2, 1)
+    assert [task["message"] for task in outcome.document["tasks"] if "mx_accel" in task["message"]] == []
+    report = (project / "out" / "tilt" / "MIGRATION.md").read_text()
+    assert "2 of them reach an adapter with a body" in report
+    assert "written by you" in report
+    first = {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()}
+    assert sites(migrated(project)) == (2, 1)
+    assert {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()} == first
+    again = run("generate", project / "out" / "models" / "plan.xmi", "-o", project / "other", "--json")
+    assert sites(again) == (1, 2)  # where the body is not there, it is still to be written
+
+
+@pytest.mark.parametrize("body", ["// TODO: complete method\n  return 0;", "(void)axisPin;\n  return 0; // not supported"])
+def test_a_placeholder_that_does_nothing_still_is_to_be_written(body: str, project: Path) -> None:
+    migrated(project)
+    write_body(project, body=body)
+    assert sites(migrated(project)) == (1, 2)
+
+
+def test_a_ticked_task_is_done_and_becomes_no_conflict(project: Path) -> None:
+    migrated(project)
+    path = project / "out" / "tilt" / "MIGRATION.md"
+    text = path.read_text()
+    path.write_text(text.replace("- [ ] write the body of 'int32_t mx_accel", "- [x] write the body of 'int32_t mx_accel"))
+    source = project / "tilt.c"
+    source.write_text(source.read_text().replace("  while (1) {", "  mx_accel(4);\n  while (1) {"))
+    outcome = migrated(project)
+    done = [task["message"] for task in outcome.document["tasks"] if task["evidence"].get("done")]
+    assert [message[:44] for message in done] == ["write the body of 'int32_t mx_accel(int32_t "]
+    assert "- [x] write the body of 'int32_t mx_accel(int32_t axisPin)', called 2 times" in path.read_text()
+    source.write_text(SOURCE.read_text().replace("mx_accel(5)", "1"))
+    outcome = migrated(project)
+    assert "<<<<<<<" not in path.read_text()
+    assert "[x]" not in path.read_text()
+    assert [finding["rule"] for finding in outcome.document["findings"] if finding["severity"] == "error"] == []
+
+
+def test_what_was_written_for_a_call_that_goes_stays_with_a_word(project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    migrated(project)
+    source = project / "tilt.c"
+    source.write_text(SOURCE.read_text().replace("mx_accel(5)", "1"))
+    outcome = migrated(project)
+    said = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS527"]
+    assert said == ["'mx_accel', which you wrote, is called no more or has another body: yours stands at the end, switched off"]
+    text = (project / "out" / "tilt" / "adapters.h").read_text()
+    assert "<<<<<<<" not in text
+    assert text.endswith("int32_t mx_accel(int32_t axisPin) {\n  return pulseIn(axisPin, HIGH) - 5000;\n}\n#endif\n")
+    assert text.count("mx_accel(") == 2  # its comment, and itself
+    outcome = migrated(project)
+    assert [finding for finding in outcome.document["findings"] if finding["rule"] == "RS527"] == []
+    assert (project / "out" / "tilt" / "adapters.h").read_text() == text
+    source.write_text(SOURCE.read_text())
+    assert sites(migrated(project)) == (1, 2)
+
+
+@pytest.mark.parametrize("whose", ["user", "project"])
+def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    outcome = run("adapters", "save", project / "out", "--as", whose, "--json")
+    folder = project if whose == "project" else project.parent / "home"
+    path = folder / "adapters" / "mx2125.cpp"
+    assert outcome.document["result"] == {
+        "adapters": [
+            {"function": "mx_accel", "header": "mx2125.h", "kind": "semantic", "source": whose, "status": "filled", "limits": []}
+        ],
+        "written": [str(path)],
+    }
+    assert "//#   pin: axisPin digital in\n" in path.read_text()
+    assert sites(migrated(project)) == (2, 1)
+    text = (project / "out" / "tilt" / "adapters.h").read_text()
+    assert "inline int32_t mx_accel(int32_t axisPin) {\n  return pulseIn(axisPin, HIGH) - 5000;\n}" in text
+    assert "#if 0" not in text
+    write_body(project, "mx_tilt", "return 45;")
+    run("adapters", "save", project / "out", "--as", whose)
+    assert path.read_text().count("//# adapter ") == 2
+    assert sites(migrated(project)) == (3, 0)
+    shown = run("adapters", "show", "mx_tilt", "--json").document["result"]["adapters"]
+    assert [(each["source"], "return 45;" in each["text"]) for each in shown] == [(whose, True)]
+
+
+def test_nothing_to_save_and_no_project_say_so(project: Path) -> None:
+    migrated(project)
+    outcome = run("adapters", "save", project / "out", "--json")
+    assert [finding["rule"] for finding in outcome.document["findings"]] == ["RS528"]
+    assert not (project.parent / "home" / "adapters").exists()
+    (project / "robosmi.toml").unlink()
+    write_body(project)
+    outcome = run("adapters", "save", project / "out", "--as", "project")
+    assert outcome.code == 3
+    assert "make an empty robosmi.toml beside the source" in outcome.err
+
+
+def test_adapters_are_listed_with_what_they_do_not_do(project: Path) -> None:
+    rows = run("adapters", "list", "--json").document["result"]["adapters"]
+    assert {tuple(row) for row in rows} == {("function", "header", "kind", "source", "status", "limits")}
+    by_name = {(row["header"], row["function"]): row for row in rows}
+    assert by_name["ping.h", "ping_cm"] == {
+        "function": "ping_cm", "header": "ping.h", "kind": "1:1", "source": "built-in", "status": "filled", "limits": [],
+    }  # fmt: skip
+    assert by_name["simpletools.h", "freqout"]["status"] == "care"
+    assert by_name["wifi.h", "wifi_start"]["status"] == "unsupported"
+    assert "serial line" in by_name["wifi.h", "wifi_start"]["limits"][0]
+    outcome = run("adapters", "show", "pingg")
+    assert outcome.code == 2
+    assert "did you mean 'ping'?" in outcome.err
+    assert "return ping(pin) / 58;" in run("adapters", "show", "ping.h/ping_cm").out

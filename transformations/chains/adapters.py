@@ -1,0 +1,259 @@
+"""The chains `adapters list`, `show` and `save`: what fills calls of the source platform, and bodies of a person kept for later.
+
+`save` takes what was written into placeholders of a generated program, and puts it as pieces into an adapter file beside the
+project file or among the user's data, where later migrations find it before the built-in ones.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.metamodels import migration, platform
+from robosmi.model.files import write_atomic
+from robosmi.project import FILE_NAME, defaults, load_project
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
+from robosmi.transformations.knowledge.adapter_checks import parameters_of
+from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, AdapterPiece, adapter_file
+from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIndex, adapter_index, own_folders
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import target_facts
+from robosmi.transformations.m2t.task_list import RELATIONS
+from robosmi.transformations.queries.written_bodies import Body, bodies
+
+_INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
+
+
+@dataclass
+class AdaptersTold:
+    """Adapters as the contract lists them.
+
+    Attributes:
+        adapters: function, header, kind, source, status, limits of each; of one that is shown, its text, too.
+        findings: what could not be kept.
+        written: the adapter files that were written.
+    """
+
+    adapters: list[dict[str, Any]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    written: list[str] = field(default_factory=list)
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The contract's result."""
+        return {"adapters": self.adapters} | ({"written": self.written} if self.written else {})
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        lines = []
+        for each in self.adapters:
+            text = each.get("text")
+            lines.append(
+                f"{each['header']:16} {each['function']:28} {each['status']:11} {each['kind']:8} {each['source']}".rstrip()
+            )
+            lines += [f"  limit: {limit}" for limit in each["limits"]] if text is not None else []
+            lines += ["", *str(text).split("\n"), ""] if text else []
+        counted = [each for each in self.adapters if each["status"] in ("filled", "care")]
+        if self.written:
+            lines += [f"written into {path}" for path in self.written]
+        elif not any(each.get("text") for each in self.adapters):
+            lines.append(f"{len(counted)} of {len(self.adapters)} functions have an adapter")
+        return lines
+
+
+def list_adapters(target: str | None = None, source: str | None = None) -> AdaptersTold:
+    """All functions of the headers that have adapter files, with the state of each.
+
+    Args:
+        target: name of the target; that of the project or the default if None.
+        source: name of the source platform, likewise.
+    """
+    index, api = _of(target, source)
+    rows: list[dict[str, Any]] = []
+    for header in index.headers:
+        known = [piece for pieces in index.of(header) for piece in pieces if piece.kind == "adapter"]
+        first = {piece.name: piece for piece in reversed(known)}
+        rows += [_row(index, piece) for _, piece in sorted(first.items())]
+        reason = index.unsupported(header)
+        state = "unsupported" if reason else "todo"
+        rows += [
+            {"function": name, "header": header, "kind": "", "source": "", "status": state, "limits": [reason] if reason else []}
+            for name in api.functions_of(header)
+            if name not in first
+        ]
+    return AdaptersTold(rows)
+
+
+def show_adapter(name: str, target: str | None = None, source: str | None = None) -> AdaptersTold:
+    """The adapters of a function, the one that counts first in front, with their texts.
+
+    Raises:
+        UsageError: there is none of that name.
+    """
+    index, _ = _of(target, source)
+    header, _, function = name.rpartition("/")
+    pieces = [
+        piece
+        for each in ([header] if header else index.headers)
+        for group in index.of(each)
+        for piece in group
+        if piece.kind == "adapter" and piece.name == function
+    ]
+    if not pieces:
+        known = {piece.name for each in index.headers for group in index.of(each) for piece in group if piece.kind == "adapter"}
+        raise UsageError(
+            f"no adapter is called '{name}'{did_you_mean(function, sorted(known))}", fix="see: robosmi adapters list"
+        )
+    return AdaptersTold([_row(index, piece) | _whole(piece) for piece in pieces])
+
+
+def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]:
+    """The adapter files and the source platform that count in the current folder."""
+    settings, said = load_project(Path()), defaults()["migrate"]
+    facts = target_facts(target or settings.target or said["target"])
+    api = ApiIndex.load(source or settings.source_platform or said["source_platform"])
+    beside = settings.path.parent if settings.path is not None else None
+    return adapter_index(facts.platform, api.name, beside=beside, language=facts.language), api
+
+
+def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Any]:
+    return {
+        "function": piece.name, "header": piece.header, "kind": RELATIONS.get(piece.relation, ""), "source": index.kept_by(piece),
+        "status": "care" if piece.limits else "filled", "limits": list(piece.limits),
+    }  # fmt: skip
+
+
+def _whole(piece: AdapterPiece) -> dict[str, Any]:
+    return {
+        "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": list(piece.needs), "mcus": list(piece.mcus),
+        "path": piece.location.path, "line": piece.location.line, "text": piece.text,
+    }  # fmt: skip
+
+
+def save_adapters(output: Path, whose: str) -> AdaptersTold:
+    """Keep the bodies that a person wrote in a generated program.
+
+    Args:
+        output: the output folder of a migration.
+        whose: `user` or `project`.
+
+    Raises:
+        SourceError: the folder has no plan, or there is no project file for `project`.
+        PlatformDataError: an adapter file that is there is wrong, or a body makes none.
+    """
+    plan = load_models(output / FOLDER / PLAN).plan
+    folder = _folder(output, whose)
+    ending = ENDING_OF[str(plan.target.language) if plan.target is not None else "C++"]
+    texts = [inputs.read_text(path, inputs.SOURCE) for path in _sources(output / str(plan.name))]
+    found = {name: (body, text) for text in reversed(texts) for name, body in bodies(text).items() if not body.open}
+    told, files = AdaptersTold(), dict[Path, str]()
+    for use in plan.adapterUses:
+        name = str(use.targetName or use.name)
+        if use.adapter is not None or name not in found:
+            continue
+        header = ancestor_of_kind(use.function, platform.Header) if use.function is not None else None
+        if header is None:
+            message = f"'{use.name}' is no function of a known header, so no adapter file can be for it"
+            told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix="keep it in the program"))
+            continue
+        path = folder / f"{str(header.name).removesuffix('.h')}{ending}"
+        before = files[path] if path in files else _existing(path, str(header.name))
+        files[path] = _with_piece(path, before, use, *found[name], plan)
+        told.adapters.append(
+            {"function": str(use.name), "header": str(header.name), "kind": RELATIONS["semantic"], "source": whose,
+             "status": "filled", "limits": []}
+        )  # fmt: skip
+    for path, text in files.items():
+        adapter_file(path, text)
+    for path, text in files.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_atomic(path, text.encode())
+    told.written = [str(path) for path in files]
+    if not files:
+        message = "no placeholder of the program has a body of yours"
+        told.findings.append(
+            Finding("RS528", Severity.info, message, Location(str(output)), fix="write one in adapters.h, then save")
+        )
+    return told
+
+
+def _pins(use: migration.AdapterUse, body: Body, plan: migration.MigrationPlan) -> list[str]:
+    """The parameters that are pins, as markers say it."""
+    header = ancestor_of_kind(use.function, platform.Header) if use.function is not None else None
+    if header is None or plan.source is None:
+        return []
+    facts = ApiIndex.of(plan.source).pins(str(use.name), str(header.name))
+    names = parameters_of(body.text, body.name)
+    return [
+        f"{names[pin.position]} digital {pin.direction}"
+        for pin in (facts.parameters if facts is not None else ())
+        if pin.position < len(names) and names[pin.position] and pin.direction in DIRECTIONS
+    ]
+
+
+def _folder(output: Path, whose: str) -> Path:
+    """Where the files go.
+
+    Raises:
+        SourceError: there is no project file around the output folder or in the current one.
+    """
+    if whose == "user":
+        return next(folder for folder, kept in own_folders(None).items() if kept == "user")
+    near = [*output.resolve().parents, Path.cwd()]
+    beside = next((folder for folder in near if (folder / FILE_NAME).is_file()), None)
+    if beside is None:
+        message = f"there is no {FILE_NAME} in the folders above the program or in the current one"
+        raise SourceError(
+            message, location=Location(str(output)), fix=f"make an empty {FILE_NAME} beside the source, or use --as user"
+        )
+    return next(folder for folder, kept in own_folders(beside).items() if kept == "project")
+
+
+def _sources(sketch: Path) -> Iterable[Path]:
+    """The texts of a generated program, the file of its adapters first."""
+    paths = sorted(path for path in sketch.glob("*") if path.suffix in (".h", ".ino", ".c", ".cpp"))
+    return sorted(paths, key=lambda path: path.name != "adapters.h")
+
+
+def _existing(path: Path, header: str) -> str:
+    if path.is_file():
+        return inputs.read_text(path, inputs.DATA)
+    return f"{MARK} header {header}\n// Written by hand, for calls of functions of {header}.\n"
+
+
+def _with_piece(path: Path, before: str, use: migration.AdapterUse, body: Body, text: str, plan: migration.MigrationPlan) -> str:
+    """The text of an adapter file with a body as a piece, in the place of one of that name."""
+    head = [f"{MARK} adapter {use.name}", f"{MARK}   for: {use.signature}", f"{MARK}   kind: semantic"]
+    head += [f"{MARK}   name: {use.targetName}"] if use.targetName not in ("", use.name) else []
+    words = set(body.code)
+    pieces = list(plan.target.adapters) if plan.target is not None else []
+    needs = {f"{p.sourceHeader}/{p.name}" for p in pieces if str(p.targetName or p.name) in words and p.name != use.name}
+    head += [f"{MARK}   needs: {' '.join(sorted(needs))}"] if needs else []
+    given = _INCLUDE.findall(text[: text.find(body.text)])
+    shipped = {str(header) for piece in pieces for header in piece.includes}
+    own = [
+        header
+        for header in dict.fromkeys(given)
+        if header not in shipped and header.startswith("<") and "Arduino.h" not in header
+    ]
+    head += [f"{MARK}   include: {' '.join(own)}"] if own else []
+    head += [f"{MARK}   pin: {pin}" for pin in _pins(use, body, plan)]
+    head += [f"{MARK}   fidelity: written by hand for {plan.name}"]
+    lines = [line for line in body.text.split("\n") if not line.startswith("//")]
+    if not {"static", "inline"} & set(body.code[:2]):
+        lines[0] = f"{'static inline' if path.suffix == ENDING_OF['C'] else 'inline'} {lines[0]}"
+    piece = "\n".join([*head, *lines]) + "\n"
+    known = next((each for each in adapter_file(path, before).pieces if each.name == use.name and not each.mcus), None)
+    if known is None:
+        return f"{before.rstrip()}\n\n{piece}"
+    rows = before.split("\n")
+    first = (known.location.line or 1) - 1
+    last = next((n for n in range(first + 1, len(rows)) if re.match(rf"{re.escape(MARK)} \S", rows[n])), len(rows))
+    return "\n".join([*rows[:first], *piece.split("\n"), *rows[last:]])

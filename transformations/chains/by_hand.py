@@ -1,0 +1,104 @@
+"""What persons have done in a program that was made before, taken over by the run that makes it anew.
+
+A body that they wrote into a placeholder counts as filled, a task that they ticked as done. What they wrote for a function that
+is called no more stays in its file, switched off, with a word about it; so neither that nor a tick becomes a conflict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.generate.places import Places
+from robosmi.generate.record import Record
+from robosmi.generate.text_form import read as read_text
+from robosmi.metamodels import migration
+from robosmi.transformations.m2m.plan_tasks import settle_tasks
+from robosmi.transformations.queries.written_bodies import AS_BYTES, Body, bodies, task_key, ticks, with_ticks, written
+
+REPORT = "MIGRATION.md"
+_CODE = (".h", ".ino", ".cpp", ".c")
+_AWAY = "#if 0  // what you wrote for '{}', which nothing calls any more"
+
+
+@dataclass
+class ByHand:
+    """What persons have done in an output folder.
+
+    Attributes:
+        names: the functions whose bodies they have written.
+        done: the tasks that they have ticked, by what they are about.
+        findings: what became of bodies that are called no more.
+    """
+
+    names: set[str] = field(default_factory=set)
+    done: set[tuple[str, ...]] = field(default_factory=set)
+    findings: list[Finding] = field(default_factory=list)
+
+    def base(self, name: str, last: str, there: str, made: str, path: Path) -> tuple[str, str]:
+        """The text that was made last and the one that is there, as the merge is to see them.
+
+        Args:
+            name: of the file, relative to the output folder.
+            last: the text that was made last.
+            there: the text that is there.
+            made: the text that is made anew.
+            path: of the file, for findings.
+        """
+        if PurePosixPath(name).name == REPORT:
+            return with_ticks(last, {tick.key for tick in ticks(there) if tick.done}), there
+        if PurePosixPath(name).suffix not in _CODE:
+            return last, there
+        new, before = bodies(made), bodies(last)
+        gone = [body for body in written(there, last).values() if body.name not in new or not new[body.name].open]
+        for body in sorted(gone, key=lambda each: each.first, reverse=True):
+            last, there = _without(last, before[body.name]), _without(there, body)
+            before = bodies(last)
+        kept = [body for body in gone if body.name not in new or _plain(new[body.name]) != _plain(body)]
+        for body in kept:
+            message = (
+                f"'{body.name}', which you wrote, is called no more or has another body: yours stands at the end, switched off"
+            )
+            fix = "take it out, or keep it for other programs: robosmi adapters save, before you change the program"
+            self.findings.append(Finding("RS527", Severity.warning, message, Location(str(path)), fix=fix))
+        away = [f"{_AWAY.format(body.name)}\n{body.text}\n#endif" for body in kept]
+        return last, "\n\n".join([there.rstrip("\n"), *away]) + "\n" if away else there
+
+
+def _plain(body: Body) -> list[str]:
+    """What a body does: the same in a program of one file and of several."""
+    return [word for word in body.code if word not in ("static", "inline")]
+
+
+def _without(text: str, body: Body) -> str:
+    """A text without a function and the blank line behind it."""
+    lines = text.split("\n")
+    last = body.last + (body.last < len(lines) - 1 and not lines[body.last].strip())
+    return "\n".join([*lines[: body.first], *lines[last:]])
+
+
+def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, str], record: Record) -> ByHand:
+    """What persons have done in an output folder, told of the plan.
+
+    Args:
+        plan: the plan; its uses and tasks are settled.
+        places: the output folder.
+        made: relative path -> text, as it is made without regard to what is there.
+        record: the texts that were made last.
+    """
+    found = ByHand()
+    for name, text in made.items():
+        raw = places.look(name)
+        there, last = (read_text(each or b"", errors=AS_BYTES).text for each in (raw, record.last(name, raw)[0]))
+        if PurePosixPath(name).name == REPORT:
+            found.done |= {tick.key for tick in ticks(there) if tick.done}
+        elif PurePosixPath(name).suffix in _CODE and there:
+            found.names |= written(there, text, last).keys()
+    for use in plan.adapterUses:
+        use.written = use.adapter is None and (use.targetName or use.name) in found.names
+    settle_tasks(plan)
+    for task in plan.tasks:
+        task.done = task_key(task.rule, task.message) in found.done
+    return found

@@ -1,0 +1,129 @@
+"""The adapter files of a migration, and whether those that a person keeps for themselves compile.
+
+Built-in adapters were compiled when they were written. An own one is compiled alone, with what it needs, where the target's
+toolchain is installed; where it is not, `compile` tells later.
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import MissingToolError, PlatformDataError, SourceError
+from robosmi.metamodels import platform
+from robosmi.project import Project
+from robosmi.transformations.knowledge.adapter_files import MARK, AdapterPiece
+from robosmi.transformations.knowledge.adapter_index import BUILT_IN, AdapterIndex, adapter_index
+from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.target_platform import TargetFacts
+from robosmi.transformations.m2m.adapter_choice import AdapterChoice
+from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.port_pins import UNBOUND
+from robosmi.verify.toolchain import compile_sketch
+
+_UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
+_C_HEAD = """#include <{header}>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#define AVR_PIN(port, bit) (((port) - 'A') * 8 + (bit))
+#define AVR_ADC(channel) (100 + (channel))
+"""
+_PROGRAMS = {
+    "C": (_C_HEAD, "int main(void) { return 0; }\n", "check.c", "Makefile"),
+    "C++": ("#include <{header}>\n", "void setup() {}\nvoid loop() {}\n", "check.ino", ""),
+}
+"""Language of a target -> what stands in front of and behind the pieces, the file, and the project file that there has to be."""
+
+
+def adapter_files_of(settings: Project, target: TargetFacts, api: ApiIndex) -> AdapterIndex:
+    """The adapter files for a target, those beside the project file in front."""
+    beside = settings.path.parent if settings.path is not None else None
+    return adapter_index(target.platform, api.name, beside=beside, language=target.language)
+
+
+def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platform.Board) -> None:
+    """Compile the own adapters that a plan uses.
+
+    Args:
+        choice: the adapters of the plan.
+        target: the target.
+        board: its board.
+
+    Raises:
+        PlatformDataError: one does not compile, at its place in its file.
+    """
+    own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
+    if not own or target.language not in _PROGRAMS:
+        return
+    pieces = choice.pieces.needed([(piece.header, piece.name) for piece in own], choice.mcu).pieces
+    text = adapter_text([adapter_element(piece) for piece in pieces], {}, UNBOUND)
+    try:
+        wrong = _errors(text, target, board)
+    except (MissingToolError, SourceError):  # not installed, or found data that names programs and that nobody has trusted
+        return
+    for finding in wrong:
+        piece, line = _piece_at(pieces, text, finding.location.line if finding.location is not None else None)
+        if piece is not None and piece in own:
+            raise PlatformDataError(
+                f"the text of '{piece.name}' does not compile: {finding.message}",
+                location=Location(piece.location.path, line),
+                fix=_fix(finding.message, piece, choice.pieces),
+            )
+
+
+def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Finding]:
+    """What the target's compiler says of a text of adapters; lines count from its first."""
+    head, tail, name, project = _PROGRAMS[target.language]
+    start = head.replace("{header}", target.include)
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place) / "check"
+        folder.mkdir()
+        (folder / name).write_text(f"{start}{text}\n{tail}", encoding="utf-8")
+        if project:
+            (folder / project).write_text(f"BOARD := {board.name}\n", encoding="utf-8")
+        report = compile_sketch(folder, str(board.name))
+    found = []
+    for each in report.diagnostics:
+        if each.severity is Severity.error and each.location is not None and Path(each.location.path).name == name:
+            line = (each.location.line or 0) - start.count("\n")
+            found.append(Finding(each.rule, each.severity, each.message, Location(each.location.path, line)))
+    return found
+
+
+def _piece_at(pieces: Sequence[AdapterPiece], text: str, line: int | None) -> tuple[AdapterPiece | None, int]:
+    """The piece to which a line of the text belongs, and the line in its own file."""
+    lines, at = text.split("\n"), 0
+    for piece in pieces:
+        own = piece.text.split("\n")
+        at = next(number for number in range(at, len(lines)) if lines[number : number + len(own)] == own)
+        if line is not None and at < line <= at + len(own):
+            return piece, _first_line(piece) + line - at - 1
+        at += len(own)
+    return None, 0
+
+
+def _first_line(piece: AdapterPiece) -> int:
+    """The line of its file in which a piece's text begins."""
+    rows = inputs.read_text(Path(piece.location.path), inputs.DATA).split("\n")
+    first = piece.location.line or 1
+    while first < len(rows) and (rows[first].startswith(MARK) or not rows[first].strip()):
+        first += 1
+    return first + 1
+
+
+def _fix(message: str, piece: AdapterPiece, pieces: AdapterPieces) -> str:
+    """What to do; where the name of another piece is missed, that it is needed."""
+    missed = _UNKNOWN.search(message)
+    name = next((each for each in missed.groups() if each), "") if missed is not None else ""
+    key = pieces.key(name, piece.header) if name else None
+    if key is None:
+        return "correct it, then run again; nothing was written"
+    needed = key[1] if key[0] == piece.header else "/".join(key)
+    return f"add `{MARK}   needs: {needed}` to its markers; nothing was written"

@@ -1,0 +1,158 @@
+"""What persons write into a generated program: bodies of placeholders, and ticks in the list of tasks.
+
+Texts alone are looked at: the one that is there beside the one that is made anew. What follows from it is decided in
+`chains.by_hand`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from robosmi.transformations.knowledge.lexer import Token, tokens
+
+TODO = "TODO: complete method"
+"""What a body that is still to be written says in a comment."""
+AS_BYTES = "surrogateescape"
+"""How bytes that are no UTF-8 go through these texts."""
+_TASK = re.compile(r"- \[(?P<tick>[ xX])\] (?P<said>.*`(?P<rule>RS\d+)`.*)")
+_QUOTED = re.compile(r"'([^']*)'")
+
+
+@dataclass(frozen=True)
+class Body:
+    """A function that is defined in a text.
+
+    Attributes:
+        name: its name.
+        first, last: the lines of its definition with the comments right above it, from 0; the last is not among them.
+        text: these lines.
+        code: its tokens without comments.
+    """
+
+    name: str
+    first: int
+    last: int
+    text: str
+    code: tuple[str, ...]
+
+    @property
+    def open(self) -> bool:
+        """Whether it still says that it is to be written."""
+        return TODO in self.text
+
+
+def bodies(text: str) -> dict[str, Body]:
+    """The functions that a text defines at file scope, by name; of two with one name the first."""
+    found: dict[str, Body] = {}
+    lines = text.split("\n")
+    run = list(_on(token for token in tokens(text.encode("utf-8", AS_BYTES)) if token[0] != "comment"))
+    starts = [0]
+    for line in lines:
+        starts.append(starts[-1] + len(line.encode("utf-8", AS_BYTES)) + 1)
+    depth, begin = 0, 0
+    for at, (kind, _, _, said) in enumerate(run):
+        if kind == "directive" and depth == 0:
+            begin = at + 1
+        if kind != "punct" or said not in "{};":
+            continue
+        depth += (said == "{") - (said == "}")
+        if said == "{" and depth == 1 and (name := _named(run[begin:at])):
+            end = _end(run, at)
+            first, last = _line(starts, run[begin][1]), _line(starts, run[end][1]) + 1
+            while first and lines[first - 1].startswith("//"):
+                first -= 1
+            body = Body(name, first, last, "\n".join(lines[first:last]), tuple(t for *_, t in run[begin : end + 1]))
+            found.setdefault(name, body)
+        if depth == 0:
+            begin = at + 1
+    return found
+
+
+def _on(found: Iterable[Token]) -> Iterator[Token]:
+    """Tokens but for those that are switched off."""
+    off = 0
+    for token in found:
+        if token[0] == "directive" and (off or re.match(r"#\s*if\s+0\b", token[3])):
+            off += bool(re.match(r"#\s*if", token[3])) - bool(re.match(r"#\s*endif", token[3]))
+        elif not off:
+            yield token
+
+
+def _named(head: list[Token]) -> str:
+    """The name of the function whose head that is; empty for anything else."""
+    texts = [text for *_, text in head]
+    if "(" not in texts or "=" in texts or texts[-1] != ")":
+        return ""
+    at = texts.index("(")
+    return texts[at - 1] if at and head[at - 1][0] == "name" else ""
+
+
+def _end(run: list[Token], at: int) -> int:
+    depth = 0
+    for number in range(at, len(run)):
+        depth += (run[number][3] == "{") - (run[number][3] == "}")
+        if depth == 0:
+            return number
+    return len(run) - 1
+
+
+def _line(starts: list[int], offset: int) -> int:
+    return next(number for number in range(len(starts) - 1, -1, -1) if starts[number] <= offset)
+
+
+def written(there: str, made: str, last: str = "") -> dict[str, Body]:
+    """The functions that a person has written: a placeholder in what is made, and more than that in what is there.
+
+    Args:
+        there: the text that is there.
+        made: the text that is made.
+        last: the text that was made before; a function that is there as it was in that is nobody's.
+    """
+    own, before = bodies(there), bodies(last)
+    return {
+        name: own[name]
+        for name, body in bodies(made).items()
+        if body.open and name in own and not own[name].open
+        and own[name].code not in (body.code, before[name].code if name in before else ())
+    }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Tick:
+    """A task in a report.
+
+    Attributes:
+        line: its line in the text, from 0.
+        key: what it is about, whatever its place and its counts: the rule and the names in its message.
+        done: whether it is ticked.
+    """
+
+    line: int
+    key: tuple[str, ...]
+    done: bool
+
+
+def ticks(report: str) -> list[Tick]:
+    """The tasks in a report."""
+    found = []
+    for number, line in enumerate(report.split("\n")):
+        if (task := _TASK.fullmatch(line)) is not None:
+            found.append(Tick(number, task_key(task["rule"], task["said"].rsplit("`", 2)[0]), task["tick"] != " "))
+    return found
+
+
+def task_key(rule: str, message: str) -> tuple[str, ...]:
+    """What a task is about, whatever its place and its counts, from its message, quoted for a report or not."""
+    plain = message.replace("\\", "")
+    names = _QUOTED.findall(plain)
+    return (rule, *names) if names else (rule, re.sub(r"\d+", "", plain.partition(" (")[0]).strip())
+
+
+def with_ticks(report: str, done: set[tuple[str, ...]]) -> str:
+    """A report in which exactly these tasks are ticked."""
+    lines = report.split("\n")
+    for tick in ticks(report):
+        lines[tick.line] = f"- [{'x' if tick.key in done else ' '}] {lines[tick.line][6:]}"
+    return "\n".join(lines)
