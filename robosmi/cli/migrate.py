@@ -62,6 +62,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
     parser.add_argument("--yes", action="store_true", help="ask nothing")
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
+    parser.add_argument("--verify", action="store_true", help="compare the sketch with the original at the end")
 
 
 def run(arguments: argparse.Namespace) -> Report:
@@ -75,12 +76,14 @@ def run(arguments: argparse.Namespace) -> Report:
             source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
-            widths=arguments.widths,
+            widths=arguments.widths, verify=arguments.verify,
             ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
         )  # fmt: skip
     if answers is not None and not arguments.dry_run:
         first = arguments.files[0]
         answers.offer(first if first.is_dir() else first.parent)
+    if done.verification is not None and (code := done.verification[1]):
+        report.ok, report.failure_code = False, code
     return filled(report, done, project.severity, project.accept)
 
 

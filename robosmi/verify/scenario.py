@@ -83,7 +83,7 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
     for key in data:
         if key not in _KEYS:
             raise _wrong(path, f"'{key}' is no key of a scenario{did_you_mean(key, _KEYS)}", f"use: {', '.join(_KEYS)}")
-    horizon = data.get("horizon_ms")
+    horizon: Any = data.get("horizon_ms")
     if not _is_number(horizon) or not 0 < horizon <= LONGEST_MS:
         raise _wrong(path, f"horizon_ms is {horizon!r}", f"write milliseconds, more than 0 and at most {LONGEST_MS:,.0f}")
     name, signals = data.get("name", path.stem), data.get("signals", {})

@@ -149,6 +149,22 @@ class Verdict:
             "inputs": inputs_until(scenario.scenario, difference.at_ms),
         }
 
+    def sentence(self) -> str:
+        """The verdict in one sentence, for lists of findings."""
+        if self.verdict == NOT_COMPILED:
+            return "the migrated program does not compile, so that it was not compared"
+        said = {
+            NO_DIFFERENCE: "no difference was found between the original and the migrated program",
+            DIFFERENT_VERDICT: "the migrated program does something else than the original",
+            NOT_DECIDABLE: "whether the migrated program does the same cannot be decided",
+        }[self.verdict]
+        many = f"{len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}"
+        said += f" in {many}, {self.simulated_s:.1f} s simulated"
+        said += f"; source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
+        if (first := self.first_difference) is not None:
+            said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
+        return "; ".join([said, *self.all_reasons()])
+
     def all_reasons(self) -> list[str]:
         """Why nothing can be decided, of all scenarios, each once."""
         return list(dict.fromkeys([*self.reasons, *(s.reason for s in self.scenarios if s.reason)]))

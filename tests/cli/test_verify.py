@@ -171,3 +171,20 @@ def test_a_program_that_never_waits_ends_with_the_scenario(tmp_path: Path, press
     assert run("migrate", tmp_path / "busy.c", "-o", tmp_path / "out").code in (0, 1)
     pressed.write_text("horizon_ms = 300\n")
     assert run("verify", tmp_path / "out", "--scenario", pressed).code == 0
+
+
+def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path: Path) -> None:
+    shutil.copytree(PROGRAMS, tmp_path / "input")
+    outcome = run("migrate", tmp_path / "input" / "button.c", "-o", tmp_path / "out", "--verify", "--json")
+    assert outcome.code == 0, outcome.document
+    assert outcome.result["verification"]["verdict"] == "no-difference-found"
+    assert [f["severity"] for f in outcome.document["findings"] if f["rule"] == "RS850"] == ["info"]
+    report = (tmp_path / "out" / "button" / "MIGRATION.md").read_text()
+    assert "no difference was found between the original and the migrated program in 3 scenarios" in report
+    assert run("generate", tmp_path / "out" / "models" / "plan.xmi", "-o", tmp_path / "out").code == 0
+    assert (tmp_path / "out" / "button" / "MIGRATION.md").read_text() == report
+    sketch = tmp_path / "out" / "button" / "button.ino"
+    sketch.write_text(sketch.read_text().replace("pause(300)", "pause(200)"))
+    outcome = run("migrate", tmp_path / "input" / "button.c", "-o", tmp_path / "out", "--verify", "--json")
+    assert (outcome.code, outcome.result["verification"]["verdict"]) == (6, "different")
+    assert "Lamp (P26): high lasts 200" in (tmp_path / "out" / "button" / "MIGRATION.md").read_text()

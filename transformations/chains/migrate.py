@@ -337,6 +337,7 @@ def migrate(
     widths: str = FIX,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
+    verify: bool = False,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> Generated:
@@ -351,8 +352,10 @@ def migrate(
             widths, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
+        verify: compare what was made with the original at the end; the verdict is a finding of the plan.
 
     Raises:
+        MissingToolError, VerificationError: of the comparison.
         SourceError: an input cannot be read or used, or the output cannot be written.
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
@@ -376,4 +379,8 @@ def migrate(
                 models = run.value("models")
         made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made, history)
-    return made
+    if not verify or not made.written:
+        return made
+    from robosmi.transformations.chains.verify import with_verdict  # wanted with --verify alone
+
+    return with_verdict(made, strict=strict)

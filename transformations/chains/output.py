@@ -54,6 +54,7 @@ class Generated:
         written: whether they were written (not in a dry run).
         new_choices: libraries that a person chose and that no earlier run into this folder has counted.
         notes: findings of this run that are not the plan's.
+        verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
     """
 
     models: MigrationModels
@@ -62,6 +63,7 @@ class Generated:
     written: bool
     new_choices: list[migration.LibraryChoice] = field(default_factory=list)
     notes: list[Finding] = field(default_factory=list)
+    verification: tuple[dict[str, Any], int] | None = None
 
     @property
     def sketch(self) -> Path:
@@ -79,7 +81,8 @@ class Generated:
 
     def result(self) -> dict[str, Any]:
         """The contract's result."""
-        return {"plan": plan_json(self.models.plan), "sketch": str(self.sketch), "written": self.written}
+        made: dict[str, Any] = {"plan": plan_json(self.models.plan), "sketch": str(self.sketch), "written": self.written}
+        return made if self.verification is None else made | {"verification": self.verification[0]}
 
     def artifacts(self) -> list[dict[str, str]]:
         """The files, as the contract lists them; empty in a dry run."""

@@ -19,6 +19,7 @@ from robosmi.errors import SourceError, VerificationError
 from robosmi.metamodels import ccode, migration
 from robosmi.model.files import write_atomic
 from robosmi.transformations.chains.models import MigrationModels, load_models
+from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.queries.source_text import is_header
@@ -47,7 +48,7 @@ from robosmi.verify.simulation import PinTrace, engine_for
 from robosmi.verify.simulation import simulate as run_job
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.vcd import vcd_text
-from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, ScenarioVerdict, Verdict
+from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, ScenarioVerdict, Verdict
 
 FOLDER = "scenarios"
 """Where scenarios are stored, beside the models."""
@@ -147,6 +148,41 @@ def verify(
         if vcd is not None and cases:
             _write_vcd(vcd, verdict, cases, traces, done)
     return done
+
+
+_RULES = {
+    NO_DIFFERENCE: ("RS850", migration.SeverityLevel.info),
+    DIFFERENT_VERDICT: ("RS851", migration.SeverityLevel.error),
+    NOT_DECIDABLE: ("RS852", migration.SeverityLevel.warning),
+    NOT_COMPILED: ("RS853", migration.SeverityLevel.error),
+}
+_ADVICE = {
+    NO_DIFFERENCE: "look at the binding and the scenarios: what they do not show was not compared",
+    DIFFERENT_VERDICT: "see: robosmi verify",
+    NOT_DECIDABLE: "see: robosmi verify",
+    NOT_COMPILED: "see: robosmi compile",
+}
+
+
+def verdict_finding(verdict: Verdict) -> migration.PlanFinding:
+    """The verdict as a finding of a plan, for its report."""
+    rule, severity = _RULES[verdict.verdict]
+    return migration.PlanFinding(rule=rule, severity=severity, message=verdict.sentence(), fix=_ADVICE[verdict.verdict])
+
+
+def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
+    """Compare what a migration made with the original, and write its report again with the verdict in it.
+
+    Raises:
+        MissingToolError: a compiler or simulator is not installed.
+        VerificationError: the simulator crashed or did not end.
+    """
+    done = verify(made.output)
+    made.models.plan.findings.append(verdict_finding(done.verdict))
+    again = produce(made.models, made.output, strict=strict)
+    again.notes = [*made.notes, *(note for note in again.notes if note not in made.notes)]
+    again.verification = (done.verdict.to_json(), done.verdict.exit_code)
+    return again
 
 
 # ---- both sides
