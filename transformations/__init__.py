@@ -37,6 +37,7 @@ _CONTENT = {
     ("chain", "check"): "chains.check:check",
     ("chain", "simulate"): "chains.simulate:simulate",
     ("chain", "verify"): "chains.verify:verify",
+    ("chain", "with_verdict"): "chains.verify:with_verdict",
     ("model migration", "http://robosmi.org/migration/1"): "migrations.models_of_0_1:models",
     ("model migration", "http://robosmi.org/platform/1"): "migrations.models_of_0_1:models",
     ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",

@@ -108,9 +108,13 @@ def study(name: str, wanted: int, seed: int) -> dict[str, object]:
                     report = compile_sketch(out, keep=Path(built))
                     if not report.ok:
                         continue
-                    traces = _Target(models, report, ports, None).run([scenario for scenario, _ in cases])
-                    both = zip(cases, traces, strict=True)
-                    verdicts = [_judged(scenario, runs, trace, ports).verdict for (scenario, runs), trace in both]
+                    side = _Target(models, report, ports, None)
+                    verdicts = []
+                    for scenario, runs in cases:
+                        (trace,) = side.run([scenario])
+                        verdicts.append(_judged(scenario, runs, trace, ports).verdict)
+                        if verdicts[-1] == "different":
+                            break
             except robosmi_errors() as error:
                 verdicts = [f"error: {error}"]
             finally:
