@@ -93,6 +93,7 @@ def verify(
     seed: int = 1,
     vcd: Path | None = None,
     generate: bool = True,
+    budget_s: float = 60.0,
 ) -> Verified:
     """Compare a migrated program with its original.
 
@@ -103,6 +104,7 @@ def verify(
         seed: of the search for scenarios.
         vcd: file for both traces of the first scenario that differs, else of the first.
         generate: whether to search for scenarios where none are given.
+        budget_s: seconds of this machine's time for that search.
 
     Raises:
         SourceError: there is no plan or program, or a file cannot be read or written.
@@ -138,7 +140,9 @@ def verify(
             verdict.reasons.append(f"the original cannot be run here: {error.message}")
             return Verified(verdict, report)
         verdict.original = f"{program.model.title}, {program.compiler}"
-        cases, made = _cases(program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict)
+        cases, made = _cases(
+            program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
+        )
         traces = side.run([scenario for scenario, _ in cases])
         for (scenario, runs), trace in zip(cases, traces, strict=True):
             verdict.scenarios.append(_judged(scenario, runs, trace, ports))
@@ -233,7 +237,7 @@ Case = tuple[Scenario, SourceRuns]
 
 def _cases(
     program: OriginalProgram, ports: list[BoundPort], plan: migration.MigrationPlan, given: list[Scenario], stored: Path,
-    seed: int | None, verdict: Verdict,
+    seed: int | None, verdict: Verdict, budget_s: float,
 ) -> tuple[list[Case], _Made]:  # fmt: skip
     """The scenarios with their runs of the source: the given ones alone, else stored and generated ones."""
     listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
@@ -245,7 +249,7 @@ def _cases(
     if given or seed is None:
         return cases, made
     known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal) for _, runs in cases))
-    found = search(program, ports, reads_console(plan), seed, known)
+    found = search(program, ports, reads_console(plan), seed, known, budget_s)
     fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal) <= known]
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts
