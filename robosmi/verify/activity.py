@@ -7,6 +7,7 @@ the edges of one pin into few events, in the same way for every machine, and `co
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -97,9 +98,14 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0]) -> list[Activi
         last = number
         while last + 1 < len(pulses) and pulses[last + 1].begin - pulses[last].end < sight.pause_us:
             last += 1
-        found += _run(pulses[number : last + 1], trace.simulated_us, sight)
+        found += _run(pulses[number : last + 1], _until(trace), sight)
         number = last + 1
     return merged([IDLE, *found])
+
+
+def _until(trace: PinTrace) -> float:
+    """The instant after which nothing is known: the end of the run, unless the program has ended by itself."""
+    return math.inf if trace.state == "done" else trace.simulated_us
 
 
 def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
@@ -306,7 +312,7 @@ def console_lines(trace: PinTrace, measures: bool = False) -> list[ActivityEvent
         else:
             line.append(byte.byte)
         last = byte.at_us
-    if line and trace.simulated_us - last > _SILENCE_US:
+    if line and _until(trace) - last > _SILENCE_US:
         found.append(ActivityEvent(last, kind, (_text(line),)))
     return found
 

@@ -69,6 +69,7 @@ class Verdict:
         missed_branches: branches that no scenario reaches, `file:line`.
         binding: the ports with their pins and devices on both sides.
         functions: channel -> the platform's functions that make it.
+        not_compared: ports that are not compared: lines of buses, and what is not wired on the target.
     """
 
     scenarios: list[ScenarioVerdict] = field(default_factory=list)
@@ -84,6 +85,7 @@ class Verdict:
     missed_branches: list[str] = field(default_factory=list)
     binding: list[dict[str, Any]] = field(default_factory=list)
     functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    not_compared: list[str] = field(default_factory=list)
 
     @property
     def verdict(self) -> str:
@@ -134,6 +136,7 @@ class Verdict:
             },
             "racy_scenarios": self.racy,
             "channels": self.channels(),
+            "not_compared": self.not_compared,
             "first_difference": None if first is None else self._difference_json(*first),
             "engine": self.engine,
             "compiler": self.compiler,
@@ -188,6 +191,7 @@ class Verdict:
             lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
         lines += ["", "channels:"]
         lines += [f"  {c['status']:14} {c['name']}{_counted(c['events'])}" for c in self.channels()]
+        lines += [f"  not compared   {name}" for name in self.not_compared]
         lines += ["", "binding (please look whether it is right):"]
         for each in self.binding:
             device = f", played by {each['device']}" if each["device"] else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import pytest
 
@@ -86,6 +87,13 @@ def test_a_servos_frames_are_their_width_and_ramps_are_not_seen() -> None:
 def test_what_goes_on_at_the_end_of_the_run_has_no_end() -> None:
     assert said(trace(frames(3_000_000, [1500.0] * 49))) == [(0, "low"), (3000, "pulses of 1500 us")]
     assert [what for _, what in said(trace(square(3_000_000, 1000, 1000)))] == ["low", "1000 Hz"]
+
+
+def test_a_program_that_has_ended_will_not_go_on() -> None:
+    ended = replace(trace(square(100_000, 1000, 100), (), [(200_000.0, "x")]), state="done", simulated_us=200_500.0)
+    assert [what for _, what in said(ended)] == ["low", "1000 Hz", "low"]
+    assert [e.value for e in console_lines(ended)] == [("x",)]
+    assert console_lines(replace(ended, state="running")) == []
 
 
 def test_pulses_of_no_steady_period_are_a_burst_of_so_many() -> None:

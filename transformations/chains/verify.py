@@ -93,7 +93,7 @@ def verify(
     seed: int = 1,
     vcd: Path | None = None,
     generate: bool = True,
-    budget_s: float = 60.0,
+    budget_s: float = 240.0,
 ) -> Verified:
     """Compare a migrated program with its original.
 
@@ -129,6 +129,7 @@ def verify(
         report = compile_sketch(output, keep=folder / "target")
         verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
         verdict.functions = {port.title: port.functions for port in ports}
+        verdict.not_compared = [port.title for port in ports if port.line or not port.target]
         if not report.ok:
             return Verified(verdict, report)
         side = _Target(models, report, ports, engine)
@@ -143,6 +144,8 @@ def verify(
         cases, made = _cases(
             program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
         )
+        if not cases:
+            verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         traces = side.run([scenario for scenario, _ in cases])
         for (scenario, runs), trace in zip(cases, traces, strict=True):
             verdict.scenarios.append(_judged(scenario, runs, trace, ports))
@@ -297,6 +300,10 @@ def _cover(
     decided = [
         runs.nominal.counts for (_, runs), told in zip(cases, verdict.scenarios, strict=True) if told.verdict != NOT_DECIDABLE
     ]
+    if called := [runs.nominal.counts for _, runs in cases if runs.nominal.counts]:
+        verdict.reasons += _unfinished(coverage(program, called), plan)
+    if not any(decided):
+        return
     covered = coverage(program, [c for c in decided if c])
     by_racy = coverage(program, [c for c in racy if c]) if any(racy) else None
     verdict.lines_pct = covered.line_percent
@@ -306,7 +313,6 @@ def _cover(
     verdict.branches_pct = 100.0 * (counted - len(missed)) / counted if counted else 100.0
     verdict.racy_branches = [f"{Path(file).name}:{line}" for file, line, _ in sorted(only_racy)]
     verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
-    verdict.reasons += _unfinished(covered, plan)
 
 
 def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan) -> list[str]:

@@ -74,7 +74,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     found = {
         port.title: [activity(trace, port.target if target else port.source, sight) for sight in SIGHTS]
         for port in ports
-        if port.target and not port.device
+        if port.watched
     }
     found[CONSOLE_CHANNEL] = [console_lines(trace, any(port.device in _MEASURED for port in ports))]
     return found

@@ -42,6 +42,7 @@ class BoundPort:
         identity: of the component in the drawing, or empty.
         functions: the platform's functions that use it.
         device: kind of the device that plays it, or empty where the program's own doing is watched.
+        line: whether it is a line of a bus or of a serial connection, which is neither played nor compared.
         pin: what the device calls it.
     """
 
@@ -53,6 +54,12 @@ class BoundPort:
     functions: tuple[str, ...] = ()
     device: str = ""
     pin: str = ""
+    line: bool = False
+
+    @property
+    def watched(self) -> bool:
+        """Whether what the program does there is compared."""
+        return bool(self.target) and not self.device and not self.line
 
     @property
     def title(self) -> str:
@@ -80,6 +87,7 @@ def bound_ports(plan: migration.MigrationPlan) -> list[BoundPort]:
         if use.pin is not None:
             uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
     rules = _rules(str(plan.source.name))
+    lines = set(_table(str(plan.source.name)).table("lines").texts("functions", ()))
     found: dict[str, BoundPort] = {}
     for binding in plan.portBindings:
         channel = _CHANNEL.fullmatch(str(binding.name))
@@ -91,11 +99,12 @@ def bound_ports(plan: migration.MigrationPlan) -> list[BoundPort]:
         pin = connection.pin if connection is not None and connection.pin is not None else binding.pin
         component = connection.component if connection is not None else None
         used = uses.get(number, {}) if channel is None else {}
-        device, called = _device(rules, used, channel is not None)
+        line = not lines.isdisjoint(used)
+        device, called = ("", "") if line else _device(rules, used, channel is not None)
         port = BoundPort(
             str(binding.name), source, str(pin.label) if pin is not None else "",
             str(component.title or component.partTitle) if component is not None else "",
-            str(component.elementId) if component is not None else "", tuple(used), device, called,
+            str(component.elementId) if component is not None else "", tuple(used), device, called, line,
         )  # fmt: skip
         found.setdefault(source, port)
     return list(found.values())
@@ -104,15 +113,19 @@ def bound_ports(plan: migration.MigrationPlan) -> list[BoundPort]:
 def reads_console(plan: migration.MigrationPlan) -> bool:
     """Whether a plan's program reads what is typed."""
     assert plan.source is not None
-    path = resources.find("platform_repo", f"{plan.source.name}/devices.toml")
-    known = DataTable(path, read_data(path)).table("console").texts("reads", ())
+    known = _table(str(plan.source.name)).table("console").texts("reads", ())
     return any(use.name in known for use in plan.adapterUses)
 
 
 @cache
 def _rules(platform: str) -> tuple[DataTable, ...]:
+    return tuple(_table(platform).tables("device", needed=False))
+
+
+@cache
+def _table(platform: str) -> DataTable:
     path = resources.find("platform_repo", f"{platform}/devices.toml")
-    return tuple(DataTable(path, read_data(path)).tables("device", needed=False))
+    return DataTable(path, read_data(path))
 
 
 def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool) -> tuple[str, str]:

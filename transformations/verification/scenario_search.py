@@ -49,7 +49,7 @@ def search(
     types: bool,
     seed: int,
     known: frozenset[Place] = frozenset(),
-    budget_s: float = 60.0,
+    budget_s: float = 240.0,
 ) -> FoundScenarios:
     """Make scenarios for a program.
 
@@ -59,7 +59,7 @@ def search(
         types: whether it reads what is typed.
         seed: of all that is random.
         known: what other scenarios reach of the source.
-        budget_s: seconds of this machine's time.
+        budget_s: seconds of this machine's time, after which the search ends wherever it is.
     """
     made = _Search(program, ports, set(known), monotonic() + budget_s)
     made.horizon = _horizon(program, ports)
