@@ -61,6 +61,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.history
 	$(BIN)/python -m tests.fuzz.edits
 	$(BIN)/python -m tests.fuzz.valid_c
+	$(BIN)/python -m tests.fuzz.widths
 	$(BIN)/python -m tests.fuzz.growth
 	$(BIN)/python -m tests.fuzz.environments
 	$(BIN)/python -m tests.fuzz.runs

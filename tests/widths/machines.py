@@ -29,7 +29,9 @@ def names(program: Path) -> list[str]:
 
 def truth(program: Path, folder: Path) -> dict[str, int]:
     """What each case gives on a 32-bit machine; cases that end with a signal are left out."""
-    calls = "\n".join(f'  one("{name}", case_{name});' for name in names(program)).replace("case_", "(long (*)(void))case_")
+    cases = names(program)
+    called = "\n".join(f"static long called_{name}(void) {{ return case_{name}(); }}" for name in cases)
+    calls = "\n".join(f'  one("{name}", called_{name});' for name in cases)
     text = re.sub(r"int main\(void\) \{\}", "", program.read_text())
     runner = (
         "#include <sys/wait.h>\n#include <unistd.h>\n#include <stdio.h>\n"
@@ -38,7 +40,7 @@ def truth(program: Path, folder: Path) -> dict[str, int]:
         "  int how; wait(&how);\n}\n"
     )
     source = folder / "truth.c"
-    source.write_text(f"{text}\n{runner}int main(void) {{\n{calls}\n  return 0;\n}}\n")
+    source.write_text(f"{text}\n{called}\n{runner}int main(void) {{\n{calls}\n  return 0;\n}}\n")
     flags = ["-m32", "-funsigned-char", "-w", "-O0", "-std=gnu99", SANITIZED, "-fsanitize-undefined-trap-on-error"]
     subprocess.run(["gcc", *flags, str(source), "-o", str(folder / "truth"), "-lm"], check=True)
     said = subprocess.run([str(folder / "truth")], capture_output=True, text=True, check=True).stdout

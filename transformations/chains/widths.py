@@ -43,7 +43,16 @@ def widened(
     folders, defines = [str(d) for d in files.include_dirs], list(files.defines)
     typed = {
         unit.path: typed_unit(
-            unit, given.get(unit.path, unit.path), program.copies[unit.path], macros, api, machines, folders, defines, adapted
+            unit,
+            given.get(unit.path, unit.path),
+            program.copies[unit.path],
+            macros,
+            api,
+            machines,
+            folders,
+            defines,
+            adapted,
+            target.wider_names,
         )
         for unit in units
     }

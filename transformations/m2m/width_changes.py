@@ -111,16 +111,15 @@ class Writer:
 
     def _cast(self, place: TextPlace, node: TypedExpression) -> _Cast:
         cast = self._casts.setdefault(place, _Cast())
-        cast.enclosed = cast.enclosed or (node.form in _COMPOUND_FORMS and not self._enclosed(place, node))
+        bare = place in node.inner  # without the parentheses that it may have
+        compound = node.form in _COMPOUND_FORMS and (bare or not node.bracketed)
+        parameter = place.body and bare and re.fullmatch(r"\w+", self._slice(place)) is not None
+        cast.enclosed = cast.enclosed or compound or (parameter and node.form != "literal")
         return cast
-
-    def _enclosed(self, place: TextPlace, node: TypedExpression) -> bool:
-        """Whether an expression stands in parentheses, or is written as the use of a macro."""
-        return (node.bracketed and place in node.places) or re.fullmatch(r"\w+(\s*\(.*\))?", self._slice(place), re.S) is not None
 
     def _place(self, node: TypedExpression, fits: set[str], number: Number | None) -> TextPlace | None:
         """Where a conversion may be written: the outermost place whose uses all fit it."""
-        for place in dict.fromkeys((*node.places, *node.inner)):
+        for place in node.layers:
             seen = self.walk.seen.get(place, set())
             shared = place.body or place not in node.places[:1]
             if place in self.walk.changed and shared:
@@ -130,10 +129,8 @@ class Writer:
         return None
 
     def _name(self, want: Want) -> bool:
-        if not want.node.inner:
-            return False
-        place = want.node.inner[0]
-        if not re.fullmatch(r"\w+", self._slice(place)):
+        place = next((p for p in want.node.inner if self._slice(p) == want.node.name), None)
+        if place is None:
             return False
         self._edits[WidthEdit(place.unit, place.start, place.end, want.text, NAME)] = None
         return True

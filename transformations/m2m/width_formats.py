@@ -70,8 +70,10 @@ def wanted(
         return False, there.integer if number.bits > there.int_bits else None
     if letter not in _NUMBERS:
         return False, None
-    if length in ("h", "hh", "z", "t"):
+    if length in ("h", "hh"):
         return False, Number(there.int_bits, letter in "di") if number.bits > there.int_bits else None
+    if length in ("z", "t"):  # the target's are narrower, and what is passed is written with its width there
+        return False, Number(there.pointer_bits, letter in "di") if number.bits > there.pointer_bits else None
     if length in ("ll", "j"):
         return False, Number(64, wide.signed) if number.bits < 64 else None
     if number.bits > there.int_bits:

@@ -77,7 +77,7 @@ class Walk:
         """What an expression is on the target, where it is used as its context does."""
         rule = _RULES.get(node.form)
         number = rule(self, node) if rule is not None else self._others(node)
-        for place in (*node.places, *node.inner):
+        for place in node.layers:
             self.seen.setdefault(place, set()).add(_seen_as(self.here, node))
         wanted = node.converted.number
         if self.resigned and wanted is not None and not node.converted.char and (wanted.real or wanted.bits > 8):
@@ -131,7 +131,7 @@ class Walk:
             return declared
         if node.bits < self.there.int_bits or (node.bits == self.there.int_bits and declared.signed):
             return self.there.integer
-        return Number(self.there.int_bits, False) if node.bits == self.there.int_bits else declared
+        return declared  # GCC keeps the type of one as wide as an unsigned int, too
 
     def _call(self, node: TypedExpression) -> Number | None:
         arguments = node.children[1:]
@@ -205,9 +205,11 @@ class Walk:
         return Number(made.bits, made.signed, made.real) if made is not None else None
 
     def _unary(self, node: TypedExpression) -> Number | None:
+        if not node.children:
+            return node.kind.target
         if node.operator == "!":
             _as_it_is(node.children)
-        number = self.value(node.children[0]) if node.children else None
+        number = self.value(node.children[0])
         if node.operator in ("++", "--", "&"):
             self._assigned(node.children[0])
         if node.operator == "!":
@@ -220,9 +222,11 @@ class Walk:
         return node.kind.target if node.operator != "&" else None
 
     def _assigned(self, node: TypedExpression) -> None:
-        self.changed.update((*node.places, *node.inner))
+        self.changed.update(node.layers)
 
     def _binary(self, node: TypedExpression) -> Number | None:
+        if len(node.children) != 2:
+            return self._others(node)
         if node.operator in ("&&", "||"):
             _as_it_is(node.children)
         left, right = (self.value(child) for child in node.children[:2])
@@ -252,17 +256,25 @@ class Walk:
         if wanted is None or wanted.real:
             return
         left, right = (number if number is not None else self.there.integer for _, number in operands)
+        if self._computes(wanted, left, right):
+            return
+        able = [operand for operand, other in zip(operands, (right, left), strict=True) if self._computes(wanted, wanted, other)]
+        if able:
+            self.widen(min(able, key=lambda o: self._reluctance(o[0], o[1], wanted))[0], wanted)
+        else:
+            for operand, _ in operands:
+                self.widen(operand, wanted)
+
+    def _computes(self, wanted: Number, left: Number, right: Number) -> bool:
         common = self.there.common(left, right)
-        if (common.bits, common.signed) != (wanted.bits, wanted.signed):
-            self.widen(min(operands, key=lambda o: self._reluctance(o[0], o[1], wanted))[0], wanted)
+        return (common.bits, common.signed) == (wanted.bits, wanted.signed)
 
     def _reluctance(self, node: TypedExpression, number: Number | None, wanted: Number) -> tuple[bool, ...]:
         """In which order operands are chosen for a conversion.
 
         One that is of the type on the source comes first, then a number that takes a suffix, then what is narrow and simple.
         """
-        declared = node.kind.number
-        here = self.here.promoted(declared) if declared is not None else wanted
+        here = _promoted_here(self.here, node) or wanted
         return (
             (here.bits, here.signed) != (wanted.bits, wanted.signed),
             node.form != "literal" or len(node.inner) != 1,
@@ -274,6 +286,9 @@ class Walk:
     def _conditional(self, node: TypedExpression) -> Number | None:
         _as_it_is(node.children[:1])
         numbers = [self.value(child) for child in node.children]
+        for place, child in enumerate(node.children):
+            if child.form == "member" and child.bits >= 0:
+                numbers[place] = child.kind.target  # GCC does not promote a bit-field there
         if len(numbers) == 3 and node.kind.number is not None:
             self._agree(node.kind.number, (node.children[1], numbers[1]), (node.children[2], numbers[2]))
             return node.kind.number
@@ -288,10 +303,14 @@ class Walk:
 
     def _assign(self, node: TypedExpression) -> Number | None:
         numbers = [self.value(child) for child in node.children]
+        if not numbers:
+            return node.kind.target
         self._assigned(node.children[0])
         return numbers[0]
 
     def _compound(self, node: TypedExpression) -> Number | None:
+        if len(node.children) != 2:
+            return self._others(node)
         left, right = node.children[:2]
         first, second = self.value(left), self.value(right)
         self._assigned(left)
@@ -315,14 +334,17 @@ class Walk:
         return first
 
     def _switch(self, node: TypedExpression) -> Number | None:
+        if not node.children:
+            return None
         for child in node.children[1:]:
             self.value(child)
         selector = node.children[0]
         number = self._promoted(self.value(selector))
-        wanted = self.here.promoted(selector.kind.number) if selector.kind.number is not None else None
+        wanted = _promoted_here(self.here, selector)
         if number is not None and wanted is not None and number != wanted:
             values = [v for v in _cases(node.children[1:]) if v is not None]
-            if any(not number.least <= v <= number.most for v in values):
+            least, most = (0, 127) if selector.bits >= 0 else (number.least, number.most)  # a bit-field may be promoted or not
+            if any(not least <= v <= most for v in values):
                 self.widen(selector, Number(wanted.bits, wanted.signed))
         return None
 
@@ -339,13 +361,21 @@ _ORDERED = {"qsort": 3, "bsearch": 4}
 _PLAIN = frozenset(["int", "unsigned int"])
 
 
+def _promoted_here(machine: Machine, node: TypedExpression) -> Number | None:
+    """What arithmetic on the source makes of an expression by itself."""
+    number = node.kind.number
+    if number is not None and 0 <= node.bits < machine.int_bits:
+        return machine.integer
+    return machine.promoted(number) if number is not None else None
+
+
 def _seen_as(machine: Machine, node: TypedExpression) -> str:
     number = node.kind.number
     if number is None:
         return "pointer" if node.kind.pointer else "other"
     if number.real:
         return "real"
-    promoted = machine.promoted(number)
+    promoted = _promoted_here(machine, node) or number
     char = "char" if node.kind.char else "character" if node.form == "character" and (node.value or 0) > 127 else "number"
     return f"{promoted.bits} {promoted.signed} {char}"
 

@@ -61,6 +61,7 @@ class TypedExpression:
         children: operands, arguments and what else stands in it, in text order.
         places: where it can be changed, parentheses around it included; the outermost first.
         inner: the same without parentheses.
+        layers: all of these, and those with some of the parentheses, from the outside to the inside.
         name: what a name, member or call refers to.
         origin: of a name or call: `program`, `standard`, `platform`, or `parameter` of a function.
         text: a literal as it is written.
@@ -78,6 +79,7 @@ class TypedExpression:
     children: list[TypedExpression] = field(default_factory=list)
     places: tuple[TextPlace, ...] = ()
     inner: tuple[TextPlace, ...] = ()
+    layers: tuple[TextPlace, ...] = ()
     name: str = ""
     origin: str = ""
     text: str = ""

@@ -74,6 +74,7 @@ def typed_unit(
     include_dirs: Sequence[str] = (),
     defines: Sequence[str] = (),
     platform: Collection[str] = (),
+    wider: Collection[str] = (),
 ) -> list[TypedExpression]:
     """What a unit declares and does, with types.
 
@@ -86,6 +87,7 @@ def typed_unit(
         machines: what the source and the target compute in.
         include_dirs, defines: as the program was read.
         platform: names of functions that adapters replace.
+        wider: names of standard types that are written as wider ones.
     """
     uses = {int(u.startOffset) for u in unit.macroUses if u.name in macros}
     plain = data if data.isascii() else bytes(b if b < 128 else 63 for b in data)
@@ -97,15 +99,22 @@ def typed_unit(
     if parsed is None:
         return []
     try:
-        return _Reader(parsed, expanded, machines, platform).read()
+        return _Reader(parsed, expanded, machines, platform, wider).read()
     finally:
         parsed.close()
 
 
 class _Reader:
-    def __init__(self, parsed: Parsed, expanded: Expanded, machines: tuple[Machine, Machine], platform: Collection[str]) -> None:
+    def __init__(
+        self,
+        parsed: Parsed,
+        expanded: Expanded,
+        machines: tuple[Machine, Machine],
+        platform: Collection[str],
+        wider: Collection[str],
+    ) -> None:
         self.lib: Any = clang.library()
-        self.parsed, self.expanded, self.platform = parsed, expanded, platform
+        self.parsed, self.expanded, self.platform, self.wider = parsed, expanded, platform, wider
         self.here, self.there = machines
         self.data = parsed.source.data
         self.ends: dict[int, int] = {}
@@ -122,9 +131,14 @@ class _Reader:
         if depth > MOST_DEPTH:
             return TypedExpression("other")
         outer, converted = node, None
-        bracketed = False
-        while node.kind in (UNEXPOSED, PAREN) and len(node.children) == 1:
+        bracketed, layers = False, [(node.start, node.end)]
+        while len(node.children) == 1:
             inner = node.children[0]
+            if node.kind == inner.kind not in (UNEXPOSED, PAREN) and (inner.start, inner.end) == (node.start, node.end):
+                node = inner  # a constant expression, which the parser shows twice
+                continue
+            if node.kind not in (UNEXPOSED, PAREN):
+                break
             if node.kind == UNEXPOSED:
                 if (inner.start, inner.end) != (node.start, node.end) or not 100 <= inner.kind < 200:
                     break
@@ -132,6 +146,7 @@ class _Reader:
             else:
                 bracketed = True
             node = inner
+            layers.append((node.start, node.end))
         form = _FORMS.get(node.kind, "other")
         made = TypedExpression(form, bracketed=bracketed)
         if 100 <= node.kind < 200:
@@ -139,6 +154,7 @@ class _Reader:
             made.converted = self.kind(converted) if converted is not None else made.kind
             made.places = self.expanded.places(outer.start, outer.end)
             made.inner = self.expanded.places(node.start, node.end)
+            made.layers = tuple(dict.fromkeys(p for layer in dict.fromkeys(layers) for p in self.expanded.places(*layer)))
             if self._of_header_macro(node):
                 made.form, made.name, made.origin = "macro", self.names.get(node.start, ""), "platform"
                 return made
@@ -166,7 +182,12 @@ class _Reader:
 
     def _of_header_macro(self, node: Node) -> bool:
         """Whether an expression comes out of the body of a macro that is not the program's."""
-        return node.from_macro and (node.start in self.ends or node.end in self.ends.values())
+        if not node.from_macro:
+            return False
+        end = self.ends.get(node.start)
+        if end is not None:
+            return node.end <= end
+        return any(start < node.start and node.end == end for start, end in self.ends.items())
 
     def _value(self, node: Node) -> int | None:
         found = self.lib.Cursor_Evaluate(node.cursor)
@@ -248,7 +269,7 @@ class _Reader:
                 name = lib.text(lib.getCursorSpelling(declared))
                 file, _offset = clang.file_offset(lib.getCursorLocation(declared))
                 own = not clang.file_name(file).startswith(VIRTUAL) and file
-                if not own and (number := self.there.number(name)) is not None:
+                if not own and name not in self.wider and (number := self.there.number(name)) is not None:
                     return number
                 kind = lib.getTypedefDeclUnderlyingType(declared)
             else:
