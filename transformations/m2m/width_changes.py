@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from robosmi.transformations.m2m.width_rules import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Walk, Want
+from robosmi.transformations.m2m.width_rules import Walk
+from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.numbers import Number
 from robosmi.transformations.queries.typed import TextPlace, TypedExpression
 

@@ -12,34 +12,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from robosmi.transformations.m2m.width_formats import conversions, has_format, wanted
+from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TextPlace, TypedExpression
 
-WIDEN, READ, NAME, SHIFT, TEXT, ORDER = "widen", "unsigned-char", "wider-function", "spelled-out", "format", "order"
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
-
-
-@dataclass
-class Want:
-    """A place that has to be written otherwise.
-
-    Attributes:
-        rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out`, `format` or `order`.
-        node: the expression.
-        number: the type wanted by `widen`.
-        text: the new name, or the operator that is spelled out.
-        other: the right side of what is spelled out.
-        offsets: where a format names too few bits.
-    """
-
-    rule: str
-    node: TypedExpression
-    number: Number | None = None
-    text: str = ""
-    other: TypedExpression | None = None
-    offsets: tuple[int, ...] = ()
 
 
 @dataclass

@@ -15,7 +15,8 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.width_changes import WidthEdit, Writer
 from robosmi.transformations.m2m.width_formats import handing_on
-from robosmi.transformations.m2m.width_rules import Walk, Want
+from robosmi.transformations.m2m.width_rules import Walk
+from robosmi.transformations.m2m.width_wants import Want
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression
 from robosmi.transformations.queries.width_types import retyped, retyped_words
