@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from robosmi.metamodels import ccode
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts
@@ -56,5 +57,9 @@ def widened(
         )
         for unit in units
     }
-    renamed = {c.element.name: c.changes[0].replacement for c in dependence.dispositions if RENAME in c.rules and c.changes}
+    renamed = {
+        d.element.name: d.changes[0].replacement
+        for d in dependence.dispositions
+        if RENAME in d.rules and d.changes and isinstance(d.element, (ccode.Declaration, ccode.Macro))
+    }
     return widenings(units, program.copies, typed, machines, target.wider_names, renamed, target.language == CPLUSPLUS)
