@@ -49,8 +49,9 @@ def _plain(data: bytes) -> Iterator[Token]:
     for kind, start, end, text in tokens(data):
         if kind == "directive":
             found = re.match(r"(?:#|%:)[ \t]*define\b", text)
-            for inner, first, behind, word in tokens(b" " + data[start + found.end() : end]) if found else ():
-                yield inner, first + start + found.end() - 1, behind + start + found.end() - 1, word
+            body = start + found.end() if found else end
+            for inner, first, behind, word in tokens(b" " + data[body:end]):
+                yield inner, first + body - 1, behind + body - 1, word
             yield "directive", end, end, ""
         else:
             yield kind, start, end, text
