@@ -200,13 +200,15 @@ def _symbols(
 def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Dependence) -> TargetNames:
     """The target's names with those of the adapters, which the program's own cannot have in the sketch.
 
-    A function that the program declares and an adapter defines is the adapter's.
+    A function that the program declares and an adapter defines is the adapter's. What only the changed text calls must not be
+    hidden by a local either.
     """
     served = {str(use.name) for use in result.adapters if use.adapter is not None}
     own = {str(d.name) for view in views for d in view.of_kind(ccode.Declaration)}
     own |= {str(macro.name) for view in views for macro in view.unit.macros}
     own -= served | {""}
-    return names.beside(*declared_names(result.pieces, own)) if result.pieces else names
+    declared, macros = declared_names(result.pieces, own)
+    return names.beside(declared, macros | {str(helper.name) for helper in result.helpers})
 
 
 def _change_unit_texts(

@@ -181,3 +181,11 @@ def test_an_adapter_is_handed_on_where_the_program_has_its_widths(tmp_path: Path
     assert all(use.adapter is not None for use in made.models.plan.adapterUses)
     report = robosmi.compile_sketch(tmp_path / "out")
     assert [d.message for d in report.diagnostics if d.severity.name != "info"] == []
+
+
+def test_no_local_hides_what_the_changed_text_calls(tmp_path: Path) -> None:
+    text = '#include "simpletools.h"\nint shown(int port) { print("%d", port); return input(port); }\n'
+    (tmp_path / "program.c").write_text(f"{text}int main() {{ while (1) pause(shown(7)); }}\n")
+    robosmi.migrate([tmp_path / "program.c"], tmp_path / "out")
+    sketch = (tmp_path / "out" / "program" / "program.ino").read_text()
+    assert 'shown(int32_t port_) { print("%d", port_); return input(port(port_)); }' in sketch
