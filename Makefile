@@ -69,6 +69,7 @@ fuzz: $(VENV)/.ready
 
 adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone
+	$(BIN)/python -m tests.adapters.boards
 	$(BIN)/python -m tests.adapters.mutants
 
 adapter-data: $(VENV)/.ready
