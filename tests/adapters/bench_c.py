@@ -77,7 +77,7 @@ def _with_pins(places: Sequence[int], call: re.Match[str]) -> str:
 class UnoInC(Uno):
     """A bench with an Uno for adapters in C."""
 
-    def sketch(self, program: str, uses: Sequence[str]) -> str:
+    def sketch(self, program: str, uses: Sequence[str], first: str = "") -> str:
         """The text of a C program: the pieces that `uses` (`header/name`) need, then what a program for the core becomes."""
         known = AdapterPieces(
             replace(piece, text=self.changed.get(f"{piece.header}/{piece.name}", piece.text)) for piece in pieces()
@@ -89,16 +89,22 @@ class UnoInC(Uno):
         ports = {name: str(PINS[pin]) for name, pin in self.ports.items()}
         numbers = {number: str(PINS[pin]) for number, pin in self.numbers.items()}
         elements = [adapter_element(piece) for piece in needed.pieces]
-        return f"{HEAD}{adapter_text(elements, ports, NO_PIN, numbers)}\n{CORE}\n{in_c(program)}"
+        return f"{HEAD}{first}{adapter_text(elements, ports, NO_PIN, numbers)}\n{CORE}\n{in_c(program)}"
 
     def run(
-        self, program: str, uses: Sequence[str], milliseconds: float, devices: Sequence[DeviceUse] = (), engine: str | None = None
+        self,
+        program: str,
+        uses: Sequence[str],
+        milliseconds: float,
+        devices: Sequence[DeviceUse] = (),
+        engine: str | None = None,
+        first: str = "",
     ) -> PinTrace:
         """Compile a program, run it, and tell what was seen. Warnings of the compiler are failures."""
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place) / "case"
             folder.mkdir()
-            (folder / "case.c").write_text(self.sketch(program, uses))
+            (folder / "case.c").write_text(self.sketch(program, uses, first))
             (folder / "Makefile").write_text(MAKEFILE)
             report = compile_sketch(folder, keep=Path(place))
             said = [finding for finding in report.diagnostics if finding.severity.name != "info"]
