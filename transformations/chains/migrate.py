@@ -189,7 +189,8 @@ def judgement(
     """
     how = adapters or defaults()["migrate"]["adapters"]
     choice = adapter_choice(adapter_files_of(settings, target, api), api, board, how, widened=widths != KEEP)
-    look_up = str(api.settings.get("ports", {}).get("look_up", "")) if looked_up(ports) else ""
+    known = api.settings.get("ports", {}).get("look_up", {})
+    look_up = [str(known[name]) for name in looked_up(ports) if name in known]
     judged = judge_program(program.views, target, choice, program.copies, look_up)
     check_own_adapters(choice, target, board)
     return judged

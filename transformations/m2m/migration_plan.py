@@ -55,7 +55,7 @@ class Hardware:
 
 
 def judge_program(
-    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, files: Mapping[str, bytes], look_up: str = ""
+    views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, files: Mapping[str, bytes], look_up: Sequence[str] = ()
 ) -> tuple[Dependence, Trace]:
     """What happens to each element of the program, and from what that was made.
 
@@ -204,7 +204,7 @@ def put_together(
         concurrency=d.dependence.concurrency,
         connections=connections,
         portBindings=list(d.bindings),
-        portFlows=port_changes(d.ports, d.bindings, d.files),
+        portFlows=port_changes(d.ports, d.bindings, d.files, arrays=any(h.name == "ports" for h in d.dependence.helpers)),
         libraryChoices=list(d.choices),
         adapterUses=d.dependence.adapters,
         symbolUses=d.dependence.symbols,

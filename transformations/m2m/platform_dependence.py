@@ -83,7 +83,7 @@ def partition(
     choice: AdapterChoice,
     sources: Mapping[str, bytes],
     trace: Trace,
-    look_up: str = "",
+    look_up: Sequence[str] = (),
 ) -> Dependence:
     """Judge every element of the program.
 
@@ -93,7 +93,7 @@ def partition(
         choice: the adapters that there are.
         sources: path of a unit -> its bytes.
         trace: where links are recorded.
-        look_up: header and name of the piece that calls of the changed text look ports up with, empty where none does.
+        look_up: header and name of each piece that calls of the changed text look ports up with.
     """
     result = Dependence()
     program, api = views[0].program, views[0].api
@@ -115,8 +115,10 @@ def partition(
     serve(result.adapters, {name: c.header for name, c in called.items()}, choice, values)
     functions = {a.name: target_types(a) for a in result.adapters}
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names, choice)
-    if look_up and (piece := choice.declare(look_up.partition("/")[2], look_up.partition("/")[0], HELPERS)) is not None:
-        result.helpers.append(piece)
+    for wanted in look_up:
+        header, _, name = wanted.partition("/")
+        if (piece := choice.declare(name, header, HELPERS)) is not None:
+            result.helpers.append(piece)
     result.pieces, result.unserved = choice.elements, choice.unserved
     shared = _beside_adapters(names, views, result)
     reserved = shared.declared | shared.macros | shared.keywords

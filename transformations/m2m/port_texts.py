@@ -25,7 +25,7 @@ _REASONS = 4
 
 
 def port_changes(
-    ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes]
+    ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], *, arrays: bool = False
 ) -> list[migration.PortFlow]:
     """The flows of a plan, and the changes of text that they and the bindings want.
 
@@ -33,11 +33,12 @@ def port_changes(
         ports: the program's ports.
         bindings: a decision for each; they are given their changes.
         sources: path of a unit -> its bytes.
+        arrays: whether the target has something that looks up an array of ports.
     """
     numbers = {b.sourcePin: b for b in bindings if b.sourcePin >= 0 and b.origin != "convention"}
     for binding in bindings:
         binding.changes.clear()
-    found = []
+    found, number = [], 1
     moved = {id(place.element) for each in ports.flows if each.moved for place in each.flow.places}
     for each in ports.flows:
         if each.moved:
@@ -47,16 +48,29 @@ def port_changes(
                     numbers[place.value].changes.extend(changed)
             changes: list[migration.TextChange] = []
         else:
-            changes = [c for a, known in zip(each.flow.arguments, each.values, strict=True) for c in _look_up(a, known)]
+            changes = []
+            for argument, known in zip(each.flow.arguments, each.values, strict=True):
+                if _asks(argument, known):
+                    around = _around(argument, sources, number, arrays)
+                    number += argument.parameter.number is not None
+                    changes += _look_up(argument, around) if around is not None else []
+                    left = [f"'{argument.function}' has to look up the numbers of its array itself"] if around is None else []
+                    each.flow.kept[:0] = [text for text in left if text not in each.flow.kept]
         if each.numbers or changes:
             found.append(_flow(each, changes, numbers))
     return found
 
 
-def looked_up(ports: ProgramPorts) -> bool:
-    """Whether a call of the program has to look up the pin of a port."""
-    flows = (each for each in ports.flows if not each.moved)
-    return any(_look_up(a, known) for each in flows for a, known in zip(each.flow.arguments, each.values, strict=True))
+def looked_up(ports: ProgramPorts) -> list[str]:
+    """What the calls of the program have to ask for the pins of ports: `port`, `ports` for arrays."""
+    asked = [
+        "port" if argument.parameter.number is None else "ports"
+        for each in ports.flows
+        if not each.moved
+        for argument, known in zip(each.flow.arguments, each.values, strict=True)
+        if _asks(argument, known)
+    ]
+    return sorted(set(asked))
 
 
 def _flow(
@@ -123,17 +137,16 @@ def replacement(binding: migration.PortBinding, original: bytes) -> str:
     return f"{name[0]} = {value}" if name is not None else value
 
 
-def _look_up(argument: PinArgument, known: Sequence[object]) -> list[migration.TextChange]:
-    """The insertions that look up the pin where a number of the source is given to an adapter."""
+def _asks(argument: PinArgument, known: Sequence[object]) -> bool:
+    """Whether the adapter takes a pin of the target where it is given a number of the source; a negative one means the same."""
     numbers = [getattr(value, "number", None) for value in known]
-    if (
-        not argument.translated
-        or argument.parameter.number is not None
-        or (numbers and all(n is not None and n < 0 for n in numbers))
-    ):
-        return []
+    return argument.translated and not (numbers and all(n is not None and n < 0 for n in numbers))
+
+
+def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.TextChange]:
+    """The insertions that look up the pin where a number of the source is given to an adapter."""
     reason = f"the number that '{argument.function}' is given is one of the source"
-    places = ((argument.start, "port("), (argument.end, ")"))
+    places = ((argument.start, around[0]), (argument.end, around[1]))
     return [
         migration.TextChange(
             unit=argument.unit, startOffset=at, endOffset=at, replacement=text, rule=LOOK_UP, reason=reason,
@@ -141,3 +154,15 @@ def _look_up(argument: PinArgument, known: Sequence[object]) -> list[migration.T
         )
         for at, text in places
     ]  # fmt: skip
+
+
+def _around(argument: PinArgument, sources: Mapping[str, bytes], place: int, arrays: bool) -> tuple[str, str] | None:
+    """What stands around an argument; None for an array that nothing on the target looks up."""
+    if argument.parameter.number is None:
+        return "port(", ")"
+    given = list(argument.call.arguments) if argument.call is not None else []
+    if not arrays or argument.parameter.number >= len(given):
+        return None
+    count = given[argument.parameter.number]
+    text = sources[argument.unit.path][count.startOffset : count.endOffset].decode(errors="replace")
+    return f"ports<{place}>(", f", {text})"

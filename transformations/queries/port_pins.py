@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.circuit import pin_literal
+from robosmi.transformations.queries.plan_adapters import emitted
 
 NOT_WIRED = "none"
 """The choice of a port that is on no pin, by a person's word."""
@@ -60,4 +61,4 @@ def looks_up_ports(plan: migration.MigrationPlan) -> bool:
 
 def table_is_declared(plan: migration.MigrationPlan) -> bool:
     """Whether a piece of the plan's adapters declares the table that ports are looked up in."""
-    return any(piece.tables for piece in plan.helpers)
+    return any(piece.tables for piece in emitted(plan))

@@ -10,6 +10,16 @@ inline int32_t port(int32_t number) {
   return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
 
+//# helper ports
+//#   needs: port
+//#   fidelity: the pins of an array of ports of the source, as they are at the call; 32 at most
+template <int place, class Number>
+inline int32_t *ports(const Number *numbers, int32_t count) {
+  static int32_t pins[32];
+  for (uint8_t i = 0; i < count && i < 32; i++) pins[i] = port(numbers[i]);
+  return pins;
+}
+
 //# constant CLKFREQ
 //#   fidelity: exact; ticks of the virtual counter in a second, not the clock of the target
 #define CLKFREQ 80000000L
