@@ -1,0 +1,33 @@
+"""Which pins a migrated program moves on a simulator: those that its ports are bound to, and no other."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.running import run
+from tests.tools import require_engine, require_tools
+
+PROGRAM = Path(__file__).parent / "ports_on_pins" / "lights.c"
+PORTS = [26, 27, 4, 5, 6, 10, 8, 16, 11, 12, 14, 20, 21, 22]
+PINS = ["D2", "D3", "D4", "D5", "D6", "D7", "D8", "D9", "D10", "D11", "D12", "D13", "A0", "A1"]
+
+
+def moved(tmp_path: Path, bound: dict[int, str]) -> list[str]:
+    """The pins that go high in turn, each once, when these ports are bound."""
+    require_tools("avr-gcc", "arduino-core-avr")
+    require_engine("simavr")
+    said = [text for port, pin in bound.items() for text in ("--bind", f"P{port}={pin}")]
+    assert run("migrate", PROGRAM, "-o", tmp_path / "out", *said, "--json").code == 0
+    outcome = run("simulate", tmp_path / "out", "--seconds", "1", "--json")
+    assert outcome.code == 0, outcome.err
+    high = [e["pin"] for e in outcome.result["events"] if e.get("level") == 1 and e["pin"] not in ("D0", "D1")]
+    return list(dict.fromkeys(high))
+
+
+def test_each_port_moves_its_own_pin(tmp_path: Path) -> None:
+    bound = dict(zip(PORTS, PINS, strict=True))
+    assert moved(tmp_path, bound) == PINS
+
+
+def test_ports_that_are_not_wired_move_no_pin(tmp_path: Path) -> None:
+    assert moved(tmp_path, {4: "D5", 16: "none", 22: "D9"}) == ["D5", "D9"]
