@@ -15,7 +15,7 @@ from robosmi.__main__ import start
 from robosmi.model import commit as commit_module
 from robosmi.model.commit import commit
 from robosmi.model.open_folder import OpenFolder
-from robosmi.model.recovery import STAGE
+from robosmi.model.recovery import STAGE, finish
 from tests.fuzz import interrupts
 from tests.running import tree
 
@@ -78,7 +78,6 @@ def _interrupted(*_: object) -> None:
 
 def test_what_has_its_journal_is_finished_before_an_interruption_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     commit(tmp_path / "out", {"a": b"old", "b": b"old"})
-    finish = commit_module.finish
 
     def interrupted(held: OpenFolder) -> None:
         os.kill(os.getpid(), signal.SIGINT)

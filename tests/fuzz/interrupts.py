@@ -63,7 +63,12 @@ def forked(folder: Path, version: int, hook: Callable[[str, tuple[object, ...]],
 def counted(folder: Path, version: int) -> int:
     """How many steps a migration has."""
     reading, writing = os.pipe()
-    forked(folder, version, lambda event, _: os.write(writing, b".") and None if event in STEPS else None)
+
+    def hook(event: str, _: tuple[object, ...]) -> None:
+        if event in STEPS:
+            os.write(writing, b".")
+
+    forked(folder, version, hook)
     os.close(writing)
     with os.fdopen(reading, "rb") as steps:
         return len(steps.read())

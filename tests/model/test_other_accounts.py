@@ -11,6 +11,7 @@ import signal
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
@@ -74,10 +75,8 @@ def killed_with_a_journal(folder: Path) -> None:
     """A run of this account that is killed after its journal is there."""
     child = os.fork()
     if child == 0:
-        import robosmi.model.commit as module
-
-        module.finish = lambda _: os.kill(os.getpid(), signal.SIGKILL)
-        commit(folder, {"a": b"new", "b": b"new"})
+        with patch("robosmi.model.commit.finish", lambda _: os.kill(os.getpid(), signal.SIGKILL)):
+            commit(folder, {"a": b"new", "b": b"new"})
     os.waitpid(child, 0)
     assert interrupted(folder)
 
