@@ -19,15 +19,17 @@ from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
 from robosmi.transformations.t2m.c_source.sources import source_files
 
 
 class ProgramFiles(NamedTuple):
-    """The files of one program, headers of its own behind the sources, and how they are read."""
+    """The files of one program, headers of its own behind the sources, how they are read, and what was left out of them."""
 
     paths: Sequence[Path]
     include_dirs: Sequence[Path]
     defines: Sequence[str]
+    findings: Sequence[Finding] = ()
 
 
 class StoredProgram(NamedTuple):
@@ -56,19 +58,48 @@ def program_files(
     """The files of a program.
 
     Args:
-        files: as given; a folder stands for the sources in it, `compile_commands.json` for those that it names.
+        files: as given; a folder stands for the sources in it, `compile_commands.json` for those that it names, a project file
+            of SimpleIDE for those that it lists, and a single source with such a file of its name beside it, too.
         include_dirs: folders with headers.
         defines: macros defined from outside.
         api: what is known of the source platform.
 
     Raises:
-        SourceError: a folder holds no sources, or the compile commands cannot be read.
+        SourceError: a folder holds no sources, or the compile commands or the project file cannot be read.
         UsageError: a file is given twice.
     """
-    sources = source_files([Path(f) for f in files], [str(d) for d in include_dirs], defines)
+    given, left_out = [Path(f) for f in files], list[Finding]()
+    if len(given) == 1 and (side := _side_project(str(given[0]))) is not None:
+        given, left_out = [Path(source) for source in side.sources], side.findings
+        include_dirs = [*include_dirs, *map(Path, side.include_dirs)]
+        defines = [*defines, *side.defines]
+    sources = source_files(given, [str(d) for d in include_dirs], defines)
     folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
     macros = list(dict.fromkeys(d for source in sources for d in source.defines))
-    return ProgramFiles(with_headers([Path(source.path) for source in sources], folders, api), folders, macros)
+    return ProgramFiles(with_headers([Path(source.path) for source in sources], folders, api), folders, macros, left_out)
+
+
+def _side_project(path: str) -> SideProject | None:
+    """What SimpleIDE's project file says that is given, or that lies beside a source and lists it; None for any other file.
+
+    Raises:
+        SourceError: it cannot be read, or lists no source.
+    """
+    if path.endswith(ENDING):
+        made = read_side(path)
+        if not made.sources:
+            raise SourceError("the project file lists no C source", location=Location(path), fix="give the source files")
+        return made
+    beside = project_beside(path)
+    if not beside:
+        return None
+    made = read_side(beside)
+    own = next((source for source in made.sources if os.path.realpath(source) == os.path.realpath(path)), None)
+    if own is None:
+        return None
+    made.sources.remove(own)
+    made.sources.insert(0, path)
+    return made
 
 
 def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> StoredProgram:
@@ -79,6 +110,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
             alone.
     """
     program, findings = read_program(files.paths, api.name, files.include_dirs, files.defines)
+    findings = [*files.findings, *findings]
     if target.language == PLAIN_C:
         _refuse_cplusplus(program, target)
     main = _the_main(program)

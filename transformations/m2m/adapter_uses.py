@@ -12,9 +12,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts, TargetNames
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
+from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
 
 Source = migration.SignatureSource
@@ -144,6 +146,18 @@ def adapter(
         variadic=wide.variadic, signatureSource=origin, status=migration.AdapterStatus.todo,
         notes=_notes(called, function, origin, wide.name, handed), function=function, calls=called.calls,
     )  # fmt: skip
+
+
+def hide_types(use: migration.AdapterUse) -> None:
+    """Take pointers to types of the program that a file with a call does not see as pointers to anything."""
+    units = {id(unit): unit for call in use.calls if (unit := ancestor_of_kind(call, ccode.SourceUnit)) is not None}
+    seen = [{id(each) for each in (unit, *included(unit))} for unit in units.values()]
+    for parameter in use.parameters:
+        kind = parameter.valueType
+        places = {id(ancestor_of_kind(d, ccode.SourceUnit)) for d in kind.declarations} if kind is not None else set()
+        if kind is not None and kind.spelling.endswith("*") and any(places - each for each in seen):
+            kind.spelling = "const volatile void *"
+            kind.declarations.clear()
 
 
 def own_types(program: ccode.Program) -> dict[str, ccode.Declaration]:

@@ -19,7 +19,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import COMPILER
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
 from robosmi.transformations.m2m.adapter_choice import HELPERS, TYPES, VALUES, AdapterChoice, UnservedHeader, serve
-from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, own_prototypes, own_types
+from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, hide_types, own_prototypes, own_types
 from robosmi.transformations.m2m.concurrency import concurrency
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.hoisting import hoist
@@ -39,7 +39,7 @@ from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of
-from robosmi.transformations.queries.piece_names import declared_names
+from robosmi.transformations.queries.piece_names import declared_names, library_names
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
 
@@ -112,6 +112,8 @@ def partition(
         adapter(c, known.get(name), prototypes.get(name), api.name, target, names, own, handed=name in values)
         for name, c in called.items()
     ]
+    for use in result.adapters:
+        hide_types(use)
     serve(result.adapters, {name: c.header for name, c in called.items()}, choice, values)
     functions = {a.name: target_types(a) for a in result.adapters}
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names, choice)
@@ -120,7 +122,7 @@ def partition(
         if (piece := choice.declare(name, header, HELPERS)) is not None:
             result.helpers.append(piece)
     result.pieces, result.unserved = choice.elements, choice.unserved
-    shared = _beside_adapters(names, views, result)
+    shared = _beside_adapters(names, views, result, target.libraries)
     reserved = shared.declared | shared.macros | shared.keywords
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
     result.divisions = [divide(main, reserved, words) for main in mains]
@@ -199,8 +201,8 @@ def _symbols(
     return [*(h for h in headers if h.placeholder not in done), *types, *values]
 
 
-def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Dependence) -> TargetNames:
-    """The target's names with those of the adapters, which the program's own cannot have in the sketch.
+def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Dependence, index: str) -> TargetNames:
+    """The target's names with those of the adapters and of their libraries, which the program's own cannot have in the sketch.
 
     A function that the program declares and an adapter defines is the adapter's. What only the changed text calls must not be
     hidden by a local either.
@@ -210,6 +212,7 @@ def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Depe
     own |= {str(macro.name) for view in views for macro in view.unit.macros}
     own -= served | {""}
     declared, macros = declared_names(result.pieces, own)
+    declared |= library_names(result.pieces, index, own)
     return names.beside(declared, macros | {str(helper.name) for helper in result.helpers})
 
 

@@ -15,7 +15,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
-from robosmi.transformations.queries.own_headers import undeclared, unit_of
+from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, unit_of
 from robosmi.transformations.queries.plan import keeps_main, target_of
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 from robosmi.transformations.queries.text_changes import decision_of
@@ -55,7 +55,7 @@ def program_text(
 
     Returns:
         `origin`, `includes`, `libraries`, `interrupts` for its head; `types` (its code up to the first function, where something
-        must stand behind that), `adapters` and `prototypes` that must, `code` (all the rest).
+        must stand behind that), `adapters`, `prototypes` and the headers of their types that must, `code` (all the rest).
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
@@ -65,7 +65,8 @@ def program_text(
         if isinstance(declared, ccode.Function) and not declared.definition:
             prototypes.setdefault(declared.name, []).append(declared)
     ahead = [f for f in functions if f is not main and _used_before(f, unit, prototypes.get(f.name, ()))]
-    ahead += undeclared(unit)
+    elsewhere = undeclared(unit)
+    ahead += elsewhere
     late = [a for a in with_own_types if _called_in(a, unit)]
     first = min((f.startOffset for f in functions), default=len(source.data))
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
@@ -77,6 +78,7 @@ def program_text(
         "libraries": _libraries(plan),
         "types": _retained([], source.unit, source.pieces(0, start, _elements(unit))),
         "adapters": adapters(plan, late),
+        "prototype_headers": headers_of_types(elsewhere, unit),
         "prototypes": [{"function": f, "head": _prototype(f, texts[unit_of(f)], plan)} for f in ahead],
         "code": _code(plan, source, start, main),
     }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.source_text import is_header
@@ -56,3 +58,11 @@ def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
             continue
         found.setdefault(str(callee.name), callee)
     return list(found.values())
+
+
+def headers_of_types(functions: Iterable[ccode.Function], unit: ccode.SourceUnit) -> list[str]:
+    """File names of the program's own headers that declare types of these functions and that a unit does not include."""
+    seen = {id(header) for header in included(unit)}
+    uses = (use for f in functions for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None)
+    units = (unit_of(use.declaration) for use in uses if use.declaration is not None and use.declaration.startOffset)
+    return sorted({u.path.rpartition("/")[2] for u in units if is_header(u) and id(u) not in seen})

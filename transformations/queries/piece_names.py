@@ -1,4 +1,4 @@
-"""The names that pieces of adapter text declare at file scope, which a program cannot have for itself beside them."""
+"""The names that pieces of adapter text and their libraries declare at file scope, which a program cannot have beside them."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import re
 from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 
+from robosmi.errors import RobosmiError
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
+from robosmi.transformations.knowledge.library_ranking import library_api
 
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 _DEFINED = re.compile(r"#\s*define\s+([A-Za-z_]\w*)")
@@ -38,3 +40,23 @@ def declared_names(pieces: Iterable[platform.Adapter], among: AbstractSet[str]) 
             elif kind == "punct":
                 depth += (word in _OPENING) - (word in _CLOSING)
     return frozenset(declared & among), frozenset(macros & among)
+
+
+def library_names(pieces: Iterable[platform.Adapter], index: str, among: AbstractSet[str]) -> frozenset[str]:
+    """What the libraries that pieces include declare, of the names that a program has.
+
+    Args:
+        pieces: the pieces.
+        index: the platform whose index of libraries the target uses, empty for none.
+        among: the names that are asked for.
+    """
+    found: set[str] = set()
+    for library in sorted({str(name) for piece in pieces for name in piece.libraries}) if index else ():
+        try:
+            api = library_api(library, index)
+        except RobosmiError:
+            continue  # a library that comes with the target's tools, which the index does not have
+        for header in api.headers:
+            found |= {each.name.rpartition("::")[2] for each in (*header.classes, *header.functions)}
+            found |= {*header.constants, *header.enums, *(name for names in header.enums.values() for name in names)}
+    return frozenset(found & among)

@@ -1,0 +1,1 @@
+#define EYE 4

@@ -1,0 +1,2 @@
+#include "turn.h"
+int main() { turn(45); return 0; }

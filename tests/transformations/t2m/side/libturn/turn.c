@@ -1,0 +1,4 @@
+#include "simpletools.h"
+#include "turn.h"
+
+void turn(int degrees) { pause(degrees); }

@@ -1,0 +1,1 @@
+int look(int pin);

@@ -1,0 +1,104 @@
+"""Project files of SimpleIDE (`PROGRAM.side`): which sources a program has, and where its headers and libraries are.
+
+A line is a file, an option (`-I FOLDER`, `-L FOLDER`) or, behind `>`, a setting (`>defs::-DNAME`, `>linker::-lNAME`). The first
+file is the one of the project, which in a library is the program that tries it out. Paths are relative to the project file;
+`NAME -> PLACE` is a file that lies elsewhere.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass, field
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError
+
+ENDING = ".side"
+_SOURCES = (".c", ".cc", ".cpp", ".cxx")
+_LIBRARY = re.compile(r"-l(\S+)")
+_DEFINE = re.compile(r"-D\s*([A-Za-z_]\w*(?:=\S+)?)")
+
+
+@dataclass
+class SideProject:
+    """What a project file says, with that of the libraries it is linked with.
+
+    Attributes:
+        sources: paths of its sources, the project's first.
+        include_dirs: folders with headers.
+        defines: macros defined from outside.
+        findings: what was left out, and why.
+    """
+
+    sources: list[str] = field(default_factory=list)
+    include_dirs: list[str] = field(default_factory=list)
+    defines: list[str] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+
+
+def project_beside(source: str) -> str:
+    """The project file of the same name beside a source file, empty where there is none."""
+    path = os.path.splitext(source)[0] + ENDING
+    return path if os.path.isfile(path) else ""
+
+
+def read_side(path: str) -> SideProject:
+    """What a project file says.
+
+    Raises:
+        SourceError: it cannot be read.
+    """
+    made = SideProject()
+    _read(path, made, library=False, seen=set())
+    return made
+
+
+def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> None:
+    seen.add(os.path.realpath(path))
+    try:
+        text = inputs.read_text(path, inputs.SETTINGS)
+    except (OSError, ValueError) as error:
+        fix = "put a readable file in its place, or give the source files"
+        raise SourceError(f"the project file cannot be read: {error}", location=Location(path), fix=fix) from error
+    folder = os.path.dirname(path)
+    folders: list[str] = []
+    names: list[str] = []
+    first = True
+    for number, line in enumerate(text.splitlines(), 1):
+        said = line.strip()
+        if said.startswith(("-I", "-L")):
+            place = os.path.normpath(os.path.join(folder, said[2:].strip()))
+            (made.include_dirs if said.startswith("-I") else folders).append(place)
+        elif said.startswith(">"):
+            names += _LIBRARY.findall(said)
+            made.defines += _DEFINE.findall(said)
+        elif said and not said.startswith("-"):
+            if not (library and first):
+                _file(said, folder, Location(path, number), made)
+            first = False
+    for place in folders:
+        for name in names:
+            other = os.path.join(place, f"lib{name}{ENDING}")
+            if os.path.isfile(other) and os.path.realpath(other) not in seen:
+                made.include_dirs.append(place)
+                _read(other, made, library=True, seen=seen)
+    made.include_dirs[:] = dict.fromkeys(made.include_dirs)
+    made.defines[:] = dict.fromkeys(made.defines)
+
+
+def _file(said: str, folder: str, place: Location, made: SideProject) -> None:
+    name = said.partition("->")[2].strip() or said
+    path = os.path.normpath(os.path.join(folder, name.replace("\\", "/")))
+    if name.lower().endswith((".h", ".hh", ".hpp")):
+        return  # found where it is included
+    if not name.lower().endswith(_SOURCES):
+        made.findings.append(
+            Finding("RS112", Severity.warning, f"'{name}' was left out: it is no C", place, fix="move what it does by hand")
+        )
+    elif not os.path.isfile(path):
+        message = f"'{name}' was left out: there is no such file"
+        made.findings.append(Finding("RS112", Severity.warning, message, place, fix="put it there, or give the sources"))
+    elif path not in made.sources:
+        made.sources.append(path)
