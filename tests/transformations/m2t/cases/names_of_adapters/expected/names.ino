@@ -17,8 +17,8 @@ void setup() {
 }
 
 void loop() {
-  console_ = ping_cm(8) + Io_(3) + cogs_running + Servo_;
-  servo_angle(12, console_);
-  freqout(4, 100, 1000);
+  console_ = ping_cm(255 /* P8 is not wired yet */) + Io_(3) + cogs_running + Servo_;
+  servo_angle(255 /* P12 is not wired yet */, console_);
+  freqout(255 /* P4 is not wired yet */, 100, 1000);
   pause(port);
 }
