@@ -9,12 +9,13 @@ import os
 from collections.abc import Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
+from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, StoppedError
-from robosmi.generate import Generation
+from robosmi.generate import Generation, undo
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
@@ -55,6 +56,7 @@ class Generated:
         new_choices: libraries that a person chose and that no earlier run into this folder has counted.
         notes: findings of this run that are not the plan's.
         verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
+        diff: what a dry run would change, empty for any other.
     """
 
     models: MigrationModels
@@ -64,6 +66,7 @@ class Generated:
     new_choices: list[migration.LibraryChoice] = field(default_factory=list)
     notes: list[Finding] = field(default_factory=list)
     verification: tuple[dict[str, Any], int] | None = None
+    diff: str = ""
 
     @property
     def sketch(self) -> Path:
@@ -82,6 +85,8 @@ class Generated:
     def result(self) -> dict[str, Any]:
         """The contract's result."""
         made: dict[str, Any] = {"plan": plan_json(self.models.plan), "sketch": str(self.sketch), "written": self.written}
+        if not self.written:
+            made["diff"] = self.diff
         return made if self.verification is None else made | {"verification": self.verification[0]}
 
     def artifacts(self) -> list[dict[str, str]]:
@@ -108,7 +113,7 @@ class Generated:
         )
         done = sum(task.done for task in plan.tasks)
         lines.append(f"  {len(plan.tasks) - done} tasks{f', {done} done' if done else ''}: see {self.sketch / 'MIGRATION.md'}")
-        return lines
+        return [*lines, *self.diff.splitlines()]
 
 
 def _kind(name: str) -> str:
@@ -174,16 +179,36 @@ def produce(
         kept.old |= _with_comments(output, exempt, contents, kept.findings)
         by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
         if not dry_run:
-            record = Manifest.of(contents | kept.records, by_person)
+            record = Manifest.of(contents | kept.records, {*by_person, *manifest.choices})
             # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
             # Of a manifest that came with the folder nothing else is taken over, or the next run would remove files on its word.
             staying = [*(name for name in exempt if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
             record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
             everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
+            if (before := undo.state_before(places, everything, going)) is not None:
+                everything[undo.NAME] = before
             manifest.note(output, everything[MANIFEST])
             update(output, everything, going, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
-    return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings)
+    diff = _diff(places, contents, going) if dry_run else ""
+    return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=diff)
+
+
+def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str]) -> str:
+    """What would change in the files that a person reads, as a unified diff; of models only which."""
+    lines: list[str] = []
+    after: dict[str, bytes | None] = {**contents, **dict.fromkeys(going)}
+    for name in sorted(after):
+        old, new = places.look(name), after[name]
+        if old == new or name.startswith(".robosmi"):
+            continue
+        if name.startswith(f"{FOLDER}/"):
+            lines.append(f"{'model' if name.endswith('.xmi') else 'copy'} {name} would change")
+            continue
+        texts = [(data or b"").decode("utf-8", "replace").split("\n") for data in (old, new)]
+        labels = (f"a/{name}" if old is not None else "/dev/null", f"b/{name}" if new is not None else "/dev/null")
+        lines += unified_diff(*texts, *labels, lineterm="")
+    return "\n".join(lines)
 
 
 def _made_by_runs(name: str) -> bool:

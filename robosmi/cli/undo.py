@@ -1,0 +1,24 @@
+"""`robosmi undo OUT`: the files of an output folder as they were before the last run."""
+
+from __future__ import annotations
+
+import argparse
+
+from robosmi.cli.common import output_folder
+from robosmi.generate.undo import undo
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("undo")
+    done = undo(arguments.output)
+    report.result = {"restored": done.restored, "removed": done.removed}
+    report.lines = [f"put back in {arguments.output}:", *(f"  {name}" for name in done.restored)]
+    report.lines += [f"  {name} is gone again" for name in done.removed]
+    return report

@@ -1,0 +1,145 @@
+"""`robosmi undo`, the diff of a dry run, and what the history counts when runs are repeated or taken back."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import RobosmiError, SourceError, StoppedError
+from robosmi.generate.undo import NAME, undo
+from tests.running import run, tree
+
+FIRST = '#include "simpletools.h"\nint main() { while (1) { high(3); pause(5); } }\n'
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    """A program that can be changed."""
+    path = tmp_path / "blink.c"
+    path.write_text(FIRST)
+    return path
+
+
+@pytest.fixture
+def twice(program: Path, tmp_path: Path) -> tuple[dict[str, str], dict[str, str], Path]:
+    """The output folder after a first run and after a second one with another program, and its place."""
+    out = tmp_path / "out"
+    robosmi.migrate([program], out)
+    first = tree(out)
+    program.write_text(FIRST.replace("high(3)", "low(3)").replace("pause(5)", "ping_cm(7)"))
+    robosmi.migrate([program], out)
+    return first, tree(out), out
+
+
+def without(record: dict[str, str]) -> dict[str, str]:
+    return {name: digest for name, digest in record.items() if name != NAME}
+
+
+def test_undo_puts_the_last_state_back_and_again_forth(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
+    first, second, out = twice
+    assert first != second
+    done = undo(out)
+    assert without(tree(out)) == without(first)
+    assert "blink/blink.ino" in done.restored
+    assert done.removed == []
+    undo(out)
+    assert without(tree(out)) == without(second)
+
+
+def test_undo_of_the_first_run_leaves_nothing_of_it(program: Path, tmp_path: Path) -> None:
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "notes.txt").write_text("mine")
+    (program.parent / "robosmi.toml").write_text('[migrate]\ntarget = "nano"\n')
+    robosmi.migrate([program], tmp_path / "out")
+    done = undo(tmp_path / "out")
+    assert "blink/blink.ino" in done.removed
+    assert [name for name in tree(tmp_path / "out") if not name.startswith(".robosmi")] == ["notes.txt"]
+    assert (program.parent / "robosmi.toml").read_text() == '[migrate]\ntarget = "nano"\n'
+
+
+def test_a_run_that_changes_nothing_keeps_the_way_back(twice: tuple[dict[str, str], dict[str, str], Path], program: Path) -> None:
+    first, second, out = twice
+    robosmi.migrate([program], out)
+    assert tree(out) == second
+    undo(out)
+    assert without(tree(out)) == without(first)
+
+
+def test_an_edit_since_the_last_run_stops_it(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
+    _, _, out = twice
+    sketch = out / "blink" / "blink.ino"
+    sketch.write_text(sketch.read_text() + "// mine\n")
+    before = tree(out)
+    with pytest.raises(StoppedError, match=r"changed since the last run: blink/blink\.ino"):
+        undo(out)
+    assert tree(out) == before
+    assert run("undo", out).code == 5
+
+
+def test_the_command_says_what_it_put_back(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
+    _, _, out = twice
+    done = run("undo", out, "--json")
+    assert done.code == 0
+    assert "blink/blink.ino" in json.loads(done.out)["result"]["restored"]
+
+
+@pytest.mark.parametrize("text", ["", "{}", '{"files": {"../x": [null, null]}}', '{"files": {"a": ["?", null]}}', "nonsense"])
+def test_a_damaged_record_is_refused(text: str, twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
+    _, second, out = twice
+    (out / NAME).write_text(text)
+    with pytest.raises(SourceError, match="damaged"):
+        undo(out)
+    assert without(tree(out)) == without(second)
+
+
+def test_there_must_be_a_state_to_go_back_to(tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(SourceError, match="no earlier state"):
+        undo(tmp_path / "empty")
+
+
+def test_a_folder_from_elsewhere_is_left_alone(twice: tuple[dict[str, str], dict[str, str], Path], tmp_path: Path) -> None:
+    _, _, out = twice
+    shutil.copytree(out, tmp_path / "copy")
+    before = tree(tmp_path / "copy")
+    with pytest.raises(RobosmiError, match="came with the folder"):
+        undo(tmp_path / "copy")
+    assert tree(tmp_path / "copy") == before
+
+
+def test_a_dry_run_shows_what_would_change(twice: tuple[dict[str, str], dict[str, str], Path], program: Path) -> None:
+    _, second, out = twice
+    program.write_text(FIRST)
+    made = robosmi.migrate([program], out, dry_run=True)
+    assert tree(out) == second
+    changed = [line for line in made.diff.splitlines() if line[:1] in "+-"]
+    assert any(line.startswith("-  low(") for line in changed)
+    assert any(line.startswith("+  high(") for line in changed)
+    assert "+++ b/blink/blink.ino" in made.lines()
+    assert made.result()["diff"] == made.diff
+    assert "diff" not in robosmi.migrate([program], out).result()
+
+
+def test_a_choice_is_counted_once_whatever_runs_come_between(examples: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    shutil.copytree(examples / "line_follower", folder)
+    (folder / "robosmi.toml").unlink()
+    drawing, history = next(folder.glob("*.fzz")), str(tmp_path / "history.db")
+    source, out = folder / "line_follower.c", tmp_path / "out"
+
+    def moved(**libraries: str) -> int:
+        named = {title.replace("_", " "): name for title, name in libraries.items()}
+        made = robosmi.migrate([source], out, hardware=drawing, libraries=named, history=history)
+        return len(made.new_choices)
+
+    assert moved(Basic_Servo1="Servo") == 1
+    assert moved(Basic_Servo1="Servo") == 0
+    assert moved() == 0
+    assert moved(Basic_Servo1="Servo") == 0, "a run without the choice in between makes it no new one"
+    assert moved(Basic_Servo1="ServoEasing") == 1
+    undo(out)
+    assert moved(Basic_Servo1="ServoEasing") == 0, "what was counted stays counted when the run is taken back"
