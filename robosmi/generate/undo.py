@@ -1,8 +1,9 @@
 """The state of an output folder before the last run, and the way back to it.
 
-A run that changes files of its output folder puts what they held into one record, in the same step; `undo` puts all of it back,
-and the state that it replaces into the record, so that a second `undo` takes the first one back. A file that was changed since
-stops it before anything is written. Files that no run has made are never touched.
+A run that changes files of its output folder first puts what they held into a record among the user's own data; `undo` puts it all
+back, and the state that it replaces into the record, so that a second `undo` takes the first one back. A file that was changed
+since stops it before anything is written. Files that no run has made are never touched. The record belongs to the folder where it
+is: one that was moved or sent has no way back.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from robosmi import inputs
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
@@ -24,8 +24,8 @@ from robosmi.generate.places import Places
 from robosmi.model.commit import update
 from robosmi.model.files import digest, within
 from robosmi.model.recovery import at_work
+from robosmi.model.runs import keep_state, kept_state
 
-NAME = ".robosmi/undo"
 SCHEMA = "robosmi-undo/1"
 
 
@@ -42,21 +42,25 @@ class Undone:
     removed: list[str] = field(default_factory=list)
 
 
-def state_before(places: Places, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> bytes | None:
-    """The record for a run that is about to write and remove these files; None where it changes nothing.
+def keep_before(folder: Path, places: Places, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:
+    """Keep the state of a folder for a run that is about to write and remove these files; nothing where it changes nothing.
 
     Args:
-        places: the output folder.
+        folder: the output folder.
+        places: what is in it.
         contents: what is about to be written, relative path -> bytes.
         removed: paths of files that go.
+
+    Raises:
+        SourceError: there is no place for the record.
     """
     after: dict[str, bytes | None] = {**contents, **dict.fromkeys(removed)}
     before = {name: places.look(name) for name in sorted(after)}
     changed = [name for name in before if before[name] != after[name]]
     if not changed:
-        return None
+        return
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
-    return (json.dumps({"schema": SCHEMA, "files": files}, indent=1, sort_keys=True) + "\n").encode()
+    keep_state(folder, json.dumps({"schema": SCHEMA, "files": files}, indent=1, sort_keys=True) + "\n")
 
 
 def _packed(data: bytes | None) -> str | None:
@@ -71,18 +75,12 @@ def undo(folder: Path) -> Undone:
     """Put the files of an output folder back as they were before the last run.
 
     Raises:
-        SourceError: there is no record of an earlier state, it is damaged or came with the folder, or the folder cannot be
-            written.
+        SourceError: there is no record of an earlier state, it is damaged, or the folder cannot be written.
         StoppedError: a file was changed since the last run.
     """
     with at_work(folder):
         places, manifest = Places(folder), Manifest.load(folder)
         before, after = _read(folder)
-        if not manifest.own:
-            raise SourceError(
-                "the record of the last run came with the folder, and is not followed", location=Location(str(folder / NAME)),
-                fix="make the sketch anew with migrate or generate",
-            )  # fmt: skip
         found = {name: places.look(name) for name in before}
         edited = [name for name, data in found.items() if (digest(data) if data is not None else None) != after[name]]
         if edited:
@@ -97,8 +95,8 @@ def undo(folder: Path) -> Undone:
             choices = sorted({*kept.get("choices", ()), *manifest.choices})  # what was counted stays counted
             contents[MANIFEST] = Manifest(kept["files"], choices).to_bytes()
             manifest.note(folder, contents[MANIFEST])
-        record = state_before(places, contents, removed)
-        update(folder, {**contents, **({NAME: record} if record is not None else {})}, removed, places.seen)
+        keep_before(folder, places, contents, removed)
+        update(folder, contents, removed, places.seen)
     return Undone(_shown(contents), _shown(removed))
 
 
@@ -113,19 +111,18 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None]]
     Raises:
         SourceError: there is no such record, or it is damaged.
     """
-    path = folder / NAME
     damaged = SourceError(
-        "the record of the state before the last run is damaged", location=Location(str(path)),
+        "the record of the state before the last run is damaged", location=Location(str(folder)),
         fix="make the sketch anew with migrate or generate",
     )  # fmt: skip
     try:
-        files = json_of(inputs.read_bytes(path, inputs.OUTPUT, follow=False))["files"]
+        files = json_of(kept_state(folder))["files"]
         before = {name: _unpacked(packed) for name, (packed, _) in files.items()}
         after = {name: written for name, (_, written) in files.items()}
     except FileNotFoundError as error:
         raise SourceError(
             "there is no earlier state of this folder", location=Location(str(folder)),
-            fix="give the output folder of a run that has changed something",
+            fix="give the output folder of a run that has changed something, where that run has made it",
         ) from error  # fmt: skip
     except (OSError, ValueError, KeyError, TypeError, AttributeError, zlib.error) as error:
         raise damaged from error

@@ -19,7 +19,7 @@ from pathlib import Path
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
-from robosmi.inputs import RECORD, read_text
+from robosmi.inputs import OUTPUT, RECORD, read_text
 
 PATIENCE = 60.0
 """Seconds that a run waits for another one in the same folder."""
@@ -113,6 +113,25 @@ def is_noted(path: Path, data: bytes) -> bool:
     except (OSError, ValueError):
         return False
     return hashlib.sha256(data).hexdigest() in noted.split()
+
+
+def keep_state(folder: Path, text: str) -> None:
+    """Keep what an output folder held before the run that is about to change it.
+
+    Raises:
+        SourceError: there is no place for it.
+    """
+    _store(_place(os.path.realpath(folder), "undo"), text)
+
+
+def kept_state(folder: Path) -> str:
+    """What was kept of an output folder that is where it was then.
+
+    Raises:
+        OSError: nothing was kept, or it cannot be read.
+        ValueError: it is no text.
+    """
+    return read_text(_place(os.path.realpath(folder), "undo"), OUTPUT)
 
 
 def own_stage(folder: Path, found: os.stat_result | None = None) -> None:

@@ -15,13 +15,14 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, StoppedError
-from robosmi.generate import Generation, undo
+from robosmi.generate import Generation
 from robosmi.generate.kept_texts import keep_texts
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.record import Record
 from robosmi.generate.text_form import read
+from robosmi.generate.undo import keep_before
 from robosmi.metamodels import migration, trace
 from robosmi.model.commit import update
 from robosmi.model.recovery import at_work, look_only
@@ -185,8 +186,7 @@ def produce(
             staying = [*(name for name in exempt if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
             record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
             everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-            if (before := undo.state_before(places, everything, going)) is not None:
-                everything[undo.NAME] = before
+            keep_before(output, places, everything, going)
             manifest.note(output, everything[MANIFEST])
             update(output, everything, going, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
