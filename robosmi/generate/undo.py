@@ -1,9 +1,9 @@
 """The state of an output folder before the last run, and the way back to it.
 
-A run that changes files of its output folder first puts what they held into a record among the user's own data. `undo` puts it
-all back, and the state that it replaces into the record, so that a second `undo` takes the first one back. A file that was changed
-since stops it before anything is written. Files that no run has made are never touched. The record belongs to the folder where it
-is: one that was moved or sent has no way back.
+A run that changes files of its output folder first puts what they held into a record among the user's own data. `undo` puts
+it all back, and the state that it replaces into the record, so that a second `undo` takes the first one back. A file that was
+changed since stops it before anything is written. Files that no run has made are never touched. The record belongs to the
+folder where it is: one that was moved or sent has no way back.
 """
 
 from __future__ import annotations
