@@ -179,6 +179,8 @@ class Device:
         optional_pin_names: further pins, which need not be connected.
         setting_names: name of each further setting -> its value where none is given; a setting with the value `...` is required.
         address: on the two-wire bus, 7 bits; None when it is not on the bus.
+        reacts_to: the levels of its pins on which it acts, or asks to act, before anything else happens. Of others it may be told
+            a little later, though in order and with their time, as long as nothing of it was due in between.
 
     Raises:
         UsageError: a pin or a setting is missing, or unknown.
@@ -188,6 +190,7 @@ class Device:
     optional_pin_names: tuple[str, ...] = ()
     setting_names: ClassVar[Mapping[str, Any]] = {}
     address: int | None = None
+    reacts_to: tuple[Level, ...] = (0, 1, "z", "p")
 
     def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Any]) -> None:
         self.bench = bench

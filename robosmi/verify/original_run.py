@@ -19,7 +19,7 @@ from time import monotonic
 
 from robosmi.errors import InternalError, UsageError
 from robosmi.plugins import content
-from robosmi.verify.bench import Bench
+from robosmi.verify.bench import Bench, Level
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
 
@@ -28,7 +28,7 @@ STATES = {"running": "running", "finished": "done"}
 
 _RECORD = struct.Struct("<QIIII")
 _COMMAND = struct.Struct("<iiq")
-_SETTINGS = struct.Struct("<QQQddddIIIIII")
+_SETTINGS = struct.Struct("<QQQddddIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
 _PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END = range(1, 10)
@@ -153,6 +153,17 @@ class _HostBench(Bench):
         """The pins at which a device is, as bits."""
         return sum(1 << number for number, label in enumerate(self.labels) if label in self._at_pin)
 
+    @property
+    def asking(self) -> tuple[int, int, int]:
+        """The pins at which a device has to be told at once when they are driven low, high, or no more, as bits."""
+        found = [
+            sum(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
+        ]
+        return found[0], found[1], found[2]
+
+    def _reacts(self, pin: str, level: Level) -> bool:
+        return any(level in device.reacts_to for device in self._at_pin.get(pin, ()))
+
     def wake_at(self, cycle: int) -> None:
         self.next_wake = cycle
 
@@ -180,9 +191,9 @@ class _HostBench(Bench):
     def told(self, kind: int, a: int, b: int, c: int) -> int | None:
         """Take a record; the value to answer with, None if it asks for no answer."""
         if kind == _PIN:
-            pin = self.labels[a]
-            self.pin_changed(pin, "z" if b == _LET_GO else b)
-            return 0 if pin in self._at_pin else None
+            pin, level = self.labels[a], "z" if b == _LET_GO else b
+            self.pin_changed(pin, level)
+            return 0 if self._reacts(pin, level) else None
         if kind == _WAVE:
             hz, duty = (_FLOAT.unpack(_WORD.pack(bits))[0] for bits in (b, c))
             self.waves.append(Wave(self.now, self.labels[a], hz, duty))
@@ -222,7 +233,7 @@ class _Conversation:
         settings = _SETTINGS.pack(
             round(horizon_us * model.clock_hz / 1e6), 0, _MOST_RECORDS,
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
-            model.block_ticks, model.call_ticks, bench.watched, variation.seed & 0xFFFFFFFF, int(limit_s) + 1, 0,
+            model.block_ticks, model.call_ticks, bench.watched, *bench.asking, variation.seed & 0xFFFFFFFF, int(limit_s) + 1,
         )  # fmt: skip
         self._say(settings)
 

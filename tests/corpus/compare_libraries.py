@@ -23,8 +23,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from robosmi.verify import original_build  # noqa: E402
 from robosmi.verify.original_build import OriginalProgram  # noqa: E402
-from tests.host_model import bench  # noqa: E402
 
 LIBRARIES = {
     "simpletools.h": "Utility/libsimpletools/source",
@@ -76,7 +76,7 @@ def sources(folder: Path, header: str, place: Path) -> list[Path]:
 def main() -> int:
     """Run the tests."""
     folder, arguments = Path(sys.argv[1]).resolve(), sys.argv[2:] or [str(ROOT / "tests" / "host_model")]
-    build = bench.build_original
+    build = original_build.build_original
     with tempfile.TemporaryDirectory() as place:
         known = {header: sources(folder, header, Path(place)) for header in LIBRARIES}
 
@@ -90,7 +90,7 @@ def main() -> int:
             more = [path for header in dict.fromkeys(wanted) for path in known[header]]
             return build([*programs, *more], *rest)
 
-        bench.build_original = with_sources
+        original_build.build_original = with_sources
         return int(pytest.main(["-q", "-p", "no:cacheprovider", "--rootdir", str(ROOT), *arguments]))
 
 

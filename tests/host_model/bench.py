@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from robosmi.verify import original_build
 from robosmi.verify.host_model import HostModel, load_host_model
-from robosmi.verify.original_build import OriginalProgram, build_original
+from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
 
@@ -28,7 +29,7 @@ def built(text: str) -> Iterator[OriginalProgram]:
         source.write_text(text)
         folder = Path(place) / "built"
         folder.mkdir()
-        yield build_original([source], model(), folder)
+        yield original_build.build_original([source], model(), folder)
 
 
 def run(

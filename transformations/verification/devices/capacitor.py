@@ -17,6 +17,7 @@ class Capacitor(Device):
     """
 
     pin_names = ("pin",)
+    reacts_to = ("z", "p")
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ...}
 
     def start(self) -> None:

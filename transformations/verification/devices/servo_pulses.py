@@ -11,6 +11,7 @@ class PulseDriven(Device):
     """A device that the pulses at its pin `servo` drive."""
 
     pin_names: tuple[str, ...] = ("servo",)
+    reacts_to = ()
 
     def start(self) -> None:
         """Have seen no pulse yet."""

@@ -51,6 +51,7 @@ unsigned pins_levels(void);
 enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_BUS_START, RECORD_BUS_WRITE, RECORD_BUS_READ,
               RECORD_BUS_STOP, RECORD_END };
 extern unsigned watched;               /* pins at which a device is */
+extern unsigned asking[3];             /* pins at which one has to be told at once: of 0, of 1, of not driven any more */
 extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us; unsigned limit_s; } settings;
 void link_open(void);
 void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsigned c);

@@ -16,7 +16,7 @@ struct command_in { int kind, a; long long b; };
 struct settings_in {
   unsigned long long horizon, next_wake, most_records;
   double block_factor, call_factor, noise, late_us;
-  unsigned block_ticks, call_ticks, watched, seed, limit_s, unused;
+  unsigned block_ticks, call_ticks, watched, asking[3], seed, limit_s;
 };
 enum { GO, LEVEL, VOLTAGE, TYPED };
 
@@ -60,6 +60,7 @@ void link_open(void) {
   next_wake = in.next_wake;
   most_records = in.most_records;
   watched = in.watched;
+  memcpy(asking, in.asking, sizeof asking);
   settings.limit_s = in.limit_s;
   settings.block_ticks = in.block_ticks * in.block_factor;
   settings.call_ticks = in.call_ticks * in.call_factor;

@@ -7,7 +7,7 @@
 enum { OFF, PLL_INTERNAL, PLL, PLL_BOTH, NCO, NCO_BOTH, DUTY, DUTY_BOTH, HIGH, RISING = 10, LOW = 12, FALLING = 14, DETECTORS_END = 16 };
 static const double SLOWEST_WAVE_HZ = 20, FASTEST_EDGES_HZ = 200000;
 
-unsigned watched;
+unsigned watched, asking[3];
 static unsigned levels, driven, outside, outside_drives;
 static unsigned char shown[PINS];  /* 0, 1, 2 for not driven: as it was told last */
 static unsigned sampled;           /* pins that detectors or waiting cogs look at */
@@ -158,7 +158,7 @@ void pins_update(host_time when) {
     int level = driven >> pin & 1 ? (int)(out >> pin & 1) : 2;
     if (level == shown[pin]) continue;
     shown[pin] = level;
-    if (watched >> pin & 1) link_sync(when, RECORD_PIN, pin, level);
+    if (asking[level] >> pin & 1) link_sync(when, RECORD_PIN, pin, level);
     else link_record(when, RECORD_PIN, pin, level, 0);
   }
 }
