@@ -74,6 +74,12 @@ def test_own_adapter_files_go_before_the_built_in_ones(place: str, project: Path
     ]  # fmt: skip
 
 
+def test_other_code_in_a_folder_of_that_name_is_left_alone(project: Path) -> None:
+    (project / "adapters").mkdir()
+    (project / "adapters" / "usb.cpp").write_text("// an adapter for USB\nint main() {}\n")
+    assert sites(migrated(project)) == (1, 2)
+
+
 def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None:
     (project / "adapters").mkdir()
     (project / "adapters" / "mx2125.c").write_text(OWN.replace("inline", "static inline"))

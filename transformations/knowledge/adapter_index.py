@@ -11,11 +11,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 
-from robosmi import resources
+from robosmi import inputs, resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
-from robosmi.transformations.knowledge.adapter_files import AdapterFile, AdapterPiece
+from robosmi.transformations.knowledge.adapter_files import MARK, AdapterFile, AdapterPiece
 
 BUILT_IN = "built-in"
 OWN = "adapters"
@@ -71,6 +71,8 @@ class AdapterIndex:
         """The adapter files of a folder, with the headers that they are named like."""
         if folder not in self._listings:
             paths = [path for path in adapter_paths(folder) if not self._ending or path.suffix == self._ending]
+            if folder in self.own:  # where there may be code that is none of ours
+                paths = [path for path in paths if MARK.encode() in inputs.read_bytes(path, inputs.DATA)]
             self._listings[folder] = [(path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in paths]
         return self._listings[folder]
 
