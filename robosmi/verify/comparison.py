@@ -23,7 +23,7 @@ _DURATION = 0.01
 _RESOLUTION_MS = 0.25
 """Nothing is claimed of the source below about 100 us, at the begin and at the end of what lasts."""
 _FRAME_MS = 21.0
-_PULSE_US = 6.0
+_PULSE_US = 3.0
 _HZ = 0.015
 _NUMBERS = 0.01
 _NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
