@@ -1,0 +1,75 @@
+"""The binding of a verification: where ports are on both boards, which device plays each, and what a scenario makes of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import UsageError
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, device_facts, played, signals_of
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import DeviceUse
+
+EXAMPLES = Path(__file__).resolve().parents[3] / "docs" / "examples"
+
+
+def ports(name: str) -> dict[str, BoundPort]:
+    """The ports of a case study by their pin on the source."""
+    return {port.source: port for port in bound_ports(robosmi.plan_migration([EXAMPLES / name / f"{name}.c"]).plan)}
+
+
+def test_the_ports_of_the_line_follower() -> None:
+    found = ports("line_follower")
+    assert {source: port.target for source, port in found.items() if port.target} == {
+        "P6": "D10", "P7": "D11", "P8": "D12", "P12": "D8", "P13": "D9"
+    }  # fmt: skip
+    assert [found[pin].device for pin in ("P6", "P7", "P8", "P12")] == ["capacitor", "capacitor", "", ""]
+    assert found["P8"].watched
+    assert not found["P6"].watched
+    assert "drive_speed" in found["P12"].functions
+    assert found["P6"].component == "HIH4030 2"
+
+
+def test_the_ports_of_the_monitoring_robot() -> None:
+    found = ports("environmental_monitoring")
+    assert {port.device for port in found.values()} == {"levels", "dht22", ""}
+    assert found["P5"].pin == "signal"
+    assert all(kind in device_facts() for kind in ("levels", "dht22", "capacitor", "ranger", "voltages"))
+
+
+PORTS = [
+    BoundPort("eye", "P6", "D10", "Sensor", "1035", ("input",), "levels", "pin"),
+    BoundPort("air", "P5", "D7", "DHT22", "7", ("dht22_read",), "dht22", "signal"),
+    BoundPort("lamp", "P8", "D12", "LED", "9", ("high",)),
+    BoundPort("far", "P9", "", device="levels", pin="pin"),
+]
+
+
+def test_devices_are_at_the_pins_of_either_board_and_rest_where_nothing_is_said() -> None:
+    scenario = Scenario("s", 1000.0, {"Sensor": {"points": ((500.0, 1),)}, "air": {"humidity": ((0.0, 90),)}})
+    assert played(PORTS, scenario, target=True) == [
+        DeviceUse("levels", {"pin": "D10"}, {"points": [[0.0, 0], [500.0, 1]]}),
+        DeviceUse("dht22", {"signal": "D7"}, {"humidity": [[0.0, 90]], "celsius": [[0.0, 21]]}),
+    ]
+    assert [use.pins for use in played(PORTS, None, target=False)] == [{"pin": "P6"}, {"signal": "P5"}, {"pin": "P9"}]
+    typed = played(PORTS, Scenario("s", 1000.0, {"console": {"points": ((100.0, "go"),)}}), target=True)
+    assert typed[-1] == DeviceUse("typing", {}, {"points": [[100.0, "go"]]})
+
+
+@pytest.mark.parametrize("name", ["Sensor", "eye", "#1035", "P6", "D10"])
+def test_a_signal_is_named_by_component_port_or_pin(name: str) -> None:
+    assert [*signals_of(PORTS, Scenario("s", 1.0, {name: {"points": ((0.0, 1),)}}))] == [0]
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("Sensr", r"which is no component, port or pin \(did you mean 'Sensor'\?\)"),
+        ("LED", "which the program does not read"),
+    ],
+)
+def test_a_signal_of_nothing_is_wrong_usage(name: str, message: str) -> None:
+    with pytest.raises(UsageError, match=message):
+        signals_of(PORTS, Scenario("s", 1.0, {name: {"points": ((0.0, 1),)}}))
