@@ -7,8 +7,10 @@ A decision is about one declaration or macro and has all changes in it. Which ex
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
@@ -18,7 +20,7 @@ from robosmi.transformations.m2m.width_formats import handing_on
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import Want
 from robosmi.transformations.queries.numbers import Machine
-from robosmi.transformations.queries.typed import TypedExpression
+from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words
 
 TYPE = "type"
@@ -69,10 +71,12 @@ def widenings(
     """
     here, there = machines
     walk = Walk(here, there, names)
-    walk.handing = {name for top in typed.values() for name in handing_on(top)}
-    for unit in units:
-        walk.run(typed.get(unit.path, []))
+    with deep_calls():
+        walk.handing = {name for top in typed.values() for name in handing_on(top)}
     writer = Writer(texts, walk, cplusplus)
+    with deep_calls():
+        for unit in units:
+            walk.run(typed.get(unit.path, []))
     edits = [e._replace(text=_renamed(e.text, renamed)) for e in writer.edits()]
     if there.int_bits < here.int_bits:
         edits += [edit for unit in units for edit in _types(unit, texts[unit.path], here, names)]
@@ -159,8 +163,14 @@ def _decisions(unit: ccode.SourceUnit, edits: Iterable[WidthEdit]) -> Iterator[m
     """The changes of a unit, those of one declaration or macro together."""
     tops: list[ccode.Located] = sorted([*unit.declarations, *unit.macros], key=lambda e: (int(e.startOffset), -int(e.endOffset)))
     found: dict[ccode.Located | None, list[WidthEdit]] = {}
+    starts = [int(t.startOffset) for t in tops]
+    reach = list(accumulate((int(t.endOffset) for t in tops), max))
     for edit in edits:
-        owner = next((t for t in tops if t.startOffset <= edit.start and edit.end <= t.endOffset), None)
+        owner = None
+        for number in range(bisect_right(starts, edit.start) - 1, -1, -1):
+            if edit.end <= tops[number].endOffset or reach[number] < edit.end:
+                owner = tops[number] if edit.end <= tops[number].endOffset else None
+                break
         found.setdefault(owner, []).append(edit)
     for owner in sorted(found, key=lambda o: int(o.startOffset) if o is not None else -1):
         reasons = dict.fromkeys(_REASONS[e.rule] for e in found[owner])

@@ -6,10 +6,27 @@ what stands in a macro's body or argument is an expression like any other. What 
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.transformations.queries.numbers import Number
+
+DEEP = 6000
+"""Calls within calls for trees as deep as the parser's, several a level."""
+
+
+@contextmanager
+def deep_calls() -> Iterator[None]:
+    """Let functions call themselves for each level of an expression; sums of hundreds of terms are as deep as that."""
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(limit, DEEP))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(limit)
 
 
 class TextPlace(NamedTuple):

@@ -17,6 +17,8 @@ from robosmi.transformations.queries.typed import TextPlace
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
+DEEPEST = 100
+"""Macros within macros; a use that needs more is left as it is."""
 
 
 class Frame(NamedTuple):
@@ -167,7 +169,9 @@ class Expanded:
         return here[-1] if here else next((d for d in given if d.unit != self.unit), None)
 
     def _expanded(self, pieces: Sequence[MacroToken], hidden: frozenset[str], offset: int) -> list[MacroToken] | None:
-        """Tokens with all macros expanded; None when there are too many."""
+        """Tokens with all macros expanded; None when there are too many, or too many within each other."""
+        if len(hidden) > DEEPEST:
+            return None
         out: list[MacroToken] = []
         number = 0
         while number < len(pieces):

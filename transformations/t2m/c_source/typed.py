@@ -13,7 +13,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.numbers import Machine, Number
-from robosmi.transformations.queries.typed import NumberKind, TypedExpression
+from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.expansion import Definition, Expanded, definition
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
@@ -21,7 +21,7 @@ from robosmi.transformations.t2m.c_source.invocation import VIRTUAL
 from robosmi.transformations.t2m.c_source.literals import integer_value
 from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
 from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.c_source.tree import MAX_TREE_DEPTH, Node
 
 UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = (
     100,
@@ -45,7 +45,7 @@ _FORMS = {
     8: "function", 6: "declaration", 7: "declaration",
 }  # fmt: skip
 _LITERAL, _PARAMETER, _FUNCTION = 7, 10, 8
-MOST_DEPTH = 400
+MOST_DEPTH = MAX_TREE_DEPTH
 
 
 def macros_of(units: Sequence[ccode.SourceUnit], copies: Mapping[str, bytes]) -> dict[str, list[Definition]]:
@@ -99,7 +99,8 @@ def typed_unit(
     if parsed is None:
         return []
     try:
-        return _Reader(parsed, expanded, machines, platform, wider).read()
+        with deep_calls():
+            return _Reader(parsed, expanded, machines, platform, wider).read()
     finally:
         parsed.close()
 
@@ -120,6 +121,9 @@ class _Reader:
         self.ends: dict[int, int] = {}
         for expansion in parsed.expansions:
             self.ends.setdefault(expansion.start, expansion.end)
+        self.begins: dict[int, int] = {}
+        for start, end in self.ends.items():
+            self.begins[end] = min(start, self.begins.get(end, start))
         self.names = {e.start: e.name for e in reversed(parsed.expansions)}
         self._kinds: dict[str, NumberKind] = {}
 
@@ -187,7 +191,7 @@ class _Reader:
         end = self.ends.get(node.start)
         if end is not None:
             return node.end <= end
-        return any(start < node.start and node.end == end for start, end in self.ends.items())
+        return self.begins.get(node.end, node.start) < node.start
 
     def _value(self, node: Node) -> int | None:
         found = self.lib.Cursor_Evaluate(node.cursor)
