@@ -157,6 +157,21 @@ def test_a_library_choice_that_is_taken_back_is_open_again(migrated: Path) -> No
     assert len([t for t in outcome.document["tasks"] if t["rule"] == "RS401"]) == 2
 
 
+def test_a_plan_in_which_one_port_has_two_bindings_is_refused_and_the_sketch_stays(migrated: Path) -> None:
+    plan = migrated / "models" / "plan.xmi"
+
+    def double(root: Any) -> None:
+        binding(root, "rightQTI").sourcePin = binding(root, "leftQTI").sourcePin
+
+    before = sketch_of(migrated)
+    rewritten(plan, double)
+    outcome = run("generate", plan, "-o", migrated)
+    assert outcome.code == 3
+    assert "has two bindings in the plan" in outcome.err
+    assert "remove one of them" in outcome.err
+    assert sketch_of(migrated) == before
+
+
 def test_generating_from_an_edited_plan_twice_changes_nothing(migrated: Path) -> None:
     plan = migrated / "models" / "plan.xmi"
 

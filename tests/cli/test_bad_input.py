@@ -410,3 +410,17 @@ def test_a_folder_without_a_sketch_is_not_compiled(name: str, cases: Path) -> No
 
 def test_an_unknown_board_is_wrong_usage(migrated: Path) -> None:
     check_refused(run("compile", migrated, "--board", "unoo"), 2, "unoo", "uno")
+
+
+def test_a_pin_table_with_a_pin_that_the_board_has_not_is_refused_and_the_old_sketch_stays(
+    line_follower: Path, tmp_path: Path
+) -> None:
+    (line_follower.parent / "robosmi.toml").unlink()
+    table = tmp_path / "table.csv"
+    table.write_text("pin,part\nD9,Red LED\n")
+    assert run("migrate", line_follower, "-o", tmp_path / "out", "--hardware", table).code == 0
+    before = tree(tmp_path / "out")
+    table.write_text("pin,part\nD99,Red LED\n")
+    outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--hardware", table)
+    check_refused(outcome, 3, "has no pin D99", "wire it to one of the board's pins: D0, D1")
+    assert tree(tmp_path / "out") == before

@@ -46,12 +46,16 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
         target: the target, whose board it must have.
 
     Raises:
-        SourceError: it cannot be read, or has another board or none.
+        SourceError: it cannot be read, has another board or none, or wires a part to a pin that the board has not.
         UsageError: a role or component does not exist.
     """
     drawing = read_drawing(path, roles, target.board)
     component = the_board(drawing.circuit)
     board = _checked(component, drawing.board_models.get(component.elementId), target, path)
+    lost = next((finding for finding in drawing.findings if finding.rule == "RS223"), None)
+    if lost is not None and any(connection.pin is None for connection in drawing.connections):
+        labels = ", ".join(pin.label for pin in board.pins)
+        raise SourceError(lost.message, location=Location(str(path)), fix=f"wire it to one of the board's pins: {labels}")
     drawing.circuit.path = copy = f"source/{path.name}"
     data = inputs.read_bytes(path, inputs.DRAWING)
     return StoredDrawing(

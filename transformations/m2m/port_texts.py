@@ -114,10 +114,11 @@ def _moved(place: PortPlace, binding: migration.PortBinding, sources: Mapping[st
 
 def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> list[migration.TextChange]:
     """The change that gives an enumerator its own value whose value followed that of a port."""
-    owner = place.element.eContainer() if isinstance(place.element, ccode.EnumerationLiteral) else None
-    if not isinstance(owner, ccode.Enumeration):
+    literal = place.element
+    owner = literal.eContainer() if isinstance(literal, ccode.EnumerationLiteral) else None
+    if not isinstance(literal, ccode.EnumerationLiteral) or not isinstance(owner, ccode.Enumeration):
         return []
-    following = list(owner.literals)[list(owner.literals).index(place.element) + 1 :][:1]
+    following = list(owner.literals)[list(owner.literals).index(literal) + 1 :][:1]
     text = sources[place.unit.path]
     if not following or id(following[0]) in moved or b"=" in text[following[0].startOffset : following[0].endOffset]:
         return []

@@ -80,8 +80,10 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
     """Write the changes of ports anew that do not say the pin they are bound to; a stored plan may have been edited.
 
     Raises:
-        ModelError: a binding's element cannot be rewritten as the binding says.
+        ModelError: a binding's element cannot be rewritten as the binding says, or one port has two bindings.
     """
+    if plan.portFlows:
+        _decided_once(plan)
     for binding in plan.portBindings:
         if plan.portFlows:
             for change in (c for c in binding.changes if c.rule == PORT):
@@ -96,6 +98,20 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
         binding.changes.clear()
         binding.changes.extend(_binding_changes(binding, texts))
     mark_rewritten(plan)
+
+
+def _decided_once(plan: migration.MigrationPlan) -> None:
+    """Refuse a plan in which a port of the source, or a name, has two bindings: which of them counts nobody could say."""
+    seen: dict[object, migration.PortBinding] = {}
+    for binding in plan.portBindings:
+        numbered = binding.sourcePin >= 0 and binding.origin != "convention"
+        for key in (binding.name, binding.sourcePin if numbered else binding.name):
+            if seen.setdefault(key, binding) is not binding:
+                raise ModelError(
+                    f"the port '{binding.name}' has two bindings in the plan: to {seen[key].choice or 'nothing'} and to "
+                    f"{binding.choice or 'nothing'}",
+                    fix="remove one of them from plan.xmi, or migrate again",
+                )
 
 
 def _text_of(change: migration.TextChange, texts: Sequence[SourceText]) -> SourceText:

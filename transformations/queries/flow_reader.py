@@ -235,16 +235,16 @@ class FlowReader:
             return
         text = self.texts[view.unit.path]
         places = text.arguments(text.at(int(call.startOffset)))
-        for parameter in parameters:
-            if parameter.position >= len(arguments):
+        for pin in parameters:
+            if pin.position >= len(arguments):
                 continue
-            argument = arguments[parameter.position]
+            argument = arguments[pin.position]
             start, end = int(argument.startOffset), int(argument.endOffset)
-            if places is not None and len(places) == len(arguments) and places[parameter.position]:
-                start, end = places[parameter.position][0][1], places[parameter.position][-1][2]
-            if text.tokens and view_text(self.sources[view.unit.path], start, end) in parameter.none:
+            if places is not None and len(places) == len(arguments) and places[pin.position]:
+                start, end = places[pin.position][0][1], places[pin.position][-1][2]
+            if text.tokens and view_text(self.sources[view.unit.path], start, end) in pin.none:
                 continue
-            self.reach(self.value(argument), PinArgument(view.unit, start, end, str(call.calleeName), parameter, call, argument))
+            self.reach(self.value(argument), PinArgument(view.unit, start, end, str(call.calleeName), pin, call, argument))
 
     def reach(self, key: Hashable, pin: PinArgument) -> None:
         """A flow ends in an argument that is a pin."""

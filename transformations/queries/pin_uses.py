@@ -28,7 +28,7 @@ class PinUse:
         function: the platform's function.
         direction: in, out, both or unknown, seen from the board.
         line: of the call.
-        call: the call.
+        call: the call, or the register.
         argument: the argument, None for a convention.
     """
 
@@ -38,7 +38,7 @@ class PinUse:
     function: str
     direction: str
     line: int
-    call: ccode.Call
+    call: ccode.Expression
     argument: ccode.Expression | None = None
 
     def to_json(self) -> dict[str, Any]:

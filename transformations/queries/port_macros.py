@@ -182,9 +182,9 @@ class _MacroBody:
             for parameter in reader.pins(name, self.view):
                 if parameter.position < len(arguments) and arguments[parameter.position]:
                     first, last = arguments[parameter.position][0], arguments[parameter.position][-1]
-                    taker = ("pin", self.view.unit.path, first[1])
-                    takers[parameter.position] = taker
-                    reader.reach(taker, PinArgument(self.view.unit, first[1], last[2], name, parameter))
+                    key: Hashable = ("pin", self.view.unit.path, first[1])
+                    takers[parameter.position] = key
+                    reader.reach(key, PinArgument(self.view.unit, first[1], last[2], name, parameter))
         for position, taker in takers.items():
             if position < len(arguments):
                 tokens = bare(arguments[position])

@@ -177,10 +177,11 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
     for each in through:
         for argument, known in zip(each.flow.arguments, each.values, strict=True):
             number = known[0].number if len(known) == 1 else None
-            port = found.get(number) if number is not None else None
+            reached = found.get(number) if number is not None else None
             holder = _constant(argument.argument)
-            if port is not None and holder is not None and port.origin != "declaration":
-                port.origin, port.element, port.name, port.names = "declaration", holder[1], holder[0], [f"P{port.pin}"]
+            if reached is not None and holder is not None and reached.origin != "declaration":
+                reached.origin, reached.element = "declaration", holder[1]
+                reached.name, reached.names = holder[0], [f"P{reached.pin}"]
 
 
 def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | None:
@@ -191,10 +192,10 @@ def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | 
     if isinstance(target, ccode.Variable) and target.initializer is not None:
         return str(target.name), target
     unit = ancestor_of_kind(argument, ccode.SourceUnit)
-    macros = (m for m in (unit.program.units if unit is not None and unit.program is not None else []) for m in m.macros)
-    macro = next((m for m in macros if m.name == argument.name and not m.functionLike), None) if target is None else None
-    call = argument.eContainer()
-    return (str(macro.name), macro) if macro is not None and not getattr(call, "viaMacro", False) else None
+    units = list(unit.program.units) if unit is not None and unit.program is not None else []
+    macros = [m for u in units for m in u.macros if m.name == argument.name and not m.functionLike]
+    expanded = getattr(argument.eContainer(), "viaMacro", False)
+    return (str(macros[0].name), macros[0]) if target is None and macros and not expanded else None
 
 
 def _full_name(place: PortPlace, meant: Mapping[str, set[int]]) -> str:

@@ -34,7 +34,7 @@ def register_bits(view: CodeView, values: Values) -> list[PinUse]:
         for bit in _bits(reference, values, count):
             use = PinUse(
                 bit, expression_text(reference), "register", str(reference.name), direction, int(reference.line), reference
-            )  # type: ignore[arg-type]
+            )
             found.setdefault((bit, use.function, use.line), use)
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 
