@@ -11,16 +11,22 @@ from __future__ import annotations
 
 import argparse
 import re
+import shutil
+import subprocess
 import tempfile
 import traceback
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 from robosmi.diagnostics import Severity
 from robosmi.errors import InternalError, ModelError, RobosmiError
+from robosmi.metamodels import ccode
+from robosmi.transformations.chains.output import Generated
+from robosmi.transformations.t2m.c_source.side_file import project_beside, read_side
 
 _MAIN = re.compile(rb"^[^\S\n]*(?:int|void)\s+main\s*\(", re.MULTILINE)
 _QUOTED = re.compile(r"['‘][^'’]*['’]")
@@ -39,6 +45,9 @@ class Outcome:
         calls: `header/function` -> how many calls it has, for functions of the platform that the target can serve.
         bodies: the same of those that reach an adapter with a body.
         reasons: `header/function` -> why it has none.
+        missing: functions of the program that no file of the sketch has.
+        fits_on: where the sketch is too big for the board, one that it fits, or `none`.
+        valid: whether gcc takes the source with the platform's real headers; None where these or gcc are not there.
     """
 
     path: str
@@ -50,6 +59,9 @@ class Outcome:
     calls: Mapping[str, int] = field(default_factory=dict)
     bodies: Mapping[str, int] = field(default_factory=dict)
     reasons: Mapping[str, str] = field(default_factory=dict)
+    missing: tuple[str, ...] = ()
+    fits_on: str = ""
+    valid: bool | None = None
 
     @property
     def of_adapters(self) -> list[str]:
@@ -91,6 +103,14 @@ class Table:
             *(f"  {n:4} without a body: {key}: {reasons.get(key, '')}" for key, n in missing.most_common() if n),
         ]
 
+    def _valid(self) -> list[str]:
+        """How many of the programs that gcc takes with the platform's headers become a sketch that compiles."""
+        valid = [o for o in self.outcomes if o.valid]
+        if not valid:
+            return []
+        compiled = sum(o.state == "compiled" for o in valid)
+        return [f"of {len(valid)} programs that gcc -m32 takes, {compiled} compile ({100 * compiled / len(valid):.1f}%)"]
+
     def lines(self) -> list[str]:
         """The table as text."""
         migrated = self.count("compiled") + self.count("not-compiled")
@@ -102,6 +122,9 @@ class Table:
             f"in {sum(bool(o.warnings) for o in self.outcomes)} programs; "
             f"elements without exactly one verdict: {sum(o.lost for o in self.outcomes)}",
             *self._adapters(),
+            *self._valid(),
+            f"functions of programs that are not in their sketch: {sum(len(o.missing) for o in self.outcomes)}",
+            *(f"  too big for the board, fits on {o.fits_on}: {o.path}" for o in self.outcomes if o.fits_on),
         ]
         for title, kinds in (("errors", [o.errors for o in self.outcomes]), ("warnings", [o.warnings for o in self.outcomes])):
             counts = Counter(_QUOTED.sub("'...'", m.partition(": ")[2]) for messages in kinds for m in messages)
@@ -119,7 +142,33 @@ def programs(folder: Path) -> list[tuple[Path, ...]]:
     others: dict[Path, list[Path]] = {}
     for path in sorted(folder.rglob("*.c")):
         (mains if _MAIN.search(path.read_bytes()) else others).setdefault(path.parent, []).append(path)
-    return [(path, *(others.get(parent, []) if len(paths) == 1 else [])) for parent, paths in mains.items() for path in paths]
+    return [
+        (path, *(others.get(parent, []) if len(paths) == 1 and not path.with_suffix(".side").is_file() else []))
+        for parent, paths in mains.items()
+        for path in paths
+    ]
+
+
+@cache
+def _gcc(corpus: Path) -> list[str] | None:
+    """The call of gcc that takes a program of the corpus with the platform's headers; None where these are not there."""
+    own = next((path.parent for path in sorted(corpus.rglob("lib/include/stdio.h"))), None)
+    if own is None or shutil.which("gcc") is None:
+        return None
+    libraries = sorted({path.parent for path in corpus.rglob("Simple Libraries/**/*.h")})
+    names = ("__propeller__", "__PROPELLER__", "__PROPELLER_CMM__", "__PROPELLER_32BIT_DOUBLES__")
+    flags = ["-m32", "-std=gnu99", "-fsyntax-only", "-w", "-nostdinc", *(f"-D{name}" for name in names)]
+    return ["gcc", *flags, f"-I{own}", *(f"-I{folder}" for folder in libraries)]
+
+
+def valid(files: tuple[Path, ...], corpus: Path) -> bool | None:
+    """Whether gcc takes a program; a `.side` file says where its own headers are."""
+    call = _gcc(corpus)
+    if call is None:
+        return None
+    side = project_beside(str(files[0]))
+    more = [f"-I{folder}" for folder in read_side(side).include_dirs] if side else []
+    return subprocess.run([*call, *more, *map(str, files)], capture_output=True, check=False).returncode == 0
 
 
 def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
@@ -135,6 +184,8 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
         again = robosmi.generate_sketch(output / "models" / "plan.xmi", output.with_name(f"{output.name}-again"))
         if again.contents != made.contents:
             return Outcome(path, "crashed", message="the stored plan gives another sketch")
+        if robosmi.migrate(list(files), output).contents != made.contents:
+            return Outcome(path, "crashed", message="a second run gives another sketch")
     except (InternalError, ModelError) as error:
         return Outcome(path, "crashed", message=str(error))
     except RobosmiError as error:
@@ -163,7 +214,24 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
         calls={key: len(use.calls) for key, use in served.items()},
         bodies={key: len(use.calls) for key, use in served.items() if use.adapter is not None},
         reasons={key: str(use.reason) for key, use in served.items() if use.reason},
+        missing=_missing(made),
+        fits_on=(report.fits_on or "none") if report.ok and not report.fits else "",
+        valid=valid(files, corpus),
     )
+
+
+def _missing(made: Generated) -> tuple[str, ...]:
+    """The functions of a program that no file of its sketch defines, under their name or the one that they were given."""
+    plan = made.models.plan
+    text = "".join(data.decode("utf-8", "replace") for name, data in made.contents.items() if name.startswith(f"{plan.name}/"))
+    renamed = {d.element.name: d for d in plan.dispositions if isinstance(d.element, ccode.Function) and "rename" in d.rules}
+    found = []
+    for function in (d for unit in plan.program.units for d in unit.declarations if isinstance(d, ccode.Function)):
+        changes = renamed[function.name].changes if function.name in renamed else ()
+        names = {str(function.name), *(str(change.replacement) for change in changes)}
+        if function.definition and function.name != "main" and not any(re.search(rf"\b{n}\s*\(", text) for n in names):
+            found.append(str(function.name))
+    return tuple(found)
 
 
 def run(corpus: Path, keep: Path | None = None, only: str = "", workers: int = 2) -> Table:
