@@ -205,9 +205,9 @@ def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str]) -
         if name.startswith(f"{FOLDER}/"):
             lines.append(f"{'model' if name.endswith('.xmi') else 'copy'} {name} would change")
             continue
-        texts = [(data or b"").decode("utf-8", "replace").split("\n") for data in (old, new)]
-        labels = (f"a/{name}" if old is not None else "/dev/null", f"b/{name}" if new is not None else "/dev/null")
-        lines += unified_diff(*texts, *labels, lineterm="")
+        a, b = ((data or b"").decode("utf-8", "replace").split("\n") for data in (old, new))
+        left, right = f"a/{name}" if old is not None else "/dev/null", f"b/{name}" if new is not None else "/dev/null"
+        lines += unified_diff(a, b, left, right, lineterm="")
     return "\n".join(lines)
 
 

@@ -112,8 +112,8 @@ def partition(
         adapter(c, known.get(name), prototypes.get(name), api.name, target, names, own, handed=name in values)
         for name, c in called.items()
     ]
-    for use in result.adapters:
-        hide_types(use)
+    for each in result.adapters:
+        hide_types(each)
     serve(result.adapters, {name: c.header for name, c in called.items()}, choice, values)
     functions = {a.name: target_types(a) for a in result.adapters}
     result.symbols = _symbols(result, views, used, functions, sources, api, target, names, choice)

@@ -57,6 +57,7 @@ def library_names(pieces: Iterable[platform.Adapter], index: str, among: Abstrac
         except RobosmiError:
             continue  # a library that comes with the target's tools, which the index does not have
         for header in api.headers:
-            found |= {each.name.rpartition("::")[2] for each in (*header.classes, *header.functions)}
+            found |= {each.name.rpartition("::")[2] for each in header.classes}
+            found |= {each.name.rpartition("::")[2] for each in header.functions}
             found |= {*header.constants, *header.enums, *(name for names in header.enums.values() for name in names)}
     return frozenset(found & among)
