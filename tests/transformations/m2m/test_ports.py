@@ -25,7 +25,8 @@ def sources(name: str) -> list[Path]:
 
 def planned(name: str, **options: Any) -> migration.MigrationPlan:
     """The plan of a case."""
-    return robosmi.plan_migration(sources(name), **options).plan
+    plan: migration.MigrationPlan = robosmi.plan_migration(sources(name), **options).plan
+    return plan
 
 
 def port(plan: migration.MigrationPlan, name: str) -> migration.PortBinding:
