@@ -45,6 +45,7 @@ def forked(folder: Path, version: int, hook: Callable[[str, tuple[object, ...]],
     if child == 0:
         code = 99
         try:
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell takes from what it starts in the background
             nowhere = os.open(os.devnull, os.O_WRONLY)
             os.dup2(nowhere, 1)
             os.dup2(os.open(said, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), 2)
@@ -154,7 +155,10 @@ def signals(count: int, root: Path) -> Counter[str]:
     made = tree(folder)
     for number in range(count):
         shutil.rmtree(folder, ignore_errors=True)
-        with subprocess.Popen(given, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        with subprocess.Popen(
+            given, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        ) as process:  # fmt: skip
             time.sleep(0.05 + number * whole / count)
             process.send_signal(signal.SIGINT)
             said = process.communicate()[1]
@@ -183,7 +187,9 @@ def main() -> int:
         print(f"interrupts: {at_points.total()} steps of migrations: {at_points['wrong']} wrong {dict(at_points)}", flush=True)
         sent = signals(arguments.signals, root)
         print(f"interrupts: {sent.total()} signals to processes: {sent['wrong']} wrong {dict(sent)}")
-    return int(at_points["wrong"] + sent["wrong"] > 0)
+    if not at_points["interrupted"]:
+        print("interrupts: no step was interrupted: this shows nothing", file=sys.stderr)
+    return int(at_points["wrong"] + sent["wrong"] > 0 or not at_points["interrupted"])
 
 
 if __name__ == "__main__":
