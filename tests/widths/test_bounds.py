@@ -1,4 +1,4 @@
-"""Programs with more nesting than people write: sums of hundreds of terms, macros within macros, and no slower than their size."""
+"""Programs with more nesting than people write, sums of hundreds of terms, macros within macros, no slower than their size."""
 
 from __future__ import annotations
 
