@@ -379,4 +379,4 @@ def migrate(
                 models = run.value("models")
         made = produce(models, Path(output), dry_run=dry_run, strict=strict)
     remember(made, history)
-    return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made  # type: ignore[no-any-return]
+    return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made
