@@ -77,7 +77,7 @@ def main() -> int:
     """Run the tests."""
     folder, arguments = Path(sys.argv[1]).resolve(), sys.argv[2:] or [str(ROOT / "tests" / "host_model")]
     build = original_build.build_original
-    with tempfile.TemporaryDirectory() as place:
+    with tempfile.TemporaryDirectory() as place, pytest.MonkeyPatch.context() as monkeypatch:
         known = {header: sources(folder, header, Path(place)) for header in LIBRARIES}
 
         def with_sources(programs: Sequence[Path], *rest: Any) -> OriginalProgram:
@@ -90,7 +90,7 @@ def main() -> int:
             more = [path for header in dict.fromkeys(wanted) for path in known[header]]
             return build([*programs, *more], *rest)
 
-        original_build.build_original = with_sources
+        monkeypatch.setattr(original_build, "build_original", with_sources)
         return int(pytest.main(["-q", "-p", "no:cacheprovider", "--rootdir", str(ROOT), *arguments]))
 
 

@@ -226,7 +226,8 @@ def _missing(made: Generated) -> tuple[str, ...]:
     text = "".join(data.decode("utf-8", "replace") for name, data in made.contents.items() if name.startswith(f"{plan.name}/"))
     renamed = {d.element.name: d for d in plan.dispositions if isinstance(d.element, ccode.Function) and "rename" in d.rules}
     found = []
-    for function in (d for unit in plan.program.units for d in unit.declarations if isinstance(d, ccode.Function)):
+    units = plan.program.units if plan.program is not None else ()
+    for function in (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function)):
         changes = renamed[function.name].changes if function.name in renamed else ()
         names = {str(function.name), *(str(change.replacement) for change in changes)}
         if function.definition and function.name != "main" and not any(re.search(rf"\b{n}\s*\(", text) for n in names):

@@ -33,8 +33,13 @@ def test_every_change_has_its_declaration_and_comments_and_layout_stay(name: str
     plan = plan_migration([FOLDER / name]).plan
     assert plan.widths is migration.Widths.fix
     assert all(w.element is not None and w.evidence and w.choice == "fix" for w in plan.widenings)
-    ranges = [(c.startOffset, c.endOffset, w.element) for w in plan.widenings for c in w.changes]
-    assert all(e.startOffset <= start <= end <= e.endOffset for start, end, e in ranges)
+    assert all(
+        widening.element is not None
+        and widening.element.startOffset <= change.startOffset <= change.endOffset <= widening.element.endOffset
+        for widening in plan.widenings
+        for change in widening.changes
+    )
+    assert plan.program is not None
     text = (FOLDER / name).read_text()
     comments = [text.encode()[c.startOffset : c.endOffset].decode() for u in plan.program.units for c in u.comments]
     assert comments

@@ -23,7 +23,8 @@ def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
             body = disposition.element.body
             inner = body.statements if isinstance(body, ccode.Block) else [body] if body is not None else []
             wanted |= {id(s): s for s in inner}
-        if disposition.action is migration.Action.hoist and "hoist-local-beside" not in disposition.rules:
+        hoisted = disposition.action is migration.Action.hoist and "hoist-local-beside" not in disposition.rules
+        if hoisted and disposition.element is not None:
             counts[id(disposition.element.eContainer())] += 1  # the declaration is judged by the first that moves out
     return [f"{type(e).__name__} in line {e.line}: {counts[key]} verdicts" for key, e in wanted.items() if counts[key] != 1]
 

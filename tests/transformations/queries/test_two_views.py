@@ -18,8 +18,10 @@ from robosmi.metamodels import ccode
 from robosmi.model import EmfModel, Model
 from robosmi.transform import Trace
 from robosmi.transformations.constraints.code import code as constraints
+from robosmi.transformations.knowledge.adapter_index import adapter_index
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
+from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.platform_dependence import partition
 from robosmi.transformations.queries import call_graph, code, library_use, main_program
@@ -88,7 +90,8 @@ def answers(program: ccode.Program, path: Path, api: ApiIndex) -> Iterator[tuple
         yield "types", [numbers.of(e) for e in expressions]
         yield "ranges", [ranges.of(e) for e in expressions]
         yield "remarks", [r.to_json() for r in remarks(view, path.read_bytes(), "x.c")]
-    made = partition(views, target_facts("uno"), {program.units[0].path: path.read_bytes()}, Trace())
+    choice = AdapterChoice(adapter_index("arduino", "propeller"), api, "atmega328p")
+    made = partition(views, target_facts("uno"), choice, {program.units[0].path: path.read_bytes()}, Trace())
     yield "partition", [(*d.rules, d.action.name, *d.reasons, d.choice) for d in made.dispositions]
     yield "changes", [(c.startOffset, c.endOffset, c.replacement) for d in made.dispositions for c in d.changes]
     yield "adapters", [(a.signature, target_signature(a), [at(c) for c in a.calls]) for a in made.adapters]
