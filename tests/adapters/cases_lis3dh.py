@@ -57,7 +57,7 @@ void setup() {{ Serial.begin(115200); lis3dh *device = lis3dh_init(6, 7, 5); say
   say(lis3dh_accel(device, &x, &y, &z)); }}
 void loop() {{}}
 """
-    trace = uno.run(program, THREE_WIRES, 400, [sensor("D7")])
+    trace = uno.run(program, [*THREE_WIRES, "lis3dh.h/lis3dh"], 400, [sensor("D7")])
     told = [int(each) for each in trace.text.split()]
     assert told[:8] == [0x33, 2, 12, 1, 500, -250, 866, -250]
     assert told[8:13] == [1, 29, -14, 32, 30]

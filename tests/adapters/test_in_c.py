@@ -14,7 +14,7 @@ from tests.tools import require_engine, require_tools
 load_cases()
 KNOWN = {f"{piece.header}/{piece.name}": piece for piece in pieces()}
 KEYS = [(piece.header, piece.name) for piece in pieces() if piece.kind != "helper"]
-IN_C = sorted(name for name, (_, adapters) in CASES.items() if set(adapters) <= KNOWN.keys())
+IN_C = sorted(name for name, (_, adapters) in CASES.items() if adapters and set(adapters) <= KNOWN.keys())
 
 
 @pytest.fixture(autouse=True)
