@@ -76,7 +76,9 @@ def _interrupted(*_: object) -> None:
     raise KeyboardInterrupt
 
 
-def test_what_has_its_journal_is_finished_before_an_interruption_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_has_its_journal_is_finished_before_an_interruption_counts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
+) -> None:
     commit(tmp_path / "out", {"a": b"old", "b": b"old"})
 
     def interrupted(held: OpenFolder) -> None:
@@ -84,6 +86,8 @@ def test_what_has_its_journal_is_finished_before_an_interruption_counts(tmp_path
         finish(held)
 
     monkeypatch.setattr(commit_module, "finish", interrupted)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # which a process in the background ignores
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
     with pytest.raises(KeyboardInterrupt):
         commit(tmp_path / "out", {"a": b"new", "b": b"new"})
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == {"a": b"new", "b": b"new"}

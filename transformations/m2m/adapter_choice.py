@@ -106,10 +106,11 @@ class AdapterChoice:
             use.reason = misfit
             return
         own = use.signatureSource is migration.SignatureSource.program
-        if own and _plain(spelling(p) for p in _types_of(use)) not in [_types(signature) for signature in taken]:
+        other = _plain(spelling(p) for p in _types_of(use)) not in [_types(signature) for signature in taken]
+        if own and other:
             use.reason = f"the program declares it as '{use.signature}', and its adapter is for '{taken[0]}'"
             return
-        if handed and (not self.widened or "template" in needed.pieces[-1].text):
+        if handed and (other or not self.widened or "template" in needed.pieces[-1].text):
             use.reason = "it is handed on as a value, and its adapter has other types"
             return
         if conflict := self._conflict(needed.pieces):

@@ -86,7 +86,7 @@ def test_digraphs_are_the_braces_and_hashes_they_stand_for(tmp_path: Path) -> No
         ("main", True),
     ]
     made = sketch(tmp_path, text + b"f(1);\nwhile (1)\n<%\nf(2);\n%>\n%>\n")
-    assert re.search(r"void setup\(\) \{\s*f\(1\);\s*\}\s*void loop\(\) \{\s*f\(2\);\s*\}", made)
+    assert re.search(r"void setup\(\) \{\s*f\(1L\);\s*\}\s*void loop\(\) \{\s*f\(2L\);\s*\}", made)
 
 
 def test_tabs_and_form_feeds_inside_a_line_of_main_stay(tmp_path: Path) -> None:
