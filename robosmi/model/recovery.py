@@ -71,7 +71,7 @@ def writing(folder: Path) -> Iterator[None]:
         yield
     except OSError as error:
         named = str(error.filename or folder)
-        place = Location(str(folder) if f"{STAGE}/" in named else named)
+        place = Location(str(folder) if STAGE in named else named)
         raise SourceError(f"cannot write here: {error.strerror or error}", location=place, fix=_FIX) from error
 
 

@@ -22,7 +22,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
-from robosmi.verify.tools import tool_version
+from robosmi.verify.tools import run, tool_version
 
 _MODEL_NAME = re.compile(r"host_|__gcov|__sanitizer|__(?:start|stop)_program_|_GLOBAL_OFFSET_TABLE_")
 _ARITHMETIC = re.compile(
@@ -245,14 +245,9 @@ class _Build:
 
     def _start(self, command: Sequence[str]) -> subprocess.CompletedProcess[str]:
         try:
-            return subprocess.run(
-                command, check=False, cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
-                errors="replace", timeout=max(0.01, self.until - monotonic()), env=_environment(),
-            )  # fmt: skip
-        except subprocess.TimeoutExpired:
-            raise VerificationError("building the original took too long", fix="allow more time for it") from None
-        except OSError as error:
-            raise MissingToolError(f"'{command[0]}' cannot be started: {error}", fix=self.model.install) from error
+            return run(command, self.folder, _environment(), self.until - monotonic())
+        except MissingToolError as error:
+            raise MissingToolError(error.message, fix=self.model.install) from error
 
 
 @dataclass(frozen=True)
@@ -285,7 +280,7 @@ def _environment() -> dict[str, str]:
     """A compiler that speaks English and takes nothing from its surroundings but where programs are."""
     import os
 
-    return {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C", "TMPDIR": tempfile.gettempdir()}
+    return {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C"}
 
 
 @cache

@@ -9,15 +9,21 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import signal
 import subprocess
+import tempfile
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import MissingToolError
+from robosmi.errors import MissingToolError, VerificationError
 from robosmi.verify.toolchain_data import Toolchain, ToolEntry, places
+
+LIMIT_S = 120.0
+"""Seconds that one run of a compiler may take."""
 
 
 @dataclass(frozen=True)
@@ -43,26 +49,44 @@ class Installed:
 
 
 def run(
-    command: Sequence[str], cwd: Path | None = None, environment: Mapping[str, str] | None = None
+    command: Sequence[str],
+    cwd: Path | None = None,
+    environment: Mapping[str, str] | None = None,
+    limit_s: float = LIMIT_S,
 ) -> subprocess.CompletedProcess[str]:
-    """Run a command without input to its end.
+    """Run a command without input to its end, in a session of its own and with a folder of its own for temporary files.
+
+    Args:
+        command: the program and its arguments.
+        cwd: the folder in which it runs; the current one if None.
+        environment: of the process; this process's if None.
+        limit_s: seconds after which it is given up. A compiler that is let read a pipe waits for ever.
 
     Raises:
         MissingToolError: the program cannot be started.
+        VerificationError: it did not end in time. It and what it has started are ended, as after an interruption.
     """
-    try:
-        return subprocess.run(
-            command,
-            check=False,
-            cwd=cwd,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            encoding="utf-8",
-            errors="replace",
-        )
-    except OSError as error:
-        raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
+    with tempfile.TemporaryDirectory(prefix="robosmi-tool-") as place:
+        variables = {**(os.environ if environment is None else environment), "TMPDIR": place}
+        try:
+            process = subprocess.Popen(
+                command, cwd=cwd, env=variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                encoding="utf-8", errors="replace", start_new_session=True,
+            )  # fmt: skip
+        except OSError as error:
+            raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
+        with process:
+            try:
+                said, complained = process.communicate(timeout=max(0.01, limit_s))
+            except subprocess.TimeoutExpired:
+                raise VerificationError(
+                    f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped",
+                    fix="look for an #include or .incbin of what is no ordinary file, or for macros that grow without end",
+                ) from None
+            finally:
+                with suppress(ProcessLookupError, PermissionError):
+                    os.killpg(process.pid, signal.SIGKILL)
+    return subprocess.CompletedProcess(command, process.returncode, said, complained)
 
 
 def find_tool(entry: ToolEntry, toolchain: Toolchain) -> str | None:
