@@ -111,3 +111,5 @@ def test_a_plan_that_refers_to_models_elsewhere_is_refused(migrated: Path, tmp_p
     plan.write_text(plan.read_text().replace('href="code.xmi#', 'href="../code.xmi#'))
     with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside of its folder"):
         generate(plan, tmp_path / "again")
+    with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside of its folder"):
+        robosmi.check_model(plan)

@@ -6,13 +6,16 @@ is said too. Nothing is written.
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration
-from robosmi.model import EmfModel, Model, load_model, open_model
+from robosmi.model import EmfModel, Model, open_model
+from robosmi.model.metamodels import built_in
+from robosmi.model.versions import read_current
 from robosmi.plugins import registry
 from robosmi.project import project_of
 from robosmi.query import root_of
@@ -68,7 +71,7 @@ def _checked(file: Path, metamodel: Path | None) -> Checked:
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
-    root = load_model(file)
+    root = next(iter(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values()))
     if isinstance(root, migration.MigrationPlan) and root.circuit is not None:
         wired(root)  # the board is the plan's, not the repository's
     models = [EmfModel(root, name=file.stem)]
