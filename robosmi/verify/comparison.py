@@ -30,7 +30,7 @@ _NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
 _DUTY = 0.02
 _FASTEST_HZ = 5_000.0
 """Edges that a program makes itself faster than this are only counted: nothing is claimed of how fast the source makes them."""
-_RESONATOR = 0.005
+RESONATOR = 0.005
 """A board's resonator may be off by so much: times drift by it."""
 
 
@@ -71,7 +71,7 @@ class ChannelComparison:
         channel: its name.
         status: same, different, not-exercised, or racy.
         difference: the first one, or None.
-        events: how many the source has, without what it does at the beginning.
+        events: how many were compared, or the source has where it is racy, without what it does at the beginning.
         greatest_dt_ms: the greatest distance in time of two events that belong together.
     """
 
@@ -156,12 +156,13 @@ def compare(
         source: what the source does there.
         target: what the target does there.
         varied: what the source does in varied runs.
-        horizon_ms: how long both ran; what happens so near to it that it may be beyond on the other side is not compared.
+        horizon_ms: how long both ran; what happens so near to it that it may be beyond on the other side is not compared, nor
+            what the source does after it.
     """
     allowed = tolerances(source, varied)
     if allowed is None or _ends_differ(source, varied, horizon_ms):
         return ChannelComparison(channel, RACY, events=max(0, len(source) - 1))
-    greatest = 0.0
+    greatest, matched = 0.0, 0
     for number in range(max(len(source), len(target))):
         mine = source[number] if number < len(source) else None
         theirs = target[number] if number < len(target) else None
@@ -180,6 +181,7 @@ def compare(
             if mine.at_us / 1000 >= horizon_ms - tau:
                 break
             return _different(channel, mine.at_us / 1000, f"{theirs} instead of {mine}", mine, theirs, source, greatest)
+        matched = number + 1
         greatest = dt if abs(dt) > abs(greatest) else greatest
         if abs(dt) > tau:
             return _different(
@@ -193,13 +195,14 @@ def compare(
             if not _lasts_alike(mine, source[number + 1], lasts, theirs_last, allowed[number].duration_ms):
                 message = f"{mine} lasts {theirs_last:.2f} ms instead of {lasts:.2f} ms"
                 return _different(channel, mine.at_us / 1000, message, mine, theirs, source, greatest)
-    if len(source) <= (0 if source and source[0].kind in _PRINTED else 1):
+    told = matched - bool(source and source[0].kind not in _PRINTED)
+    if told <= 0:
         return ChannelComparison(channel, NOT_EXERCISED)
-    return ChannelComparison(channel, SAME, None, len(source) - (source[0].kind not in _PRINTED), greatest)
+    return ChannelComparison(channel, SAME, None, told, greatest)
 
 
 def _tau(event: ActivityEvent, beyond_ms: float) -> float:
-    return _BASE_MS[event.kind] + beyond_ms + _RESONATOR * event.at_us / 1000
+    return _BASE_MS[event.kind] + beyond_ms + RESONATOR * event.at_us / 1000
 
 
 def _lasts_alike(event: ActivityEvent, after: ActivityEvent, source_ms: float, target_ms: float, beyond_ms: float) -> bool:

@@ -18,6 +18,8 @@ NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
 )  # fmt: skip
 EXIT_CODES = {NO_DIFFERENCE: 0, DIFFERENT_VERDICT: 6, NOT_COMPILED: 6, NOT_DECIDABLE: 1}
 """Exit code of the command by verdict."""
+PROGRAM = "program"
+"""Where a crash is: on no channel, in the program as a whole."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,7 @@ class ScenarioVerdict:
         channels: what became of each channel.
         simulated_ms: how long both sides ran.
         reason: why nothing could be decided; empty otherwise.
+        crash: when the migrated program crashed though the original did not; None if it did not.
     """
 
     scenario: Scenario
@@ -37,18 +40,24 @@ class ScenarioVerdict:
     channels: tuple[ChannelComparison, ...]
     simulated_ms: float
     reason: str = ""
+    crash: FirstDifference | None = None
 
     @property
     def first(self) -> FirstDifference | None:
         """The first difference, by the source's time."""
-        found = [c.difference for c in self.channels if c.difference is not None]
+        found = [each for each in (*(c.difference for c in self.channels), self.crash) if each is not None]
         return min(found, key=lambda difference: difference.at_ms, default=None)
+
+    @property
+    def until_ms(self) -> float | None:
+        """When a side ended before the scenario did, so that nothing was compared from then on; None if both ran to its end."""
+        return self.simulated_ms if self.simulated_ms < self.scenario.horizon_ms else None
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form (`scenarios[]`)."""
         return {
             "name": self.scenario.name, "origin": self.scenario.origin, "verdict": self.verdict,
-            "simulated_s": round(self.simulated_ms / 1000, 6), "reason": self.reason or None,
+            "simulated_s": round(self.simulated_ms / 1000, 6), "reason": self.reason or None, "until_ms": _rounded(self.until_ms),
             "channels": [{"name": c.channel, "status": c.status, "events": c.events} for c in self.channels],
         }  # fmt: skip
 
@@ -62,8 +71,9 @@ class Verdict:
         reasons: why nothing can be decided, beyond what the scenarios say.
         compiled: whether the migrated program compiles.
         engine, compiler, original: the simulator, the target's compiler and core, the source's model and compiler.
-        lines_pct, branches_pct: how much of the source the decidable scenarios reach; branches that only racy ones reach are not
-            counted.
+        counted: how many scenarios count for that: those that were decided, but for crashes, if anything was compared at all.
+        lines_pct, branches_pct: how much of the source these reach; branches that only racy ones reach are not counted. 0 where
+            no scenario counts.
         racy: how many generated scenarios were dropped because the source differs from itself.
         racy_branches: branches that only those reach, `file:line`.
         missed_branches: branches that no scenario reaches, `file:line`.
@@ -78,6 +88,7 @@ class Verdict:
     engine: str = ""
     compiler: str = ""
     original: str = ""
+    counted: int = 0
     lines_pct: float = 0.0
     branches_pct: float = 0.0
     racy: int = 0
@@ -95,9 +106,16 @@ class Verdict:
         if any(s.verdict == DIFFERENT_VERDICT for s in self.scenarios):
             return DIFFERENT_VERDICT
         decided = [s for s in self.scenarios if s.verdict == NO_DIFFERENCE]
-        if self.reasons or len(decided) < len(self.scenarios) or not decided:
+        if self.reasons or len(decided) < len(self.scenarios) or not decided or self.nothing_compared:
             return NOT_DECIDABLE
         return NO_DIFFERENCE
+
+    @property
+    def nothing_compared(self) -> bool:
+        """Whether nothing happens on any channel in any scenario, all of which could be decided: no difference says nothing."""
+        if not self.scenarios or any(s.verdict != NO_DIFFERENCE for s in self.scenarios):
+            return False
+        return all(c.status == NOT_EXERCISED for s in self.scenarios for c in s.channels)
 
     @property
     def exit_code(self) -> int:
@@ -115,12 +133,19 @@ class Verdict:
         return next(((s, s.first) for s in self.scenarios if s.first is not None), None)
 
     def channels(self) -> list[dict[str, Any]]:
-        """What became of each channel in all scenarios: different where one differs, not exercised where none uses it."""
+        """What became of each channel in all scenarios: different where one differs, not exercised where none uses it.
+
+        `until_ms` is the earliest time at which a side of a scenario ended before the scenario, or None.
+        """
         found: dict[str, list[ChannelComparison]] = {}
         for scenario in self.scenarios:
             for channel in scenario.channels:
                 found.setdefault(channel.channel, []).append(channel)
-        return [{"name": name, "status": _worst(each), "events": sum(c.events for c in each)} for name, each in found.items()]
+        until_ms = _rounded(min((s.until_ms for s in self.scenarios if s.until_ms is not None), default=None))
+        return [
+            {"name": name, "status": _worst(each), "events": sum(c.events for c in each), "until_ms": until_ms}
+            for name, each in found.items()
+        ]
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form."""
@@ -132,7 +157,7 @@ class Verdict:
             "simulated_s": round(self.simulated_s, 6),
             "source_coverage": {
                 "lines_pct": round(self.lines_pct, 1), "branches_pct": round(self.branches_pct, 1),
-                "missed": self.missed_branches, "only_in_racy": self.racy_branches,
+                "missed": self.missed_branches, "only_in_racy": self.racy_branches, "scenarios": self.counted,
             },
             "racy_scenarios": self.racy,
             "channels": self.channels(),
@@ -163,10 +188,16 @@ class Verdict:
         }[self.verdict]
         many = f"{len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}"
         said += f" in {many}, {self.simulated_s:.1f} s simulated"
-        said += f"; source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
+        said += f"; {self._reached()}"
         if (first := self.first_difference) is not None:
             said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
         return "; ".join([said, *self.all_reasons()])
+
+    def _reached(self) -> str:
+        """How much of the source was reached, in words."""
+        if not self.counted:
+            return "no source line counts as reached: no scenario was compared to its end"
+        return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
 
     def all_reasons(self) -> list[str]:
         """Why nothing can be decided, of all scenarios, each once."""
@@ -177,7 +208,7 @@ class Verdict:
         if self.verdict == NOT_COMPILED:
             return ["NOT COMPILED: the migrated program does not compile"]
         what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
-        what += f"; source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
+        what += f"; {self._reached()}"
         lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
         if (first := self.first_difference) is not None:
             scenario, difference = first
@@ -190,7 +221,7 @@ class Verdict:
         if self.racy:
             lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
         lines += ["", "channels:"]
-        lines += [f"  {c['status']:14} {c['name']}{_counted(c['events'])}" for c in self.channels()]
+        lines += [f"  {c['status']:14} {c['name']}{_counted(c['events'])}{_ended(c['until_ms'])}" for c in self.channels()]
         lines += [f"  not compared   {name}" for name in self.not_compared]
         lines += ["", "binding (please look whether it is right):"]
         for each in self.binding:
@@ -201,7 +232,15 @@ class Verdict:
 
 
 def _counted(events: int) -> str:
-    return f" ({events} events)" if events else ""
+    return f" ({events} event{'s' * (events != 1)})" if events else ""
+
+
+def _ended(until_ms: float | None) -> str:
+    return f", compared until {until_ms:.1f} ms" if until_ms is not None else ""
+
+
+def _rounded(at_ms: float | None) -> float | None:
+    return None if at_ms is None else round(at_ms, 3)
 
 
 def _worst(channels: Sequence[ChannelComparison]) -> str:

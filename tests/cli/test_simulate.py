@@ -89,3 +89,12 @@ def test_what_does_not_compile_or_exist_says_so(blink: Path, tmp_path: Path) -> 
     assert run("simulate", blink, "--engine", "nobodys").code in (2, 6)
     assert run("simulate", blink, "--seconds", "-1").code == 2
     assert run("simulate", blink, "--scenario", tmp_path / "no.toml").code == 3
+
+
+def test_a_program_that_crashes_is_an_error_that_is_told_with_its_time(blink: Path) -> None:
+    (blink / "blink.ino").write_text("void setup() { delay(50); ((void (*)(void))0x3f00)(); }\nvoid loop() { }\n")
+    outcome = run("simulate", blink, "--json", "--engine", "simavr")
+    assert (outcome.code, outcome.result["state"]) == (1, "crashed"), outcome.document
+    (found,) = outcome.document["findings"]
+    assert (found["rule"], found["severity"]) == ("RS854", "error")
+    assert found["message"].startswith("the program crashed on the simulator at 5")

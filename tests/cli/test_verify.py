@@ -170,7 +170,85 @@ def test_a_program_that_never_waits_ends_with_the_scenario(tmp_path: Path, press
     (tmp_path / "busy.c").write_text('#include "simpletools.h"\nint main() { while (1) { } }\n')
     assert run("migrate", tmp_path / "busy.c", "-o", tmp_path / "out").code in (0, 1)
     pressed.write_text("horizon_ms = 300\n")
-    assert run("verify", tmp_path / "out", "--scenario", pressed).code == 0
+    outcome = run("verify", tmp_path / "out", "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"], outcome.result["simulated_s"]) == (1, "not-decidable", 0.3)
+
+
+NOTHING = {
+    "not bound": ("int main() { high(26); pause(100); low(26); while (1) pause(5); }", (), ["P26", "--bind P26=PIN", "console"]),
+    "hangs": (
+        "int main() { while (input(3) == 0) pause(5); high(26); while (1) pause(5); }",
+        ("--bind", "P26=D13", "--bind", "P3=D2"), ["P26", "--scenario FILE", "console"],
+    ),
+    "does nothing": ("int main() { while (1) { } }", (), ["console"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", NOTHING)
+def test_where_nothing_was_compared_nothing_is_decided(case: str, tmp_path: Path, pressed: Path) -> None:
+    text, options, told = NOTHING[case]
+    (tmp_path / "mute.c").write_text(f'#include "simpletools.h"\n{text}\n')
+    assert run("migrate", tmp_path / "mute.c", "-o", tmp_path / "out", *options).code in (0, 1)
+    pressed.write_text("horizon_ms = 500\n")
+    outcome = run("verify", tmp_path / "out", "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (1, "not-decidable"), outcome.result
+    (reason,) = [why for why in outcome.result["reasons"] if why.startswith("nothing was compared: ")]
+    assert [each for each in told if each not in reason] == []
+    assert outcome.result["source_coverage"]["scenarios"] == 0
+    text = run("verify", tmp_path / "out", "--scenario", pressed).out
+    assert "no source line counts as reached" in text
+    assert "source lines" not in text
+
+
+def test_a_crash_of_the_migrated_program_alone_is_a_difference(out: Path, pressed: Path) -> None:
+    """After 1.5 s it jumps to where no program is; until then it does what the original does."""
+    sketch = out / "button" / "button.ino"
+    old = "void loop() {"
+    assert old in sketch.read_text()
+    sketch.write_text(sketch.read_text().replace(old, f"{old} if (millis() > 1500) ((void (*)(void))0x3f00)();"))
+    outcome = run("verify", out, "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (6, "different"), outcome.result
+    first = outcome.result["first_difference"]
+    assert first["channel"] == "program"
+    assert first["at_ms"] == pytest.approx(1502, abs=10)
+    assert "the migrated program crashes on the simulator" in first["message"]
+    assert {c["name"]: (c["status"], c["events"]) for c in outcome.result["channels"]} == {
+        "Lamp (P26)": ("same", 2), "Speaker (P4)": ("same", 2), "console": ("same", 1)
+    }  # fmt: skip
+    assert {c["until_ms"] for c in outcome.result["channels"]} == {first["at_ms"]}
+    text = run("verify", out, "--scenario", pressed).out
+    assert f"Lamp (P26) (2 events), compared until {first['at_ms']:.1f} ms" in text
+    assert "source lines" not in text
+
+
+def test_a_crash_before_anything_happens_leaves_no_channel_called_the_same(out: Path, pressed: Path) -> None:
+    sketch = out / "button" / "button.ino"
+    sketch.write_text(sketch.read_text().replace("void loop() {", "void loop() { ((void (*)(void))0x3f00)();"))
+    outcome = run("verify", out, "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (6, "different"), outcome.result
+    assert {c["status"] for c in outcome.result["channels"]} == {"not-exercised"}
+
+
+def test_a_crash_on_both_sides_decides_nothing(tmp_path: Path, pressed: Path) -> None:
+    program = "int main() { high(26); pause(300); low(26); pause(200); ((void (*)(void))0x3f00)(); return 0; }"
+    (tmp_path / "lost.c").write_text(f'#include "simpletools.h"\n{program}\n')
+    assert run("migrate", tmp_path / "lost.c", "-o", tmp_path / "out", "--bind", "P26=D13").code in (0, 1)
+    pressed.write_text("horizon_ms = 1000\n")
+    outcome = run("verify", tmp_path / "out", "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (1, "not-decidable"), outcome.result
+    (reason,) = outcome.result["reasons"]
+    assert reason.startswith("both programs crash: ")
+    assert outcome.result["source_coverage"]["scenarios"] == 0
+
+
+def test_a_migrated_program_that_halts_early_is_compared_to_the_end(out: Path, pressed: Path) -> None:
+    sketch = out / "button" / "button.ino"
+    text = sketch.read_text().replace("#include <Arduino.h>", "#include <Arduino.h>\n#include <avr/sleep.h>")
+    text = text.replace("void loop() {", "void loop() { if (millis() > 1500) { cli(); sleep_enable(); sleep_cpu(); }")
+    sketch.write_text(text)
+    outcome = run("verify", out, "--scenario", pressed, "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (6, "different"), outcome.result
+    assert "is missing" in outcome.result["first_difference"]["message"]
 
 
 def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path: Path) -> None:

@@ -103,3 +103,10 @@ def test_times_may_be_off_by_twice_what_the_source_is_off_from_itself() -> None:
     assert compare("x", events(BLINK), events(late), [events(BLINK)], 4000).status == "different"
     assert compare("x", events(BLINK), events(late), [events(varied)], 4000).status == "same"
     assert compare("x", events(BLINK), events(changed(BLINK, 2, 1650)), [events(varied)], 4000).status == "different"
+
+
+def test_what_the_source_does_after_the_end_is_neither_compared_nor_counted() -> None:
+    early = compare("x", events(BLINK), events(BLINK[:2]), [events(BLINK)], 1000)
+    assert (early.status, early.events) == ("same", 1)
+    assert compare("x", events(BLINK), events(BLINK[:1]), [events(BLINK)], 200).status == "not-exercised"
+    assert compare("x", events(TEXT), events(TEXT[:1]), [events(TEXT)], 500).events == 1

@@ -27,6 +27,8 @@ from robosmi.verify.simulation import simulate as run_job
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.vcd import vcd_text
 
+CRASHED = "RS854"
+"""Rule of a program that ran into nothing."""
 SECONDS = 5.0
 """How long a program runs unless told otherwise, in simulated seconds."""
 MOST_EVENTS = 10_000
@@ -51,8 +53,16 @@ class Simulated:
 
     @property
     def findings(self) -> list[Finding]:
-        """What the compiler found, unless all is well; what is not played."""
-        return [f for f in self.compiled.diagnostics if f.severity is not Severity.info]
+        """What the compiler found, but for mere information, and that the program crashed."""
+        found = [f for f in self.compiled.diagnostics if f.severity is not Severity.info]
+        if self.trace is not None and self.trace.state == "crashed":
+            found.append(
+                Finding(
+                    CRASHED, Severity.error, f"the program crashed on the simulator at {self.trace.simulated_us / 1000:.1f} ms",
+                    fix="look for calls through pointers that hold no function, arrays that are left, and too little RAM",
+                )
+            )  # fmt: skip
+        return found
 
     @property
     def result(self) -> dict[str, Any]:

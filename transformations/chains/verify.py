@@ -24,21 +24,11 @@ from robosmi.transformations.chains.simulate import plan_beside
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.jobs import job
-from robosmi.transformations.verification.original_side import (
-    SETTLED,
-    Place,
-    SourceRuns,
-    channel_events,
-    compared,
-    places_reached,
-    run_source,
-    run_varied,
-)
+from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
+from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.originals import original_program
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, played, reads_console, signals_of
 from robosmi.transformations.verification.scenario_search import search
-from robosmi.verify.activity import ActivityEvent
-from robosmi.verify.comparison import DIFFERENT, RACY
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.original_build import OriginalProgram
@@ -48,7 +38,7 @@ from robosmi.verify.simulation import PinTrace, engine_for
 from robosmi.verify.simulation import simulate as run_job
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.vcd import vcd_text
-from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, ScenarioVerdict, Verdict
+from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, Verdict
 
 FOLDER = "scenarios"
 """Where scenarios are stored, beside the models."""
@@ -148,7 +138,9 @@ def verify(
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         traces = side.run([scenario for scenario, _ in cases])
         for (scenario, runs), trace in zip(cases, traces, strict=True):
-            verdict.scenarios.append(_judged(scenario, runs, trace, ports))
+            verdict.scenarios.append(judged(scenario, runs, trace, ports))
+        if verdict.nothing_compared:
+            verdict.reasons.append(why_nothing_was_compared(verdict, ports))
         _cover(verdict, program, cases, made.racy_counts, plan)
         done = Verified(verdict, report)
         _store(made.new, plan_file.parent / FOLDER, done)
@@ -260,36 +252,6 @@ def _cases(
     return [*cases, *fresh], made
 
 
-def _judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: list[BoundPort]) -> ScenarioVerdict:
-    """What the two sides have in common in a scenario."""
-    nominal = runs.nominal
-    horizon_ms = min(scenario.horizon_ms, trace.simulated_us / 1000)
-    if nominal.status not in SETTLED:
-        horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
-    target = channel_events(trace, ports, target=True)
-    found = [
-        compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms)
-        for name, seen in runs.channels.items()
-    ]
-    if any(c.status == DIFFERENT for c in found):
-        return ScenarioVerdict(scenario, DIFFERENT_VERDICT, tuple(found), horizon_ms)
-    if trace.state == "crashed":
-        return ScenarioVerdict(scenario, NOT_DECIDABLE, tuple(found), horizon_ms, "the migrated program crashed on the simulator")
-    if nominal.status not in SETTLED:
-        cause = f": {nominal.cause}" if nominal.cause else ""
-        what = {"unmodelled": "it calls a function that has no model", "recursion": "its calls use up the stack"}
-        reason = f"the original did not run to its end ({what.get(nominal.status, nominal.status)}{cause})"
-        return ScenarioVerdict(scenario, NOT_DECIDABLE, tuple(found), horizon_ms, reason)
-    if racy := [c.channel for c in found if c.status == RACY]:
-        reason = f"in '{scenario.name}' the source differs from itself ({', '.join(racy)})"
-        return ScenarioVerdict(scenario, NOT_DECIDABLE, tuple(found), horizon_ms, reason)
-    return ScenarioVerdict(scenario, NO_DIFFERENCE, tuple(found), horizon_ms)
-
-
-def _until(events: Sequence[ActivityEvent], horizon_ms: float) -> list[ActivityEvent]:
-    return [event for event in events if event.at_us / 1000 <= horizon_ms]
-
-
 # ---- what it rests on
 
 
@@ -298,13 +260,16 @@ def _cover(
 ) -> None:
     """How much of the source the decidable scenarios reach, and which unfinished adapters were called."""
     decided = [
-        runs.nominal.counts for (_, runs), told in zip(cases, verdict.scenarios, strict=True) if told.verdict != NOT_DECIDABLE
+        runs.nominal.counts
+        for (_, runs), told in zip(cases, verdict.scenarios, strict=True)
+        if runs.nominal.counts and told.verdict != NOT_DECIDABLE and told.crash is None and not verdict.nothing_compared
     ]
     if called := [runs.nominal.counts for _, runs in cases if runs.nominal.counts]:
         verdict.reasons += _unfinished(coverage(program, called), plan)
-    if not any(decided):
+    verdict.counted = len(decided)
+    if not decided:
         return
-    covered = coverage(program, [c for c in decided if c])
+    covered = coverage(program, decided)
     by_racy = coverage(program, [c for c in racy if c]) if any(racy) else None
     verdict.lines_pct = covered.line_percent
     only_racy = {place for place in covered.missed_branches if by_racy is not None and by_racy.branches.get(place, 0) > 0}

@@ -163,3 +163,10 @@ def test_a_worker_that_is_killed_is_an_error(job_of: Run, engine: str, monkeypat
     with pytest.raises(VerificationError, match="crashed"):
         simulate(job_of("pins", 1, ()), engine)
     assert [each.returncode for each in begun] == [-signal.SIGKILL]
+
+
+def test_a_program_that_leaves_its_memory_has_crashed_and_its_time_is_told(job_of: Run, engine: str) -> None:
+    trace = simulate(job_of("lost", 200, ()), engine)
+    assert trace.state == "crashed"
+    assert trace.simulated_us == pytest.approx(20_000, rel=0.05)
+    assert trace.levels("D8")[-1][1] == 1

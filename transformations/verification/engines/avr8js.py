@@ -135,9 +135,10 @@ class _Run(Bench):
             self._write(self._commands)
             self._commands = []
         self._note(told["log"])
-        self._cycle = end
+        self._cycle = min(told["t"], end) if told["crashed"] else end
         self.ended()
-        return self.trace(f"avr8js {_version()}", "running", job.horizon_us, self.timers.waves, self._console)
+        state = "crashed" if told["crashed"] else "running"
+        return self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
 
     def _note(self, log: list[list[Any]]) -> None:
         for kind, cycle, first, *more in log:

@@ -35,10 +35,11 @@ function write(value) {
 const job = readLine();
 const program = new Uint16Array(0x8000 / 2);
 const bytes = new Uint8Array(program.buffer);
-let high = 0;
+let high = 0, end = 0; // end: the first byte after the program
 for (const line of job.hex.split('\n')) {
   if (line[0] !== ':') continue;
   const count = parseInt(line.slice(1, 3), 16), address = parseInt(line.slice(3, 7), 16), kind = line.slice(7, 9);
+  if (kind === '00') end = Math.max(end, high + address + count);
   if (kind === '00') for (let i = 0; i < count; i++) bytes[high + address + i] = parseInt(line.slice(9 + 2 * i, 11 + 2 * i), 16);
   else if (kind === '02') high = parseInt(line.slice(9, 13), 16) * 16;
   else if (kind === '04') high = parseInt(line.slice(9, 13), 16) * 65536;
@@ -142,8 +143,14 @@ bus.eventHandler = {
 };
 
 ask({ ask: 'start' });
+const beyond = (end + 1) >> 1;
+let crashed = false;
 while (cpu.cycles < job.end) {
   avr.avrInstruction(cpu);
+  if (cpu.pc >= beyond) { // it has left the program; avr8js would go through the empty memory and begin again
+    crashed = true;
+    break;
+  }
   cpu.tick();
   if (cpu.cycles >= wake) {
     wake = Infinity;
@@ -151,4 +158,4 @@ while (cpu.cycles < job.end) {
   }
   if (waiting.length) deliver();
 }
-write({ t: cpu.cycles, log, ask: 'end' });
+write({ t: cpu.cycles, log, ask: 'end', crashed });

@@ -1,0 +1,51 @@
+"""The verdict of scenarios together: what decides, what does not, and what is said of the source's lines."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.verify.comparison import ChannelComparison, FirstDifference
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.verdict import ScenarioVerdict, Verdict
+
+CRASH = FirstDifference(400.0, "program", "the migrated program crashes", None, None)
+
+
+def told(verdict: str, *statuses: str, until_ms: float = 1000.0, crash: FirstDifference | None = None) -> ScenarioVerdict:
+    """The verdict of a scenario of one second with such channels."""
+    channels = tuple(ChannelComparison(f"c{number}", status) for number, status in enumerate(statuses))
+    return ScenarioVerdict(Scenario("s", 1000.0, {}), verdict, channels, until_ms, crash=crash)
+
+
+@pytest.mark.parametrize(
+    ("scenarios", "verdict", "nothing"),
+    [
+        ([told("no-difference-found", "same", "not-exercised")], "no-difference-found", False),
+        ([told("no-difference-found", "not-exercised"), told("no-difference-found", "same")], "no-difference-found", False),
+        ([told("no-difference-found", "not-exercised", "not-exercised")], "not-decidable", True),
+        ([told("no-difference-found")], "not-decidable", True),
+        ([told("different", "not-exercised", crash=CRASH, until_ms=400.0)], "different", False),
+        ([], "not-decidable", False),
+    ],
+)
+def test_without_anything_compared_nothing_is_decided(scenarios: list[ScenarioVerdict], verdict: str, nothing: bool) -> None:
+    found = Verdict(scenarios=scenarios)
+    assert (found.verdict, found.nothing_compared) == (verdict, nothing)
+
+
+def test_a_crash_is_the_first_difference_and_ends_what_is_said_of_channels() -> None:
+    found = Verdict(scenarios=[told("different", "same", crash=CRASH, until_ms=400.0)])
+    assert found.exit_code == 6
+    assert found.first_difference == (found.scenarios[0], CRASH)
+    assert [c["until_ms"] for c in found.channels()] == [400.0]
+    assert any(line.startswith("  same") and line.endswith("compared until 400.0 ms") for line in found.lines())
+    assert Verdict(scenarios=[told("no-difference-found", "same")]).channels()[0]["until_ms"] is None
+
+
+def test_lines_of_the_source_are_counted_only_where_a_scenario_counts() -> None:
+    dropped = Verdict(reasons=["no scenario is left"], racy=3)
+    for text in (dropped.sentence(), dropped.lines()[0]):
+        assert "no source line counts as reached" in text
+        assert "%" not in text
+    counted = Verdict(scenarios=[told("no-difference-found", "same")], counted=1, lines_pct=50.0, branches_pct=25.0)
+    assert "source lines 50.0 %, branches 25.0 %" in counted.sentence()

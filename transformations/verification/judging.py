@@ -1,0 +1,102 @@
+"""What one scenario says when both sides have run: same, different, or why nothing can be decided; and why nothing was compared.
+
+The comparison of a single channel is in `original_side` and `robosmi.verify.comparison`, the verdict of all scenarios together
+in `robosmi.verify.verdict`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from robosmi.transformations.verification.original_side import SETTLED, SourceRuns, channel_events, compared
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.activity import ActivityEvent
+from robosmi.verify.comparison import DIFFERENT, RACY, RESONATOR, FirstDifference
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace
+from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, PROGRAM, ScenarioVerdict, Verdict
+
+_UNSETTLED = {"unmodelled": "it calls a function that has no model", "recursion": "its calls use up the stack"}
+_CRASH_MS = 45.0
+"""Two crashes whose times differ by no more, and by what resonators are off, are at the same time: as for other events."""
+
+
+def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort]) -> ScenarioVerdict:
+    """What the two sides have in common in a scenario.
+
+    A difference comes first; then a crash of the migrated program that the original does not share, which is a difference, too;
+    then what makes that nothing can be decided. After a crash nothing is compared.
+
+    Args:
+        scenario: what happened.
+        runs: those of the original.
+        trace: what the migrated program did.
+        ports: the ports.
+    """
+    nominal = runs.nominal
+    crashed_ms = trace.simulated_us / 1000 if trace.state == "crashed" else None
+    horizon_ms = scenario.horizon_ms if crashed_ms is None else min(scenario.horizon_ms, crashed_ms)
+    if nominal.status not in SETTLED:
+        horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
+    target = channel_events(trace, ports, target=True)
+    found = tuple(
+        compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms)
+        for name, seen in runs.channels.items()
+    )
+    if any(c.status == DIFFERENT for c in found):
+        return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms)
+    if crashed_ms is not None and not _crashes_by(runs, crashed_ms):
+        went_on = "had ended in order" if nominal.status == "finished" else "runs on"
+        message = f"the migrated program crashes on the simulator, where the original {went_on}"
+        crash = FirstDifference(crashed_ms, PROGRAM, message, None, None)
+        return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
+    reason = _doubt(scenario, runs, [c.channel for c in found if c.status == RACY], crashed_ms)
+    return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
+
+
+def _until(events: Sequence[ActivityEvent], horizon_ms: float) -> list[ActivityEvent]:
+    return [event for event in events if event.at_us / 1000 <= horizon_ms]
+
+
+def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:
+    """Whether the original, as it is or with other costs, has come to no good end until about then: it may be its own fault."""
+    latest_ms = at_ms + _CRASH_MS + RESONATOR * at_ms
+    return any(run.status not in SETTLED and run.trace.simulated_us / 1000 <= latest_ms for run in (runs.nominal, *runs.varied))
+
+
+def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[str], crashed_ms: float | None) -> str:
+    """Why nothing can be decided in a scenario without a difference; empty if it can."""
+    nominal = runs.nominal
+    if nominal.status not in SETTLED:
+        cause = f": {nominal.cause}" if nominal.cause else ""
+        reason = f"the original did not run to its end ({_UNSETTLED.get(nominal.status, nominal.status)}{cause})"
+        if crashed_ms is not None:
+            ended_ms = nominal.trace.simulated_us / 1000
+            reason = f"both programs crash: {reason} at {ended_ms:.1f} ms, and the migrated program at {crashed_ms:.1f} ms"
+        return reason
+    if crashed_ms is not None:
+        return (
+            f"the migrated program crashes at {crashed_ms:.1f} ms, and the original does not run to its end, either, "
+            "when its steps cost a little more or less"
+        )
+    if racy:
+        return f"in '{scenario.name}' the source differs from itself ({', '.join(racy)})"
+    return ""
+
+
+def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> str:
+    """Why a verdict has no channel on which anything was compared, and what to do about each.
+
+    Args:
+        verdict: one that has compared nothing.
+        ports: the ports.
+    """
+    idle = [str(channel["name"]) for channel in verdict.channels()]
+    parts = [f"{', '.join(idle)}: nothing happens in any scenario (give one in which it does: --scenario FILE)"] if idle else []
+    unbound = [port for port in ports if not port.target]
+    if unbound:
+        advice = " ".join(f"--bind {port.name}=PIN" for port in unbound)
+        parts.append(f"{', '.join(port.title for port in unbound)}: not wired on the target (bind it: migrate {advice})")
+    if lines := [port.title for port in ports if port.line and port.target]:
+        parts.append(f"{', '.join(lines)}: a line of a bus or a serial connection (look at it on the bench)")
+    return f"nothing was compared: {'; '.join(parts)}"
