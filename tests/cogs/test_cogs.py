@@ -22,6 +22,7 @@ from tests.tools import require_engine, require_tools
 
 PROGRAMS = Path(__file__).parent / "programs"
 BIND = {"P25": "D6", "P26": "D13", "P27": "D12", "P5": "D5"}
+SERVOS = ["D9", "D10"]
 BOARDS = ["uno", "leonardo", "mega"]
 
 
@@ -37,6 +38,8 @@ def moved(name: str, folder: Path, board: str = "uno") -> Generated:
     files = sorted(place.glob("*.c")) if place.is_dir() else [place.with_suffix(".c")]
     text = "".join(file.read_text() for file in files)
     bind = {port: pin for port, pin in BIND.items() if re.search(rf"\b(?:high|low|toggle|input)\({port[1:]}\)", text)}
+    if '#include "abdrive.h"' in text:
+        bind |= dict(zip(("abdrive.left_servo", "abdrive.right_servo"), SERVOS, strict=True))
     made: Generated = robosmi.migrate(files, folder, bind=bind, target=board)
     return made
 
@@ -147,3 +150,38 @@ def test_code_of_a_cog_may_stand_in_another_file(tmp_path: Path) -> None:
     trace = run("two_files", tmp_path, 300)
     assert trace.text == "5 1\n"
     assert len(rises(trace, "D13")) in (5, 6)
+
+
+def pulses(trace: PinTrace, pin: str) -> list[float]:
+    """When the pulses of a servo began, in milliseconds."""
+    return [at / 1000 for at, width in trace.pulses(pin) if width > 1000]
+
+
+@pytest.mark.parametrize("board", ["uno", "mega"])
+def test_a_drive_is_started_in_a_cog(board: str, tmp_path: Path) -> None:
+    trace = run("drive_in_a_cog", tmp_path, 1500, board)
+    for pin in SERVOS:
+        begun = pulses(trace, pin)
+        assert len(begun) > 60
+        assert gaps(begun)[-20:] == [pytest.approx(20, abs=1.5)] * 20
+
+
+@pytest.mark.parametrize("board", ["uno", "mega"])
+def test_a_cog_blinks_while_main_drives(board: str, tmp_path: Path) -> None:
+    trace = run("cog_beside_a_drive", tmp_path, 3000, board)
+    for pin in SERVOS:
+        assert len(pulses(trace, pin)) > 140
+        assert pulses(trace, pin)[-1] > 2950
+    assert rises(trace, "D13")[-1] > 2980
+
+
+def test_a_cog_has_the_heap_that_main_has(tmp_path: Path) -> None:
+    assert run("heap_in_a_cog", tmp_path, 150).text == "5 1\n"
+
+
+def test_interrupts_of_a_drive_count_for_the_stack_of_each_cog(tmp_path: Path) -> None:
+    beside, alone = (moved(name, tmp_path / name).models.plan.concurrency for name in ("cog_beside_a_drive", "main_ends"))
+    assert beside is not None
+    assert alone is not None
+    assert beside.stackBytes > alone.stackBytes + 100
+    assert any("interrupts" in each for each in beside.evidence)

@@ -113,7 +113,7 @@ class AdapterPiece:
         limits: what it does not do.
         symmetric: parameters that may change places without a difference.
         target_name: its name on the target, where that has one of its own already.
-        stack: bytes of stack that a call takes, where these are many.
+        stack: bytes of stack that a call takes, where these are many; that its interrupts take, where it handles some.
     """
 
     kind: str

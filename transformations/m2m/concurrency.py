@@ -8,9 +8,9 @@ told by `queries.cooperation`.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.queries.code import CodeView, CogStart, cogs_of
 from robosmi.transformations.queries.cooperation import (
     Waiting,
@@ -30,7 +30,7 @@ GIVE_WAY = "give-way"
 YIELD = "yield"
 """The target's function that lets others get on, and the piece that makes the next of them go on."""
 IDLE, SPARE = 80, 1.25
-"""Bytes that a coroutine needs that does nothing, interrupts included; what is added to an estimate."""
+"""Bytes that a coroutine needs that does nothing, interrupts of the core included; by what an estimate is multiplied."""
 _ENDS = re.compile(r"_end\b|stop\b|join\b|exit\b")
 REASON = "the others get on only when this loop waits"
 
@@ -55,19 +55,24 @@ def concurrency(
         return None
     functions = _functions(views, starts)
     waiting = Waiting(giving_way(views, uses))
-    stacks = {name: max(p.stackBytes for p in pieces) for name, pieces in filled.items()}
+    stacks = {name: max((p.stackBytes for p in pieces if not _interrupts(p)), default=0) for name, pieces in filled.items()}
+    handled = interrupt_bytes([p for pieces in filled.values() for p in pieces])
     needs = [(f, IDLE + stack_bytes(f, {n: b for n, b in stacks.items() if b})) for f in functions]
     most = max((need for _, need in needs), default=2 * IDLE)
     slots, why = starts_at_once([s.call for s in starts], {name for name in filled if _ENDS.search(name)})
     made = migration.Concurrency(
         slots=slots,
-        stackBytes=-int(-most * SPARE // 8) * 8,
+        stackBytes=-int((-most * SPARE - handled) // 8) * 8,
         starts=[s.call for s in starts],
         functions=functions,
         choice="coroutines",
         chosenBy=migration.ChosenBy.rule,
         confidence=1.0,
-        evidence=[*why, *(f"'{f.name}' is estimated to need {need} bytes of stack" for f, need in needs)],
+        evidence=[
+            *why,
+            *(f"'{f.name}' is estimated to need {need} bytes of stack" for f, need in needs),
+            *([f"interrupts of what the program uses take up to {handled} bytes of each stack"] if handled else []),
+        ],
     )
     divided = {id(d.loop) for d in divisions if d.loop is not None}
     for view, text in zip(views, texts, strict=True):
@@ -78,6 +83,20 @@ def concurrency(
         gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided
     )
     return made
+
+
+def interrupt_bytes(pieces: Iterable[platform.Adapter]) -> int:
+    """Bytes that interrupts which the pieces handle take on the stack in use: all at once, as one may come within another.
+
+    Args:
+        pieces: pieces of adapter files, each as often as you like.
+    """
+    return sum({(str(p.sourceHeader), str(p.name)): int(p.stackBytes) for p in pieces if _interrupts(p)}.values())
+
+
+def _interrupts(piece: platform.Adapter) -> bool:
+    """Whether a piece, or a library that it includes, handles interrupts."""
+    return bool(piece.vectors or piece.takenVectors)
 
 
 def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:

@@ -42,6 +42,7 @@ typedef text_t fdserial;
 //# helper SerialLine
 //#   include: <SoftwareSerial.h>
 //#   taken: PCINT0_vect PCINT1_vect PCINT2_vect
+//#   stack: 20
 struct SerialLine : SoftwareSerial {
   int16_t sends;  // pin, -1 without one
   SerialLine(uint8_t receives, uint8_t sends_at, int16_t sends, bool inverted)

@@ -271,9 +271,21 @@ inline void cog_overflow(uint8_t number) {
   }
 }
 
+//# helper cog_heap
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   fidelity: while a cog runs, the heap may grow as far as the stack of main lets it; weak, as most programs have no heap
+extern char *__malloc_heap_end __attribute__((weak));
+extern size_t __malloc_margin __attribute__((weak));
+
+inline void cog_heap(bool leaves_main, bool enters_main) {  // without an end, malloc takes the stack in use for that of main
+  if (!&__malloc_heap_end) return;
+  if (leaves_main) __malloc_heap_end = (char *)SP - __malloc_margin;
+  if (enters_main) __malloc_heap_end = 0;
+}
+
 //# helper yield
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_switch cog_overflow COG_SLOTS
+//#   needs: cog_table cogs_running cog_switch cog_overflow cog_heap COG_SLOTS
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
 extern "C" inline __attribute__((used)) void yield() {
   uint8_t from = cog_table.now, to = from;
@@ -285,6 +297,7 @@ extern "C" inline __attribute__((used)) void yield() {
   while (to != from && !(cogs_running >> to & 1));
   if (to == from) return;
   cog_table.now = to;
+  cog_heap(!from, !to);
   cog_switch(&cog_table.saved[from], cog_table.saved[to]);
 }
 

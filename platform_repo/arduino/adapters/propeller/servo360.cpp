@@ -232,6 +232,7 @@ inline void feedback360_edge() {  // short: the signal is high for 32 us at the 
 //# helper feedback360_watch
 //#   needs: feedback360_edge
 //#   vector: PCINT0_vect PCINT1_vect PCINT2_vect
+//#   stack: 44
 inline void feedback360_watch(int16_t pin) {
   if (!digitalPinToPCICR(pin)) return;
   *digitalPinToPCMSK(pin) |= _BV(digitalPinToPCMSKbit(pin));
@@ -245,6 +246,7 @@ ISR(PCINT2_vect) { feedback360_edge(); }
 //# helper feedback360_watch
 //#   needs: feedback360_edge
 //#   vector: PCINT0_vect
+//#   stack: 44
 //#   mcu: atmega32u4
 inline void feedback360_watch(int16_t pin) {
   if (!digitalPinToPCICR(pin)) return;

@@ -582,6 +582,7 @@ inline void pwm_end_pulses() {
 //#   needs: pwm_channels pwm_cycle pwm_end_pulses
 //#   timer: Timer1
 //#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
+//#   stack: 20
 //#   fidelity: half microseconds in cycles up to 32.7 ms, 4 us beyond
 ISR(TIMER1_COMPA_vect) {  // a cycle begins
   for (volatile PwmChannel &channel : pwm_channels) {
