@@ -20,7 +20,8 @@ from pathlib import Path
 
 import robosmi
 from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.chains.verify import FOLDER, Case, _judged, _original, _Target, verify
+from robosmi.transformations.chains.verify import FOLDER, Case, _original, _Target, verify
+from robosmi.transformations.verification.judging import judged
 from robosmi.transformations.verification.original_side import run_source, run_varied
 from robosmi.transformations.verification.port_devices import bound_ports
 from robosmi.verify.scenario import read_scenario
@@ -112,7 +113,7 @@ def study(name: str, wanted: int, seed: int) -> dict[str, object]:
                     verdicts = []
                     for scenario, runs in cases:
                         (trace,) = side.run([scenario])
-                        verdicts.append(_judged(scenario, runs, trace, ports).verdict)
+                        verdicts.append(judged(scenario, runs, trace, ports).verdict)
                         if verdicts[-1] == "different":
                             break
             except robosmi_errors() as error:
