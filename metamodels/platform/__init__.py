@@ -1009,7 +1009,7 @@ class Adapter(Element, metaclass=MetaEClass):
     text: str = EAttribute(eType=EString, default_value="")
     """Its text in the language of the target."""
     stackBytes: int = EAttribute(eType=EInt)
-    """Bytes of stack that a call takes, where these are many; 0 for a few."""
+    """Bytes of stack that a call or an interrupt takes, where these are many; 0 for a few."""
     fidelity: str = EAttribute(eType=EString, default_value="")
     """How faithful it is."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
