@@ -272,8 +272,7 @@ def _read_names(said: str) -> _Names:
 @cache
 def _defined(tool: str, archive: Path) -> frozenset[str]:
     """The names that an archive defines; its name says its content (see `archives`), so that it is read once."""
-    done = subprocess.run([tool, "-S", archive], check=False, capture_output=True, encoding="utf-8", errors="replace")
-    return _read_names(done.stdout).defined
+    return _read_names(run([tool, "-S", str(archive)]).stdout).defined
 
 
 def _environment() -> dict[str, str]:

@@ -7,7 +7,6 @@ coverage tool which lines and branches they stand for.
 from __future__ import annotations
 
 import json
-import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from typing import Any
 
 from robosmi.errors import InternalError, MissingToolError
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.tools import run
 
 _COUNTER_BYTES = 8
 
@@ -101,8 +101,10 @@ def _add(program: OriginalProgram, counts: bytes) -> None:
     size = max((begin + size for begin, size in program.counters), default=0)
     if not counts and any(program.binary.parent.glob("*.gcda")):
         return
-    given = counts or bytes(size)
-    subprocess.run([program.binary, "counters"], input=given, check=False, capture_output=True, cwd=program.binary.parent)
+    with tempfile.TemporaryFile() as given:
+        given.write(counts or bytes(size))
+        given.seek(0)
+        run([str(program.binary), "counters"], program.binary.parent, {}, stdin=given)
 
 
 def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
@@ -110,9 +112,9 @@ def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
     with tempfile.TemporaryDirectory(prefix="robosmi-coverage-") as place:
         command = [tool, "--json-format", "--stdout", "--branch-probabilities", str(data)]
         try:
-            done = subprocess.run(command, check=False, capture_output=True, encoding="utf-8", errors="replace", cwd=place)
-        except OSError as error:
-            raise MissingToolError(f"'{tool}' cannot be started: {error}", fix=program.model.install) from error
+            done = run(command, Path(place))
+        except MissingToolError as error:
+            raise MissingToolError(error.message, fix=program.model.install) from error
     try:
         answer: dict[str, Any] = json.loads(done.stdout)
     except ValueError:

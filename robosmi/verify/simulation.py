@@ -11,11 +11,9 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
@@ -23,6 +21,7 @@ from typing import Any, Protocol
 
 from robosmi.errors import InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
+from robosmi.verify.tools import end_session
 
 LEVELS = (0, 1, "z", "p")
 """How a program drives a pin: low, high, not at all (an input), or weakly high (an input with its pull-up on)."""
@@ -235,7 +234,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
                 f"the simulation did not end within {limit_s:g} s", fix="simulate less time, or allow more for it"
             ) from None
         finally:
-            _end(process)
+            end_session(process)  # the worker may have started a process of its own
     if process.returncode != 0 or not answer:
         last = (complaint.strip().splitlines() or [f"it ended with {process.returncode}"])[-1]
         raise VerificationError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine")
@@ -252,12 +251,6 @@ def _root() -> str:
     import robosmi
 
     return str(Path(robosmi.__file__).parents[1])
-
-
-def _end(process: subprocess.Popen[str]) -> None:
-    """Leave no process behind: the worker may have started one of its own."""
-    with suppress(ProcessLookupError, PermissionError):
-        os.killpg(process.pid, signal.SIGKILL)
 
 
 def _trace(answer: dict[str, Any], engine: str) -> PinTrace:

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import IO
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -53,14 +54,16 @@ def run(
     cwd: Path | None = None,
     environment: Mapping[str, str] | None = None,
     limit_s: float = LIMIT_S,
+    stdin: IO[bytes] | None = None,
 ) -> subprocess.CompletedProcess[str]:
-    """Run a command without input to its end, in a session of its own and with a folder of its own for temporary files.
+    """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
 
     Args:
         command: the program and its arguments.
         cwd: the folder in which it runs; the current one if None.
         environment: of the process; this process's if None.
         limit_s: seconds after which it is given up. A compiler that is let read a pipe waits for ever.
+        stdin: the file that it reads as its input; none if None.
 
     Raises:
         MissingToolError: the program cannot be started.
@@ -70,8 +73,8 @@ def run(
         variables = {**(os.environ if environment is None else environment), "TMPDIR": place}
         try:
             process = subprocess.Popen(
-                command, cwd=cwd, env=variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                encoding="utf-8", errors="replace", start_new_session=True,
+                command, cwd=cwd, env=variables, stdin=stdin or subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE, encoding="utf-8", errors="replace", start_new_session=True,
             )  # fmt: skip
         except OSError as error:
             raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
@@ -84,9 +87,14 @@ def run(
                     fix="look for an #include or .incbin of what is no ordinary file, or for macros that grow without end",
                 ) from None
             finally:
-                with suppress(ProcessLookupError, PermissionError):
-                    os.killpg(process.pid, signal.SIGKILL)
+                end_session(process)
     return subprocess.CompletedProcess(command, process.returncode, said, complained)
+
+
+def end_session(process: subprocess.Popen[str]) -> None:
+    """End a process that has a session of its own, and what it has started there."""
+    with suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)
 
 
 def find_tool(entry: ToolEntry, toolchain: Toolchain) -> str | None:
