@@ -100,52 +100,51 @@ typedef struct {
 //#   fidelity: exact
 typedef text_t terminal;
 
-//# helper usart_registers
-//#   include: <avr/interrupt.h>
-//#   vector: USART_RX_vect
-//#   fidelity: the serial line of the console, which takes what comes in the background
+//# helper usart_ring
+//#   fidelity: what came on the serial line of the console and is not read yet; more than fits is lost
 enum { usart_room = 64 };
 static volatile uint8_t usart_bytes[usart_room], usart_first, usart_next;
 
-ISR(USART_RX_vect) {
-  uint8_t byte = UDR0, next = (usart_next + 1) % usart_room;
+static inline void usart_take(uint8_t byte) {
+  uint8_t next = (usart_next + 1) % usart_room;
   if (next == usart_first) return;
   usart_bytes[usart_next] = byte;
   usart_next = next;
 }
 
-static inline void usart_put(uint8_t byte) {
-  while (!(UCSR0A & _BV(UDRE0))) {}
-  UCSR0A = _BV(U2X0) | _BV(TXC0);
-  UDR0 = byte;
+//# helper usart_receiver
+//#   needs: usart_ring
+//#   include: <avr/interrupt.h>
+//#   vector: USART_RX_vect
+//#   fidelity: what comes on the serial line is taken in the background
+ISR(USART_RX_vect) {
+  usart_take(UDR0);
 }
 
-static inline void usart_flush(void) {
-  while (!(UCSR0A & _BV(UDRE0))) {}
-}
-
-static inline void usart_open(uint32_t baud) {
-  UCSR0A = _BV(U2X0);
-  UBRR0 = (F_CPU / 4 / baud - 1) / 2;
-  UCSR0B = _BV(RXCIE0) | _BV(RXEN0) | _BV(TXEN0);
-  sei();
-}
-
-//# helper usart_registers
+//# helper usart_receiver
+//#   needs: usart_ring
 //#   include: <avr/interrupt.h>
 //#   vector: USART0_RX_vect
 //#   mcu: atmega2560
-//#   fidelity: the serial line of the console, which takes what comes in the background
-enum { usart_room = 64 };
-static volatile uint8_t usart_bytes[usart_room], usart_first, usart_next;
-
+//#   fidelity: what comes on the serial line is taken in the background
 ISR(USART0_RX_vect) {
-  uint8_t byte = UDR0, next = (usart_next + 1) % usart_room;
-  if (next == usart_first) return;
-  usart_bytes[usart_next] = byte;
-  usart_next = next;
+  usart_take(UDR0);
 }
 
+//# helper usart_receiver
+//#   needs: usart_ring
+//#   include: <avr/interrupt.h>
+//#   vector: USART1_RX_vect
+//#   mcu: atmega32u4
+//#   fidelity: what comes on the serial line is taken in the background
+ISR(USART1_RX_vect) {
+  usart_take(UDR1);
+}
+
+//# helper usart_registers
+//#   needs: usart_receiver
+//#   include: <avr/interrupt.h>
+//#   fidelity: the serial line of the console
 static inline void usart_put(uint8_t byte) {
   while (!(UCSR0A & _BV(UDRE0))) {}
   UCSR0A = _BV(U2X0) | _BV(TXC0);
@@ -164,20 +163,10 @@ static inline void usart_open(uint32_t baud) {
 }
 
 //# helper usart_registers
+//#   needs: usart_receiver
 //#   include: <avr/interrupt.h>
-//#   vector: USART1_RX_vect
 //#   mcu: atmega32u4
-//#   fidelity: the serial line of the console, which takes what comes in the background
-enum { usart_room = 64 };
-static volatile uint8_t usart_bytes[usart_room], usart_first, usart_next;
-
-ISR(USART1_RX_vect) {
-  uint8_t byte = UDR1, next = (usart_next + 1) % usart_room;
-  if (next == usart_first) return;
-  usart_bytes[usart_next] = byte;
-  usart_next = next;
-}
-
+//#   fidelity: the serial line of the console
 static inline void usart_put(uint8_t byte) {
   while (!(UCSR1A & _BV(UDRE1))) {}
   UCSR1A = _BV(U2X1) | _BV(TXC1);
