@@ -112,6 +112,8 @@ class Circuit(Element, metaclass=MetaEClass):
     """Its version as written in the file."""
     view: str = EAttribute(eType=EString, default_value="")
     """The view of the drawing from which the connections were read."""
+    companions: MutableSequence[str] = EAttribute(eType=EString, upper=-1)
+    """Further files of the drawing that were read (sheets, libraries), relative to the folder of its file, with forward slashes."""
     components: MutableSequence[Component] = EReference(upper=-1, containment=True)
     """Everything placed in the drawing but wires."""
     nets: MutableSequence[Net] = EReference(upper=-1, containment=True)
@@ -134,6 +136,7 @@ class Circuit(Element, metaclass=MetaEClass):
             tool: str | None = None,
             toolVersion: str | None = None,
             view: str | None = None,
+            companions: Iterable[str] | None = None,
             components: Iterable[Component] | None = None,
             nets: Iterable[Net] | None = None,
             wires: Iterable[Wire] | None = None,
@@ -159,6 +162,8 @@ class Component(Element, metaclass=MetaEClass):
     """Family of the part."""
     tags: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Tags of the part."""
+    boardName: str = EAttribute(eType=EString, default_value="")
+    """Short name of the board of the platform repository that it is drawn as (uno), also for a bare microcontroller; empty for all else."""
     role: Role = EAttribute(eType=Role)
     """What it is for the software."""
     roleEvidence: str = EAttribute(eType=EString, default_value="")
@@ -190,6 +195,7 @@ class Component(Element, metaclass=MetaEClass):
             partTitle: str | None = None,
             family: str | None = None,
             tags: Iterable[str] | None = None,
+            boardName: str | None = None,
             role: Role | None = None,
             roleEvidence: str | None = None,
             driver: bool | None = None,

@@ -25,7 +25,7 @@ class StoredDrawing(NamedTuple):
         board: the board's model.
         given: path of the file as given.
         copy: path of its copy, relative to the models' folder.
-        data: its bytes.
+        files: the bytes of the drawing and of its companions, each with the path of its copy.
         findings: what is odd about it.
     """
 
@@ -33,7 +33,7 @@ class StoredDrawing(NamedTuple):
     board: platform.Board
     given: str
     copy: str
-    data: bytes
+    files: Mapping[str, bytes]
     findings: list[Finding]
 
 
@@ -57,9 +57,11 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
         labels = ", ".join(pin.label for pin in board.pins)
         raise SourceError(lost.message, location=Location(str(path)), fix=f"wire it to one of the board's pins: {labels}")
     drawing.circuit.path = copy = f"source/{path.name}"
-    data = inputs.read_bytes(path, inputs.DRAWING)
+    files = {copy: inputs.read_bytes(path, inputs.DRAWING)}
+    for name in drawing.circuit.companions:
+        files[f"source/{name}"] = inputs.read_bytes(path.parent / name, inputs.DRAWING)
     return StoredDrawing(
-        Hardware(drawing.circuit, component, drawing.connections), board, str(path), copy, data, drawing.findings
+        Hardware(drawing.circuit, component, drawing.connections), board, str(path), copy, files, drawing.findings
     )
 
 

@@ -243,7 +243,7 @@ def models(
     if drawing is not None:
         findings += drawing.findings
         places[drawing.given] = drawing.copy
-        files[drawing.copy] = drawing.data
+        files.update(drawing.files)
     else:
         message = "no drawing was given: ports and libraries stay open"
         findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))

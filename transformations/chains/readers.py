@@ -1,7 +1,8 @@
-"""Which registered reader reads a file: by its ending, and where that says nothing or too much, by what the file begins with.
+"""Which registered reader reads a file: a drawing by what it begins with, a program by its ending.
 
 Endings are data (`[readers]` of defaults.toml, a name or a list of names); what a file begins with is told by recognisers that
-drawing readers bring along. Nothing is read here but the first bytes of a file whose ending does not decide.
+drawing readers bring along. The ending of a drawing says which of them is asked first, and who refuses a file that none
+recognises. Nothing is read here but a file's first bytes.
 """
 
 from __future__ import annotations
@@ -38,8 +39,8 @@ def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:
         SourceError: no reader of that kind takes such a file.
     """
     named = _by_ending(path, kind)
-    if len(named) != 1 and kind == DRAWING:
-        named = _recognised(path, named or registry().names(kind)) or named[:1]
+    if kind == DRAWING:
+        named = _recognised(path, named) or named
     unknown = path.suffix.lower() not in defaults()["readers"]  # that of another kind of reader is refused
     name = named[0] if named else fallback if unknown else None
     if name is None:
@@ -55,7 +56,7 @@ def is_drawing(path: Path) -> bool:
     """Whether a file is a drawing: by its ending, or by what it begins with where the ending is that of no model either."""
     if _by_ending(path, DRAWING):
         return True
-    return path.suffix.lower() not in registry().names("driver") and bool(_recognised(path, registry().names(DRAWING)))
+    return path.suffix.lower() not in registry().names("driver") and bool(_recognised(path, []))
 
 
 def _by_ending(path: Path, kind: str) -> list[str]:
@@ -66,13 +67,21 @@ def _listed(names: Any) -> list[str]:
     return [names] if isinstance(names, str) else [*names]
 
 
-def _recognised(path: Path, names: list[str]) -> list[str]:
-    """The readers that take a file by what it begins with; none where it cannot be read, which its reader says better."""
+def _recognised(path: Path, first: list[str]) -> list[str]:
+    """The readers of drawings that take a file by what it begins with, those named first before all others.
+
+    Nothing is told of a file that cannot be read, which its reader says better.
+    """
     try:
         with inputs.open_file(path) as stream:
             head = stream.read(HEAD)
     except (OSError, ValueError):
         return []
+    others = [name for name in registry().names(DRAWING) if name not in first]
+    return _recognising(first, head) or _recognising(others, head)  # the others' modules are loaded only if they are needed
+
+
+def _recognising(names: list[str], head: bytes) -> list[str]:
     found = []
     for name in names:
         if name in registry().names(RECOGNISER):

@@ -14,7 +14,6 @@ from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
-from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 
@@ -100,8 +99,7 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     describe(circuit)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
-        drawn = drawn_board(board.partId, circuit.tool.lower())
-        if drawn is not None:
-            models[board.elementId] = load_board(drawn.name)
+        if board.boardName:
+            models[board.elementId] = load_board(board.boardName)
     connections, odd = map_connectors(circuit, models)
     return Drawing(circuit, models, connections, [*findings, *odd])

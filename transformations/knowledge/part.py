@@ -6,6 +6,7 @@ belongs to one tool.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -40,6 +41,8 @@ class Part:
         driver: whether it drives a load of its own, or is a chip between the board and others.
         connectors: by identity, in the part's order.
         buses: connectors that are joined inside the part, by the bus's identity.
+        shapes: patterns of further connectors, of which it has too many to list (holes of a breadboard); what the group `bus` of
+            a pattern has found is the bus that joins them.
         source: where the facts come from, for messages.
     """
 
@@ -56,3 +59,18 @@ class Part:
     source: str = ""
     tool: str = ""
     description: str = ""
+    shapes: tuple[str, ...] = ()
+
+    def has(self, connector: str) -> bool:
+        """Whether it has a connector of that identity; a part of which no connector is known may have any."""
+        if not self.connectors and not self.shapes:
+            return True
+        return connector in self.connectors or self._shaped(connector) is not None
+
+    def bus_of(self, connector: str) -> str:
+        """The bus that joins a connector of one of the part's shapes to others, or an empty text."""
+        found = self._shaped(connector)
+        return (found["bus"] or "") if found is not None and "bus" in found.re.groupindex else ""
+
+    def _shaped(self, connector: str) -> re.Match[str] | None:
+        return next((found for shape in self.shapes if (found := re.fullmatch(shape, connector)) is not None), None)

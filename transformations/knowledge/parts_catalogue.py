@@ -7,6 +7,7 @@ What a drawing itself carries (embedded definitions) is read by its own reader, 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -136,7 +137,8 @@ def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | 
         listed = [PartConnector(c["id"], c.get("name", ""), c.get("kind", "unknown")) for c in table.get("connectors", ())]
         connectors = {c.id: c for c in listed}
         buses = {name: tuple(members) for name, members in table.get("buses", {}).items()}
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        shapes = tuple(re.compile(shape).pattern for shape in table.get("shapes", ()))
+    except (KeyError, TypeError, ValueError, AttributeError, re.error) as error:
         raise PlatformDataError(f"part '{part_id}' is damaged: {error!r}", location=Location(path, line), fix=_KEYS) from error
     faults = [f"connector '{c.id}' has the unknown kind '{c.kind}'" for c in connectors.values() if c.kind not in KINDS]
     faults += [
@@ -152,7 +154,7 @@ def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | 
         family=table.get("family", ""),
         tags=tuple(table.get("tags", ())),
         role=table.get("role", "Unknown"),
-        evidence=f"catalogue of parts: {table.get('evidence', 'so says the entry')}",
+        evidence=f"catalogue of parts: {table.get('evidence', 'so says the entry')}" if "role" in table else "",
         driver=bool(table.get("driver", False)),
         connectors=connectors,
         buses=buses,
@@ -160,4 +162,5 @@ def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | 
         source=f"parts/{Path(path).name}",
         tool=tool,
         description=table.get("description", ""),
+        shapes=shapes,
     )

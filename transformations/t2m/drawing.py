@@ -49,6 +49,8 @@ class Placed:
         line: its line in the file, for findings.
         hint: name of the file that its missing definition was in, or empty.
         symbol: whether it only names a net, so that nothing needs to be known of it.
+        own: whether it is a part of the person's own making, of which its label and the names of its connectors tell nothing.
+        listed_as: its id in the tool's catalogue, where `part_id` tells of one variant of it; empty: `part_id`.
     """
 
     identity: str
@@ -61,6 +63,8 @@ class Placed:
     line: int | None = None
     hint: str = ""
     symbol: bool = False
+    own: bool = False
+    listed_as: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +77,7 @@ class KnownPart:
         numbered: whether its pins bear numbers alone, RX and TX too.
         by_bus: it joins connectors only where a bus of its own does (breadboards, headers): only those in use become elements.
         defined: whether the catalogue or the drawing defines it.
-        leaders: for each connector that it joins to others, the one that stands for all of them.
+        leaders: for each listed connector that it joins to others, the one that stands for all of them.
     """
 
     part: Part
@@ -82,6 +86,10 @@ class KnownPart:
     by_bus: bool
     defined: bool
     leaders: dict[str, str]
+
+    def leader(self, connector: str) -> str:
+        """The connector, or the name of the strip, that stands for all that the part joins to a connector."""
+        return self.leaders.get(connector) or self.part.bus_of(connector) or connector
 
 
 class CircuitBuilder:
@@ -123,25 +131,27 @@ class CircuitBuilder:
         """
         self._given = given_roles(roles, titles)
 
-    def know(self, part_id: str, defined: Part | None = None) -> KnownPart:
+    def know(self, part_id: str, defined: Part | None = None, board: DrawnBoard | None = None) -> KnownPart:
         """What is known of a part.
 
         Args:
             part_id: its id in the tool's catalogue.
             defined: what the drawing itself says of it; the catalogue's entry goes first.
+            board: the board that it stands for, where its id does not say it (`drawn_chips`).
 
         Raises:
             PlatformDataError: an entry of the catalogue, a rule or a board is damaged.
         """
         if part_id not in self._known:
-            self._known[part_id] = self._looked_up(part_id, defined)
+            self._known[part_id] = self._looked_up(part_id, defined, board)
         return self._known[part_id]
 
-    def _looked_up(self, part_id: str, defined: Part | None) -> KnownPart:
+    def _looked_up(self, part_id: str, defined: Part | None, board: DrawnBoard | None) -> KnownPart:
         found = self.catalogue.find(part_id) or defined
         part = found or Part(part_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
         part = replace(part, tool=self.tool)
-        board = drawn_board(part_id, self.tool, self.project) if part.role in ("Unknown", "Board") else None
+        if board is None and part.role in ("Unknown", "Board"):
+            board = drawn_board(part_id, self.tool, self.project)
         if board is not None and part.role == "Unknown":
             evidence = f"drawn as {board.title} (boards of the platform repository)"
             part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
@@ -178,10 +188,11 @@ class CircuitBuilder:
         component = hardware.Component(
             elementId=placed.identity,
             title=placed.title,
-            partId=placed.part_id,
+            partId=placed.listed_as or placed.part_id,
             partTitle=part.title,
             family=part.family,
             tags=part.tags,
+            boardName=known.board.name if known.board is not None and part.role == "Board" else "",
             role=_ROLES[part.role],
             roleEvidence=part.evidence,
             driver=part.driver,
@@ -218,7 +229,9 @@ class CircuitBuilder:
         found = [model for end in ends if (model := self.connector(end)) is not None]
         self.wires.append(hardware.Wire(elementId=identity, color=color, ends=found, net=net))
 
-    def circuit(self, name: str, digest: str, tool: str, version: str = "", view: str = "") -> hardware.Circuit:
+    def circuit(
+        self, name: str, digest: str, tool: str, version: str = "", view: str = "", companions: Sequence[str] = ()
+    ) -> hardware.Circuit:
         """The model of all that was added.
 
         Args:
@@ -227,10 +240,11 @@ class CircuitBuilder:
             tool: the drawing tool as it writes itself; in lower case it is the one that the builder was made for.
             version: the tool's version as the file has it.
             view: the view that was read, where the tool has several.
+        companions: further files of the drawing's folder that were read (`DrawingFolder.companions`).
         """
         return hardware.Circuit(
             name=name, path=self.path, digest=digest, tool=tool, toolVersion=version, view=view, components=self.components,
-            nets=self.nets, wires=self.wires,
+            nets=self.nets, wires=self.wires, companions=companions,
         )  # fmt: skip
 
     # ---- one component
@@ -239,7 +253,7 @@ class CircuitBuilder:
         """The part with the role that it has in this place: given by the user, known, or told by label and pin names."""
         if (role := self._given.get(placed.identity)) is not None:
             return replace(known.part, role=role, evidence="given by the user")
-        if known.part.role != "Unknown":
+        if known.part.role != "Unknown" or placed.own:
             return known.part
         named = replace(known.part, connectors={fact.id: fact for fact in facts})
         hint = "" if known.defined else placed.hint

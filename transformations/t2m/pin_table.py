@@ -151,6 +151,7 @@ class _Table:
             elementId="1",
             title=self.board.title,
             partId=self.board.name,
+            boardName=self.board.name,
             partTitle=self.board.title,
             role=hardware.Role.Board,
             roleEvidence="the table's board",

@@ -1,8 +1,9 @@
 """What every reader of drawings holds: a reader is in this suite by being registered, and passes with a folder of its own here.
 
 A folder `READER/` has two drawings of that tool's: `robot.*`, the line follower of docs/examples, whose pins are in `robot.json`
-for all tools, and `unknown.*`, an Arduino Uno with a part titled Gizmo on D5 that nobody knows. What a reader has to do is in
-docs/how-to/add-a-drawing-reader.md.
+for all tools, and `unknown.*`, an Arduino Uno with a part titled Gizmo on D5 that nobody knows. A reader of several forms has
+both of each form, told apart by their endings, or by folders of its own where forms have one ending. What a reader has to do
+is in docs/how-to/add-a-drawing-reader.md.
 """
 
 from __future__ import annotations
@@ -29,15 +30,22 @@ from robosmi.transformations.chains.readers import DRAWING, HEAD, RECOGNISER, is
 
 HERE = Path(__file__).resolve().parent
 READERS = registry().names(DRAWING)
+FORMS = [
+    pytest.param(reader, path, id=f"{reader}-{path.relative_to(HERE / reader)}")
+    for reader in READERS
+    for path in sorted((HERE / reader).rglob("robot.*"))
+]
+"""Reader and robot of each form that it reads."""
 PROGRAM = HERE.parents[3] / "docs" / "examples" / "line_follower" / "line_follower.c"
 ROBOT: dict[str, list[Any]] = json.loads((HERE / "robot.json").read_text(encoding="utf-8"))
 
 
-def drawing(reader: str, name: str) -> Path:
-    """The drawing of that name in the folder of a reader."""
-    found = sorted((HERE / reader).glob(f"{name}.*"))
-    assert len(found) == 1, f"{HERE / reader} needs one file {name}.*"
-    return found[0]
+def unknown(robot: Path) -> Path:
+    """The drawing with the unknown part that lies beside a robot: of the same ending, or the only one."""
+    found = sorted(robot.parent.glob("unknown.*"))
+    same = [path for path in found if path.suffix == robot.suffix] or found
+    assert len(same) == 1, f"{robot.parent} needs one file unknown{robot.suffix}"
+    return same[0]
 
 
 def pins(path: Path) -> dict[str, list[Any]]:
@@ -50,27 +58,28 @@ def pins(path: Path) -> dict[str, list[Any]]:
 
 def test_there_are_readers() -> None:
     assert {"fritzing", "pin_table"} <= {*READERS}
+    assert [reader for reader in READERS if not any(form.values[0] == reader for form in FORMS)] == []
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_the_robot_has_the_same_pins_in_every_tool(reader: str) -> None:
-    assert pins(drawing(reader, "robot")) == ROBOT
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_the_robot_has_the_same_pins_in_every_tool(reader: str, robot: Path) -> None:
+    assert pins(robot) == ROBOT
 
 
-@pytest.mark.parametrize("reader", READERS)
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
 @pytest.mark.parametrize("name", ["robot", "unknown"])
-def test_a_program_can_be_moved_to_the_board_of_a_drawing(reader: str, name: str) -> None:
+def test_a_program_can_be_moved_to_the_board_of_a_drawing(reader: str, robot: Path, name: str) -> None:
     """The tool's Arduino Uno is the repository's: its `drawn_as` tables say so."""
-    plan = plan_migration([PROGRAM], project=Project(), hardware=drawing(reader, name)).plan
+    plan = plan_migration([PROGRAM], project=Project(), hardware=robot if name == "robot" else unknown(robot)).plan
     assert plan.board is not None
     assert plan.board.name == "uno"
     assert plan.boardComponent is not None
     assert all(c.pin is not None for c in plan.connections)
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_the_circuit_says_where_it_comes_from_and_every_element_is_told_apart(reader: str) -> None:
-    path = drawing(reader, "robot")
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_the_circuit_says_where_it_comes_from_and_every_element_is_told_apart(reader: str, robot: Path) -> None:
+    path = robot
     circuit, findings = content(DRAWING, reader)(path)
     assert [f for f in findings if f.severity is Severity.error] == []
     assert circuit.name == path.stem
@@ -89,9 +98,9 @@ def test_the_circuit_says_where_it_comes_from_and_every_element_is_told_apart(re
             assert [c.pin for c in component.connectors if c.pin] == []
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_a_connector_is_in_one_net_and_every_net_has_connectors_of_this_circuit(reader: str) -> None:
-    circuit, _ = content(DRAWING, reader)(drawing(reader, "robot"))
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_a_connector_is_in_one_net_and_every_net_has_connectors_of_this_circuit(reader: str, robot: Path) -> None:
+    circuit, _ = content(DRAWING, reader)(robot)
     own = {id(connector) for component in circuit.components for connector in component.connectors}
     joined = [connector for net in circuit.nets for connector in net.connectors]
     assert all(len(net.connectors) for net in circuit.nets)
@@ -100,10 +109,10 @@ def test_a_connector_is_in_one_net_and_every_net_has_connectors_of_this_circuit(
     assert all(net.railEvidence for net in circuit.nets if net.rail)
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_the_same_drawing_gives_the_same_model_and_it_is_stored_whole(reader: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_the_same_drawing_gives_the_same_model_and_it_is_stored_whole(reader: str, robot: Path, tmp_path: Path) -> None:
     for name in ("a.xmi", "b.xmi"):
-        save_model(content(DRAWING, reader)(drawing(reader, "robot"))[0], tmp_path / name)
+        save_model(content(DRAWING, reader)(robot)[0], tmp_path / name)
     assert (tmp_path / "a.xmi").read_bytes() == (tmp_path / "b.xmi").read_bytes()
     again = load_model(tmp_path / "a.xmi")
     assert isinstance(again, hw.Circuit)
@@ -111,9 +120,9 @@ def test_the_same_drawing_gives_the_same_model_and_it_is_stored_whole(reader: st
     assert (tmp_path / "c.xmi").read_bytes() == (tmp_path / "a.xmi").read_bytes()
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_a_part_that_nobody_knows_is_there_and_said(reader: str) -> None:
-    path = drawing(reader, "unknown")
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_a_part_that_nobody_knows_is_there_and_said(reader: str, robot: Path) -> None:
+    path = unknown(robot)
     circuit, findings = content(DRAWING, reader)(path)
     gizmo = next(c for c in circuit.components if c.title == "Gizmo")
     assert gizmo.role is hw.Role.Unknown
@@ -124,9 +133,9 @@ def test_a_part_that_nobody_knows_is_there_and_said(reader: str) -> None:
     assert pins(path)["D5"][0] == "Gizmo"
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_a_role_that_a_person_gives_goes_before_all_else(reader: str) -> None:
-    path, read = drawing(reader, "unknown"), content(DRAWING, reader)
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_a_role_that_a_person_gives_goes_before_all_else(reader: str, robot: Path) -> None:
+    path, read = unknown(robot), content(DRAWING, reader)
     circuit, findings = read(path, roles={"Gizmo": "Output"})
     gizmo = next(c for c in circuit.components if c.title == "Gizmo")
     assert (gizmo.role, gizmo.roleEvidence) == (hw.Role.Output, "given by the user")
@@ -138,10 +147,10 @@ def test_a_role_that_a_person_gives_goes_before_all_else(reader: str) -> None:
             read(path, roles=roles)
 
 
-@pytest.mark.parametrize("reader", READERS)
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
 @pytest.mark.parametrize("damage", ["missing", "folder", "empty", "blank", "zeros", "prose"])
-def test_what_is_no_drawing_is_refused_with_place_cause_and_advice(reader: str, damage: str, tmp_path: Path) -> None:
-    path = tmp_path / drawing(reader, "robot").name
+def test_what_is_no_drawing_is_refused_with_place_cause_and_advice(reader: str, robot: Path, damage: str, tmp_path: Path) -> None:
+    path = tmp_path / robot.name
     contents = {"empty": b"", "blank": b" \n\n", "zeros": bytes(2000), "prose": b"Dear reader, this is a letter.\n" * 20}
     if damage == "folder":
         path.mkdir()
@@ -155,10 +164,10 @@ def test_what_is_no_drawing_is_refused_with_place_cause_and_advice(reader: str, 
     assert refused.value.fix
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_a_damaged_drawing_is_refused_or_never_gives_a_wrong_pin(reader: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_a_damaged_drawing_is_refused_or_never_gives_a_wrong_pin(reader: str, robot: Path, tmp_path: Path) -> None:
     """Cut off at forty places: refused with its place, or read with what is left, whose pins are the robot's."""
-    source = drawing(reader, "robot")
+    source = robot
     data, path = source.read_bytes(), tmp_path / source.name
     whole = {(pin, told[0]) for pin, told in ROBOT.items()}
     refused = []
@@ -175,13 +184,12 @@ def test_a_damaged_drawing_is_refused_or_never_gives_a_wrong_pin(reader: str, tm
     assert {*refused} == {str(path)}
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_a_drawing_is_recognised_by_what_it_begins_with_and_by_no_other_reader(reader: str, tmp_path: Path) -> None:
-    for name in ("robot", "unknown"):
-        path = drawing(reader, name)
+@pytest.mark.parametrize(("reader", "robot"), FORMS)
+def test_a_drawing_is_recognised_by_what_it_begins_with_and_by_no_other_reader(reader: str, robot: Path, tmp_path: Path) -> None:
+    for path in (robot, unknown(robot)):
         head = path.read_bytes()[:HEAD]
         assert [other for other in registry().names(RECOGNISER) if content(RECOGNISER, other)(head)] == [reader]
-        renamed = tmp_path / f"{name}.drawing"
+        renamed = tmp_path / f"{path.name}.drawing"
         renamed.write_bytes(path.read_bytes())
         assert is_drawing(renamed)
         assert reader_for(renamed, DRAWING) is content(DRAWING, reader)
@@ -195,7 +203,7 @@ def test_an_ending_of_several_readers_is_decided_by_content(monkeypatch: pytest.
     for reader in ("fritzing", "pin_table"):
         path = tmp_path / reader / "robot.sch"
         path.parent.mkdir()
-        path.write_bytes(drawing(reader, "robot").read_bytes())
+        path.write_bytes(next((HERE / reader).glob("robot.*")).read_bytes())
         assert reader_for(path, DRAWING) is content(DRAWING, reader)
     neither = tmp_path / "neither.sch"
     neither.write_text("EESchema Schematic File Version 4\n")
