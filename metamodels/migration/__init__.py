@@ -219,6 +219,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """Changes of the carried-over text that a person added to the plan; those of decisions belong to the decisions."""
     tasks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
     """Work that is left for a person."""
+    checks: MutableSequence[PlanTask] = EReference(upper=-1, containment=True)
+    """What a person should see on the bench, one for each component that the program uses, before the robot runs on its own."""
     findings: MutableSequence[PlanFinding] = EReference(upper=-1, containment=True)
     """What is worth knowing."""
     trace: Trace | None = EReference(containment=True)
@@ -253,6 +255,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             widenings: Iterable[Widening] | None = None,
             edits: Iterable[TextChange] | None = None,
             tasks: Iterable[PlanTask] | None = None,
+            checks: Iterable[PlanTask] | None = None,
             findings: Iterable[PlanFinding] | None = None,
             trace: Trace | None = None,
         ) -> None: ...
@@ -930,6 +933,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.widenings.eType = Widening
     MigrationPlan.edits.eType = TextChange
     MigrationPlan.tasks.eType = PlanTask
+    MigrationPlan.checks.eType = PlanTask
     MigrationPlan.findings.eType = PlanFinding
     MigrationPlan.trace.eType = Trace
     Decision.options.eType = Option

@@ -99,6 +99,6 @@ def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, st
     for use in plan.adapterUses:
         use.written = use.adapter is None and (use.targetName or use.name) in found.names
     settle_tasks(plan)
-    for task in plan.tasks:
+    for task in (*plan.tasks, *plan.checks):
         task.done = task_key(task.rule, task.message) in found.done
     return found

@@ -32,7 +32,9 @@ from robosmi.query import Q
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
-from robosmi.transformations.queries.plan import call_sites, open_choices, plan_json, said, target_of
+from robosmi.transformations.m2t.terminal_text import terminal_lines
+from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
+from robosmi.transformations.queries.work import work_json
 
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
@@ -85,7 +87,11 @@ class Generated:
 
     def result(self) -> dict[str, Any]:
         """The contract's result."""
-        made: dict[str, Any] = {"plan": plan_json(self.models.plan), "sketch": str(self.sketch), "written": self.written}
+        made: dict[str, Any] = {
+            "plan": plan_json(self.models.plan) | work_json(self.models.plan, self.models.files),
+            "sketch": str(self.sketch),
+            "written": self.written,
+        }
         if not self.written:
             made["diff"] = self.diff
         return made if self.verification is None else made | {"verification": self.verification[0]}
@@ -98,22 +104,7 @@ class Generated:
 
     def lines(self) -> list[str]:
         """What a person reads."""
-        plan = self.models.plan
-        sites = call_sites(plan)
-        board = plan.board.title if plan.board else "the target"
-        lines = [f"{'would make' if not self.written else 'made'} {self.sketch} for {board}"]
-        for connection in plan.connections:
-            ports = ", ".join(b.name for b in plan.portBindings if b.connection is connection)
-            pin = connection.pin.label if connection.pin else "?"
-            lines.append(f"  {pin:4} {connection.name:28} {('is ' + ports) if ports else ''}".rstrip())
-        chosen = sorted({c.chosen.name for c in plan.libraryChoices if c.chosen is not None})
-        lines.append(f"  libraries: {', '.join(chosen) or 'none chosen'}; open choices: {len(open_choices(plan))}")
-        lines.append(
-            f"  {sites['total']} calls of {len(plan.adapterUses)} platform functions: "
-            f"{sites['with_body']} with a body, {sites['todo']} to do"
-        )
-        done = sum(task.done for task in plan.tasks)
-        lines.append(f"  {len(plan.tasks) - done} tasks{f', {done} done' if done else ''}: see {self.sketch / 'MIGRATION.md'}")
+        lines = terminal_lines(self.models.plan, self.models.files, self.sketch, made=self.written)
         return [*lines, *self.diff.splitlines()]
 
 

@@ -20,6 +20,7 @@ from robosmi.transform import Trace
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_repository
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice, settle_libraries
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
+from robosmi.transformations.m2m.plan_checks import plan_checks
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.port_texts import port_changes
@@ -218,9 +219,10 @@ def put_together(
 
 
 def complete(plan: migration.MigrationPlan, findings: list[Finding], paths: Mapping[str, str]) -> None:
-    """Derive the plan's tasks and findings from its decisions."""
+    """Derive the plan's tasks, checks and findings from its decisions."""
     plan.findings.extend(plan_findings(plan, findings, paths))
     plan.tasks.extend(plan_tasks(plan))
+    plan.checks.extend(plan_checks(plan))
 
 
 def _is_source(path: str, program: ccode.Program) -> bool:

@@ -14,11 +14,13 @@ from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.adapter_choice import settle_libraries, settle_use
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
+from robosmi.transformations.m2m.plan_checks import plan_checks
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import SourceText
+from robosmi.transformations.queries.verdicts import body_effort, unserved_headers
 
 _BARE_KEY = re.compile(r"[\w-]+")
 """A key that TOML takes without quotation marks."""
@@ -91,6 +93,8 @@ def settle_tasks(plan: migration.MigrationPlan) -> None:
     kept = [t for t in plan.tasks if t.rule not in DERIVED]
     plan.tasks.clear()
     plan.tasks.extend([*plan_tasks(plan), *kept])
+    plan.checks.clear()
+    plan.checks.extend(plan_checks(plan))
 
 
 def _settle(decision: migration.Decision, choice: str) -> None:
@@ -128,16 +132,13 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
         if adapter.adapter is not None or adapter.status not in _OPEN:
             continue
         count = len(adapter.calls)
-        why = f"; {adapter.reason}" if adapter.reason else ""
+        reason = adapter.reason if adapter.function is not None else "no file that was given defines it"
+        why = f"; {reason}" if reason else ""
         yield Task(
             rule="RS501",
             severity=Level.warning,
             message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}{why}",
-            effort="large"
-            if adapter.status is migration.AdapterStatus.unsupported
-            else "medium"
-            if adapter.function is not None and adapter.function.startsCog
-            else "small",
+            effort=body_effort(adapter),
             fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does",
             elements=[adapter, *adapter.calls],
             **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
@@ -145,15 +146,17 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
+    unserved = unserved_headers(plan)
     for symbol in plan.symbolUses:
         if symbol.status is not migration.AdapterStatus.todo:
             continue
+        header = symbol.symbol.header if symbol.symbol is not None else None
         meaning = symbol.symbol.meaning if symbol.symbol is not None else ""
         yield Task(
             rule="RS502",
             severity=Level.warning,
             message=f"give the placeholder of '{symbol.name}' its meaning{f': {meaning}' if meaning else ''}",
-            effort="small",
+            effort="large" if header is not None and header.name in unserved else "small",
             fix="in adapters.h",
             elements=[symbol, *symbol.uses],
             **_place(symbol.uses[0] if symbol.uses else None),  # type: ignore[arg-type]
@@ -204,7 +207,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
         if disposition.action is migration.Action.unsupported and disposition.element is not None:
             name = getattr(disposition.element, "header", "") or getattr(disposition.element, "name", "")
             yield Task(
-                rule="RS503", severity=Level.warning, effort="medium",
+                rule="RS503", severity=Level.warning, effort="small" if "unknown-include" in disposition.rules else "medium",
                 message=f"'{name}' was left out: {'; '.join(disposition.reasons)}",
                 fix=f"put what the program needs of it into the {called(plan)}", elements=[disposition],
                 **_place(disposition.element),  # type: ignore[arg-type]

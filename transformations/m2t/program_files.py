@@ -90,6 +90,6 @@ def program_files(
 
     @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")
     def Report() -> dict[str, Any]:
-        return {"plan": plan, **report(plan)}
+        return {"plan": plan, **report(plan, sources)}
 
     return g.make()

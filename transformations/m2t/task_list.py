@@ -1,40 +1,46 @@
-"""What `MIGRATION.md` says: what is left to do, what became of each element, how the new hardware is wired.
+"""What `MIGRATION.md` says: what is left to do, what became of each construct, how the new hardware is wired.
 
-The report says what the plan says, all of it; the counts per unit add up to the number of its elements.
+The report says what the plan says, all of it; the counts per file add up to the number of its constructs. The first screen is
+made in `first_screen`, the verdicts in `queries.verdicts`.
 """
 
 from __future__ import annotations
 
-from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import Q, ancestor_of_kind
-from robosmi.transformations.queries.plan import call_sites, called, element_title, open_choices
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.m2t.first_screen import FirstScreen, first_screen
+from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
-from robosmi.transformations.queries.text_changes import CARRIED_OVER
+from robosmi.transformations.queries.verdicts import CARE, Construct, constructs, verdict_counts
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
 """How calls correspond -> how the paper writes it (3.4)."""
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
 
-def report(plan: migration.MigrationPlan) -> dict[str, Any]:
-    """The report of a plan."""
-    sites = call_sites(plan)
+def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
+    """The report of a plan.
+
+    Args:
+        plan: a complete plan.
+        sources: path of a unit -> its bytes.
+    """
+    judged = constructs(plan, sources)
+    verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
+    screen = first_screen(plan, sources, taken=2 * len(verdicts))
     return {
         "name": plan.name,
         "called": called(plan),
         "source": plan.source.name if plan.source else "its platform",
         "board": plan.board.title if plan.board else "the target",
-        "summary": (
-            f"{len(plan.dispositions)} elements were judged. "
-            f"{sites['total']} calls go to {len(plan.adapterUses)} platform functions; "
-            f"{sites['with_body']} of them reach an adapter with a body, {sites['todo']} one that is still to be written. "
-            f"{len(open_choices(plan))} choices are open."
-        ),
-        "tasks": [_said(t) for t in plan.tasks],
-        "findings": [_said(f) for f in plan.findings],
+        "verdicts": [_said(f) for f in verdicts],
+        "screen": screen,
+        "lists": [screen.decide, screen.write, screen.check],
+        "sections": _sections(screen),
+        "findings": [_said(f) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES],
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),
@@ -44,21 +50,41 @@ def report(plan: migration.MigrationPlan) -> dict[str, Any]:
             if f.choice == "source"
         ],
         "libraries": [_library(c) for c in plan.libraryChoices],
-        "groups": [_group(u, plan) for u in (plan.program.units if plan.program else [])] + _outside(plan),
+        "counts": _counts(judged),
+        "groups": [*(_group(u, judged) for u in (plan.program.units if plan.program else [])), *_outside(judged)],
         "adapters": [_adapter(a) for a in plan.adapterUses],
+        "limits": _limits(plan),
         "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
+
+
+def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
+    """The lists of the first screen, then what it had no room for."""
+    lists = [each for each in (screen.decide, screen.write, screen.check) if each.first or each.rest]
+    begun = [
+        {"title": each.title, "hint": each.hint, "lines": each.first, "more": sum(bool(item.rule) for item in each.rest)}
+        for each in lists
+    ]
+    rest = [{"title": f"{each.title}, continued", "hint": "", "lines": each.rest, "more": 0} for each in lists if each.rest]
+    return begun + rest
+
+
+VERDICT_RULES = frozenset({"RS850", "RS851", "RS852", "RS853"})
+"""Findings that are the verdict of comparing what was made with the original."""
+
+
+def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.PlanFinding]:
+    """Findings, the worst first, those of one severity in their order."""
+    return sorted(findings, key=lambda f: -int(f.severity.value))
 
 
 def _said(task: migration.PlanTask) -> dict[str, Any]:
     place = f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
     return {
-        "tick": "x" if task.done else " ",
         "message": task.message,
         "rule": task.rule,
         "place": place,
-        "effort": task.effort,
-        "fix": task.fix,
+        "fix": task.fix if task.severity is not migration.SeverityLevel.info else "",
         "severity": task.severity.name,
     }
 
@@ -104,46 +130,38 @@ def _library(choice: migration.LibraryChoice) -> dict[str, str]:
     }
 
 
-def _group(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> dict[str, Any]:
-    mine = Q(plan.dispositions).select(lambda d: d.element is not None and ancestor_of_kind(d.element, ccode.SourceUnit) is unit)
-    rows = [
-        {"line": d.element.line, "element": element_title(d.element), "action": d.action.name, "reason": _why(d)}
-        for d in sorted(mine, key=lambda d: d.element.startOffset if d.element else 0)
-        if d.element is not None
-    ]
-    return _with_counts(unit.path.rpartition("/")[2], mine, rows)
+def _group(unit: ccode.SourceUnit, judged: Sequence[Construct]) -> dict[str, Any]:
+    return _table(unit.path.rpartition("/")[2], [c for c in judged if c.unit is unit])
 
 
-def _why(disposition: migration.Disposition) -> str:
-    """The reason of a verdict; what was judged to stay is rewritten all the same where a port in it has another pin now."""
-    moved = disposition.action is migration.Action.rewrite and CARRIED_OVER.issuperset(disposition.rules)
-    return "; ".join([*disposition.reasons, *(["a port in it is another one on the target"] if moved else [])])
-
-
-def _outside(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
+def _outside(judged: Sequence[Construct]) -> list[dict[str, Any]]:
     """What the program uses and does not declare, at the line of its first use."""
-    externals = {id(e): e for e in (plan.program.externals if plan.program else [])}
-    mine = Q(plan.dispositions).select(lambda d: id(d.element) in externals)
-    rows = []
-    for disposition in mine:
-        external = externals[id(disposition.element)]
-        uses = [*(external.calls if isinstance(external, ccode.Function) else []), *external.references]
-        line = min((use.line for use in uses), default=0)
-        rows.append(
-            {
-                "line": line,
-                "element": element_title(external),
-                "action": disposition.action.name,
-                "reason": "; ".join(disposition.reasons),
-            }
-        )
-    return [_with_counts("used and declared elsewhere (line of the first use)", mine, rows)] if rows else []
+    mine = [c for c in judged if c.unit is None]
+    return [_table("used and declared elsewhere (line of the first use)", mine)] if mine else []
 
 
-def _with_counts(title: str, mine: Q[migration.Disposition], rows: list[dict[str, Any]]) -> dict[str, Any]:
-    counts = Counter(d.action.name for d in mine)
-    summed = ", ".join(f"{count} {action}" for action, count in sorted(counts.items()))
-    return {"title": title, "counts": f"{len(mine)} elements: {summed}.", "rows": rows}
+def _table(title: str, mine: Sequence[Construct]) -> dict[str, Any]:
+    rows = [
+        {"line": c.line or "", "element": c.title, "code": not c.title.startswith("#"), "verdict": VERDICT_WORDS[c.verdict],
+         "reason": _BELOW if c.unit is None and c.verdict == CARE else c.reason, "effort": c.effort}
+        for c in mine
+    ]  # fmt: skip
+    return {"title": title, "counts": _counts(mine), "rows": rows}
+
+
+_BELOW = "its adapter has limits, see below"
+VERDICT_WORDS = {
+    "retained": "retained", "adapted": "adapted", "adapted_with_care": "adapted with care", "needs_you": "needs you",
+    "not_supported": "not supported",
+}  # fmt: skip
+"""A verdict -> how a person reads it."""
+
+
+def _counts(judged: Sequence[Construct]) -> str:
+    """How many constructs have each verdict, in words; the parts add up to the first number."""
+    counts = verdict_counts(judged)
+    summed = ", ".join(f"{counts[verdict]} {word}" for verdict, word in VERDICT_WORDS.items() if counts[verdict])
+    return f"{counts['total']} construct{'s' * (counts['total'] != 1)}: {summed or 'none'}."
 
 
 def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
@@ -153,5 +171,13 @@ def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
         "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls),
         "state": adapter.status.name, "kind": RELATIONS[piece.adapterKind.name] if piece is not None else "",
         "fidelity": piece.fidelity if piece is not None else "written by you" if adapter.written else adapter.reason,
-        "limits": "; ".join(limits(adapter)),
     }  # fmt: skip
+
+
+def _limits(plan: migration.MigrationPlan) -> list[dict[str, str]]:
+    """What adapters do not do, each limit once with the functions that it holds for."""
+    found: dict[str, list[str]] = {}
+    for use in plan.adapterUses:
+        for limit in limits(use):
+            found.setdefault(limit, []).append(str(use.name))
+    return [{"limit": limit, "functions": ", ".join(names)} for limit, names in found.items()]

@@ -17,6 +17,8 @@ TODO = "TODO: complete method"
 AS_BYTES = "surrogateescape"
 """How bytes that are no UTF-8 go through these texts."""
 _TASK = re.compile(r"- \[(?P<tick>[ xX])\] (?P<said>.*`(?P<rule>RS\d+)`.*)")
+_CODE = re.compile(r"(?<!\\)`[^`]*`")
+"""Code in a line of a report: what to type, or how a line of the source reads."""
 _QUOTED = re.compile(r"'([^']*)'")
 
 
@@ -125,7 +127,7 @@ class Tick:
 
     Attributes:
         line: its line in the text, from 0.
-        key: what it is about, whatever its place and its counts: the rule and the names in its message.
+        key: what it is about, whatever its place and its counts: the rule and the first name in its message.
         done: whether it is ticked.
     """
 
@@ -139,15 +141,16 @@ def ticks(report: str) -> list[Tick]:
     found = []
     for number, line in enumerate(report.split("\n")):
         if (task := _TASK.fullmatch(line)) is not None:
-            found.append(Tick(number, task_key(task["rule"], task["said"].rsplit("`", 2)[0]), task["tick"] != " "))
+            said = _CODE.sub("", task["said"].rsplit("`", 2)[0])
+            found.append(Tick(number, task_key(task["rule"], said), task["tick"] != " "))
     return found
 
 
 def task_key(rule: str, message: str) -> tuple[str, ...]:
-    """What a task is about, whatever its place and its counts, from its message, quoted for a report or not."""
+    """What a task is about, whatever its place and its counts: the first name in its message, quoted for a report or not."""
     plain = message.replace("\\", "")
     names = _QUOTED.findall(plain)
-    return (rule, *names) if names else (rule, re.sub(r"\d+", "", plain.partition(" (")[0]).strip())
+    return (rule, names[0]) if names else (rule, re.sub(r"\d+", "", plain.partition(" (")[0]).strip())
 
 
 def with_ticks(report: str, done: set[tuple[str, ...]]) -> str:

@@ -1,12 +1,18 @@
-"""Checks that a plan tells the whole truth: one verdict for each element, changes of text that do not cross."""
+"""Checks that a plan tells the whole truth: one verdict for each element, changes of text that do not cross, sums that add up."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from collections.abc import Mapping
 from itertools import combinations
+from typing import Any
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2t.task_list import VERDICT_WORDS
 from robosmi.transformations.queries.text_changes import all_changes
+from robosmi.transformations.queries.verdicts import EFFORTS, VERDICTS, constructs
+from robosmi.transformations.queries.waiting_calls import CALL_STATES, NO_SUPPORT, TO_WRITE
 
 
 def verdict_faults(plan: migration.MigrationPlan) -> list[str]:
@@ -37,3 +43,41 @@ def overlaps(plan: migration.MigrationPlan) -> list[str]:
         for a, b in combinations(ordered, 2)
         if a.unit is b.unit and b.startOffset < a.endOffset < b.endOffset and a.startOffset < b.startOffset
     ]
+
+
+def report_faults(plan: migration.MigrationPlan, said: Mapping[str, Any], report: str) -> list[str]:
+    """What does not add up in the numbers of a plan, of its JSON and of its report: each construct once, sums equal.
+
+    Args:
+        plan: the plan.
+        said: the contract's `plan`.
+        report: the text of MIGRATION.md.
+    """
+    work, verdicts, rows = said["work"], said["verdicts"], said["constructs"]
+    listed = re.findall(rf"^\| \d* \| `.*` \| ({'|'.join(VERDICT_WORDS.values())}) \| ", report, re.MULTILINE)
+    words = Counter(VERDICT_WORDS[row["verdict"]] for row in rows)
+    sums = {
+        "dispositions": (len(plan.dispositions), sum(said["dispositions"].values()), verdicts["total"], len(rows), len(listed)),
+        "constructs": (len({id(c.element) for c in constructs(plan)}), verdicts["total"]),
+        "verdicts": (verdicts["total"], sum(verdicts[each] for each in VERDICTS)),
+        "rows by verdict": (words, Counter(listed), Counter({VERDICT_WORDS[v]: verdicts[v] for v in VERDICTS if verdicts[v]})),
+        "calls": (said["call_sites"]["total"], work["calls"]["total"], sum(work["calls"][state] for state in CALL_STATES)),
+        "calls with a body": (
+            said["call_sites"]["with_body"],
+            sum(work["calls"][state] for state in CALL_STATES if state not in (TO_WRITE, NO_SUPPORT)),
+        ),
+        "choices": (said["open_choices"], work["decide"]["open"], len(work["decide"]["answers"])),
+        "tasks": (len(plan.tasks), said["tasks"], work["decide"]["open"] + work["write"]["total"] + _unused(plan)),
+        "efforts": (work["write"]["total"], sum(work["write"][effort] for effort in EFFORTS)),
+        "checks": (work["check"]["total"], len(plan.checks) + _unused(plan), len(work["check"]["items"])),
+        "ticks": (len(re.findall(r"^- \[[ x]\] ", report, re.MULTILINE)), len(plan.tasks) + len(plan.checks)),
+        "works": (
+            re.findall(r"^- \*\*Works\*\*: (\d+) of (\d+) calls", report, re.MULTILINE),
+            [(str(work["calls"]["working"]), str(work["calls"]["total"]))] if work["calls"]["total"] else [],
+        ),
+    }  # fmt: skip
+    return [f"{name}: {', '.join(map(str, numbers))}" for name, numbers in sums.items() if any(n != numbers[0] for n in numbers)]
+
+
+def _unused(plan: migration.MigrationPlan) -> int:
+    return sum(task.rule == "RS331" for task in plan.tasks)

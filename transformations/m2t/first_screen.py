@@ -1,0 +1,245 @@
+"""The first screen of a report: what works, what to decide, to write and to check on the bench, each with its total.
+
+The report (`task_list`) and the terminal show the same lines. What they count is in `queries.work`. A task stands in one list
+only: what the first screen has no room for follows behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.answers import answer
+from robosmi.transformations.queries.plan import called
+from robosmi.transformations.queries.verdicts import EFFORTS
+from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
+from robosmi.transformations.queries.work import Work
+
+LINES = 40
+"""How many lines the first screen of a report has at most."""
+_SHARES = (9, 7, 5)
+"""How many lines each of the three lists may have when all are long."""
+_OPTIONS = 4
+_SNIPPET = 44
+
+
+@dataclass(frozen=True)
+class Item:
+    """A line of a list.
+
+    Attributes:
+        text: what it says; empty parts are left out by who shows it.
+        source: how the line of the source reads that it is about.
+        typed: what to type.
+        more: what else is worth saying.
+        rule: of the task; empty for a line that says why those below it are there.
+        effort: of the task.
+        done: whether a person has ticked it.
+    """
+
+    text: str
+    source: str = ""
+    typed: str = ""
+    more: str = ""
+    rule: str = ""
+    effort: str = ""
+    done: bool = False
+
+    @property
+    def tick(self) -> str:
+        """The mark between the brackets of a list of tasks."""
+        return "x" if self.done else " "
+
+
+@dataclass(frozen=True)
+class Listed:
+    """One of the lists.
+
+    Attributes:
+        title: what it is called.
+        total: its sum in words.
+        first: its lines on the first screen.
+        hint: how they are done.
+        rest: the lines behind the first screen.
+    """
+
+    title: str
+    total: str
+    first: tuple[Item, ...]
+    hint: str = ""
+    rest: tuple[Item, ...] = ()
+
+
+@dataclass(frozen=True)
+class FirstScreen:
+    """What a person sees first.
+
+    Attributes:
+        works: how many calls work, in words.
+        decide, write, check: the lists.
+    """
+
+    works: str
+    decide: Listed
+    write: Listed
+    check: Listed
+
+
+def first_screen(plan: migration.MigrationPlan, sources: Mapping[str, bytes], taken: int = 0) -> FirstScreen:
+    """The first screen of a plan.
+
+    Args:
+        plan: the plan, complete.
+        sources: path of a unit -> its bytes.
+        taken: lines that something else of the first screen needs.
+    """
+    work = Work(plan)
+    lists = (
+        Listed("Decide", decided(work), tuple(_choice(plan, task, sources) for task in work.decide), _decide_hint(plan, work)),
+        Listed("Write", written(work), tuple(_bodies(work)), _write_hint(plan, work)),
+        Listed("Check on the bench", checked(work), tuple(_checks(work))),
+    )
+    room = _shared([len(each.first) for each in lists], sum(_SHARES) - taken)
+    return FirstScreen(works(plan, work), *(_cut(each, lines) for each, lines in zip(lists, room, strict=True)))
+
+
+def _shared(wanted: Sequence[int], lines: int) -> list[int]:
+    """How many lines each list gets: its share, and what others leave."""
+    given = [min(want, share) for want, share in zip(wanted, _SHARES, strict=True)]
+    while sum(given) < min(lines, sum(wanted)):
+        hungry = [n for n, want in enumerate(wanted) if given[n] < want]
+        given[hungry[0]] += 1
+    while sum(given) > lines:
+        given[given.index(max(given))] -= 1
+    return given
+
+
+def _cut(whole: Listed, lines: int) -> Listed:
+    if len(whole.first) <= lines:
+        return whole
+    at = max(lines - 1, 0)  # a line says how many follow
+    while at and not whole.first[at - 1].rule:
+        at -= 1  # nothing stands under a reason that was the last line
+    return replace(whole, first=whole.first[:at], rest=whole.first[at:])
+
+
+# ---- sums in words
+
+
+def works(plan: migration.MigrationPlan, work: Work) -> str:
+    """How many calls work, and what becomes of the others."""
+    calls = work.calls
+    if not calls["total"]:
+        return "the program calls no function of its platform"
+    parts = [
+        (calls[WAITS], "for a pin"), (calls[TO_WRITE], "for a body"), (calls[NO_SUPPORT], "for what the target lacks"),
+    ]  # fmt: skip
+    others = ["waiting: " + ", ".join(f"{count} {said}" for count, said in parts if count)] if any(n for n, _ in parts) else []
+    others += [f"{calls[NOT_WIRED_CALL]} not wired, as you said"] * bool(calls[NOT_WIRED_CALL])
+    care = f" ({calls[WITH_CARE]} with limits)" if calls[WITH_CARE] else ""
+    functions = len(plan.adapterUses)
+    some = f"{work.working} of {calls['total']} calls of {functions} platform function{'s' * (functions != 1)} work{care}"
+    return "; ".join([some, *others])
+
+
+def decided(work: Work) -> str:
+    """How many choices are open."""
+    numbers = work.to_json()["decide"]
+    if not numbers["total"]:
+        return "nothing to choose"
+    if not numbers["open"]:
+        return f"nothing is open; {numbers['total']} choice{'s are' if numbers['total'] != 1 else ' is'} made"
+    return f"{numbers['open']} of {numbers['total']} choices {'are' if numbers['open'] != 1 else 'is'} open"
+
+
+def written(work: Work) -> str:
+    """How much is to be written, by effort."""
+    if not work.write:
+        return "nothing"
+    left = [task for task in work.write if not task.done]
+    if not left:
+        return f"all {len(work.write)} done"
+    by: list[str] = []
+    for group in work.groups():
+        open_ = [task for task in group.tasks if not task.done]
+        if group.title:
+            by += [f"{len(open_)} of {group.title}, which the target cannot serve"] * bool(open_)
+        else:
+            by += [f"{count} {effort}" for effort in EFFORTS if (count := sum(task.effort == effort for task in open_))]
+    return f"{len(left)} of {len(work.write)} left: {', '.join(by)}"
+
+
+def checked(work: Work) -> str:
+    """How much is to be checked."""
+    done = sum(task.done for task in work.check)
+    return f"{done} of {len(work.check)} done" if work.check else "no pin is bound yet" if work.decide else "nothing"
+
+
+# ---- lines
+
+
+def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
+    """Where an answer is typed, for the kinds of choices that are open."""
+    ports = any(task.rule == "RS330" for task in work.decide)
+    libraries = any(task.rule == "RS401" for task in work.decide)
+    said = ["ports under [bind] (or --bind NAME=PIN)"] * ports
+    said += ["libraries under [libraries] (or --library COMPONENT=LIBRARY)"] * libraries
+    none = "what is not wired" if not libraries else "none" if not ports else "what is not wired, or needs no library"
+    silent = " Until a port has a pin, its calls do nothing." * (ports and bool(plan.portFlows))
+    return f'Type into robosmi.toml beside the program: {" and ".join(said)}; "none" for {none}. Then migrate again.{silent}'
+
+
+def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
+    """Where bodies are written."""
+    bodies = any(task.rule in ("RS501", "RS502") for task in work.write)
+    beside = any("in adapters.h" not in task.fix for task in work.write if task.rule == "RS501")
+    own = f" (in the {called(plan)} for what it declares itself)" * beside
+    return f"Each stands in adapters.h as a TODO{own}; what you write there is kept." if bodies else ""
+
+
+def _choice(plan: migration.MigrationPlan, task: migration.PlanTask, sources: Mapping[str, bytes]) -> Item:
+    """The line of an open choice."""
+    decision = next((e for e in task.elements if isinstance(e, migration.Decision)), None)
+    if decision is None:
+        return _task(task)
+    how = answer(plan, decision)
+    more = " or ".join(how.candidates[:_OPTIONS]) + (" ..." if len(how.candidates) > _OPTIONS else "")
+    if isinstance(decision, migration.PortBinding):
+        what = f", {decision.what}" if decision.what else ""
+        place = f", line {task.line}" if task.line else ""
+        source = "" if decision.conventionalPort is not None else _line(decision.element, sources)
+        return Item(f"port '{decision.name}'{what}{place}", source, how.line, more, str(task.rule), "", bool(task.done))
+    more = f"{more} or none" if more else "none, or one that you know"
+    return Item(f"library for '{how.subject}'", "", how.line, more, str(task.rule), "", bool(task.done))
+
+
+def _line(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
+    """How the line of an element reads in the source."""
+    unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
+    if element is None or unit is None or unit.path not in sources:
+        return ""
+    lines = sources[unit.path].decode("utf-8", "replace").splitlines()
+    text = " ".join(lines[element.line - 1].partition("//")[0].split()) if 0 < element.line <= len(lines) else ""
+    return text if len(text) <= _SNIPPET else f"{text[: _SNIPPET - 4].rstrip()} ..."
+
+
+def _bodies(work: Work) -> Iterable[Item]:
+    """The lines of what is to be written: what has one cause stands under it."""
+    for group in work.groups():
+        if group.title:
+            yield Item(f"{group.title} cannot be served: {group.reason}")
+        for task in group.tasks:
+            yield replace(_task(task, short=True), effort="") if group.title else _task(task)
+
+
+def _checks(work: Work) -> Iterable[Item]:
+    return (_task(task) for task in work.check)
+
+
+def _task(task: migration.PlanTask, *, short: bool = False) -> Item:
+    """The line of a task; a short one leaves out the reason, which stands above it."""
+    place = f" ({task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''})" if task.path else ""
+    message = str(task.message).partition(";")[0] if short else str(task.message)
+    return Item(f"{message}{place}", rule=str(task.rule), effort=str(task.effort), done=bool(task.done))

@@ -1,0 +1,59 @@
+"""What a terminal says of a migration: the first screen of the report, the pins, the libraries, and where the rest stands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from robosmi.metamodels import migration
+from robosmi.transformations.m2t.first_screen import Item, Listed, first_screen
+
+_INDENT = "  "
+
+
+def terminal_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch: Path, *, made: bool) -> list[str]:
+    """The lines about a plan.
+
+    Args:
+        plan: the plan, complete.
+        sources: path of a unit -> its bytes.
+        sketch: the folder of the program that is made of it.
+        made: False where nothing was written.
+    """
+    board = plan.board.title if plan.board else "the target"
+    screen = first_screen(plan, sources)
+    lines = [f"{'made' if made else 'would make'} {sketch} for {board}", _sum("works", screen.works)]
+    for word, each in (("decide", screen.decide), ("write", screen.write), ("check", screen.check)):
+        lines += _list(word, each)
+    for connection in plan.connections:
+        ports = ", ".join(b.name for b in plan.portBindings if b.connection is connection)
+        pin = connection.pin.label if connection.pin else "?"
+        lines.append(f"{_INDENT}{pin:4} {connection.name:28} {('is ' + ports) if ports else ''}".rstrip())
+    if plan.libraryChoices:
+        chosen = sorted({c.chosen.name for c in plan.libraryChoices if c.chosen is not None})
+        lines.append(f"{_INDENT}libraries: {', '.join(chosen) or 'none chosen'}")
+    return [*lines, f"{_INDENT}see {sketch / 'MIGRATION.md'}"] if made else lines
+
+
+def _sum(word: str, total: str) -> str:
+    return f"{_INDENT}{word:7} {total}"
+
+
+def _list(word: str, listed: Listed) -> list[str]:
+    """A list with its sum; what is to be checked on the bench is for the bench, where the report is."""
+    lines = [_sum(word, listed.total)]
+    if word == "check":
+        return lines
+    lines += [f"{_INDENT * 2}{_item(item)}" for item in listed.first]
+    if listed.rest:
+        lines.append(f"{_INDENT * 2}and {sum(bool(item.rule) for item in listed.rest)} more")
+    if listed.hint and listed.first:
+        lines.append(f"{_INDENT * 2}{listed.hint}")
+    return lines
+
+
+def _item(item: Item) -> str:
+    text = f"{item.text} `{item.source}`" if item.source else item.text
+    text = f"{text}: {item.typed}" if item.typed else text
+    text = f"{text}, {item.more}" if item.more else text
+    return f"{text} [{item.rule}]" if item.rule else text

@@ -1,0 +1,63 @@
+"""What becomes of each call of a platform function: whether it works, waits for a pin, or has no body behind it.
+
+A call works when its adapter has a body and every port that it can reach has a pin. The states are those of the plan as it
+stands; nothing is decided here.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import Q
+from robosmi.transformations.queries.plan_adapters import closure, limits
+from robosmi.transformations.queries.port_pins import NOT_WIRED
+
+WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT = (
+    "works", "works_with_care", "waits_for_port", "not_wired", "to_write", "not_supported",
+)  # fmt: skip
+CALL_STATES = (WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT)
+"""The states of calls: with a body; with one that has limits; with one whose port has no pin yet, or is not wired by a person's
+word; without a body; of what the target lacks."""
+
+
+def open_conventions(plan: migration.MigrationPlan, use: migration.AdapterUse) -> Q[migration.PortBinding]:
+    """The ports without a pin that the adapter of a use drives or reads without being told."""
+    ports = {id(port) for piece in closure([use.adapter]) for port in piece.ports} if use.adapter is not None else set()
+    return Q(plan.portBindings).select(lambda b: b.open and b.conventionalPort is not None and id(b.conventionalPort) in ports)
+
+
+class CallStates:
+    """The states of a plan's calls.
+
+    Args:
+        plan: the plan.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan) -> None:
+        self.plan = plan
+        flows = [f for f in plan.portFlows if f.bindings]
+        self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
+        self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
+
+    def of(self, use: migration.AdapterUse, call: ccode.Call) -> str:
+        """The state of a call of a use."""
+        if use.status is migration.AdapterStatus.unsupported:
+            return NO_SUPPORT
+        if use.status is migration.AdapterStatus.todo:
+            return TO_WRITE
+        if id(call) in self._waiting or open_conventions(self.plan, use):
+            return WAITS
+        if id(call) in self._unwired:
+            return NOT_WIRED_CALL
+        return WITH_CARE if limits(use) else WORKS
+
+    def counts(self) -> dict[str, int]:
+        """How many calls are in each state, every state named, and `total`, their sum."""
+        found = Counter(self.of(use, call) for use in self.plan.adapterUses for call in use.calls)
+        return {"total": found.total(), **{state: found[state] for state in CALL_STATES}}
+
+
+def _left_out(binding: migration.PortBinding) -> bool:
+    """Whether a person said that a port is not wired."""
+    return not binding.open and binding.choice == NOT_WIRED and binding.chosenBy is migration.ChosenBy.person

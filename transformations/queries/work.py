@@ -1,0 +1,144 @@
+"""The work that a plan leaves to a person, in the order in which it is done: decide, write, check on the bench; and what works.
+
+The numbers of the report, of the terminal and of `--json` are those of this module. They add up, and tests hold them against the
+plan.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from robosmi.metamodels import migration, platform
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.answers import answer
+from robosmi.transformations.queries.plan import decisions
+from robosmi.transformations.queries.verdicts import EFFORTS, constructs, unserved_headers, verdict_counts
+from robosmi.transformations.queries.waiting_calls import WITH_CARE, WORKS, CallStates
+
+DECIDE = frozenset({"RS330", "RS401"})
+"""Rules of tasks that are choices."""
+UNUSED = "RS331"
+"""The rule of what is drawn and not used: to be looked at on the bench."""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Tasks of one cause that are done together.
+
+    Attributes:
+        title: what they have in common, such as a header; empty for tasks that stand alone.
+        reason: the cause, said once.
+        tasks: the tasks.
+    """
+
+    title: str
+    reason: str
+    tasks: tuple[migration.PlanTask, ...]
+
+
+class Work:
+    """The work of a plan.
+
+    Args:
+        plan: the plan, complete.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan) -> None:
+        self.plan = plan
+
+    @cached_property
+    def calls(self) -> dict[str, int]:
+        """How many calls of platform functions are in each state of `waiting_calls`, and `total`."""
+        return CallStates(self.plan).counts()
+
+    @property
+    def working(self) -> int:
+        """How many calls do what they did, or nearly so."""
+        return self.calls[WORKS] + self.calls[WITH_CARE]
+
+    @cached_property
+    def decide(self) -> list[migration.PlanTask]:
+        """The tasks that are open choices."""
+        return [task for task in self.plan.tasks if task.rule in DECIDE]
+
+    @cached_property
+    def write(self) -> list[migration.PlanTask]:
+        """The tasks for which something is to be written, the smallest effort first."""
+        mine = [task for task in self.plan.tasks if task.rule not in DECIDE and task.rule != UNUSED]
+        return sorted(mine, key=lambda task: EFFORTS.index(task.effort) if task.effort in EFFORTS else -1)
+
+    @cached_property
+    def check(self) -> list[migration.PlanTask]:
+        """What is to be seen on the bench: the plan's checks, then what is drawn and not used."""
+        return [*self.plan.checks, *(task for task in self.plan.tasks if task.rule == UNUSED)]
+
+    def groups(self) -> list[Group]:
+        """What is to be written, by cause: what the target cannot serve by header, all else alone."""
+        reasons = unserved_headers(self.plan)
+        found: dict[str, list[migration.PlanTask]] = {}
+        for task in self.write:
+            header = _header(task) if task.effort == "large" else ""
+            found.setdefault(header if header in reasons else "", []).append(task)
+        return [Group(title, reasons.get(title, ""), tuple(tasks)) for title, tasks in found.items()]
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's `work`."""
+        efforts = Counter(str(task.effort) for task in self.write)
+        all_choices = decisions(self.plan)
+        left = all_choices.select(lambda d: d.open)
+        return {
+            "calls": {**self.calls, "working": self.working},
+            "decide": {
+                "total": len(all_choices), "decided": len(all_choices) - len(left), "open": len(left),
+                "answers": [_answer(self.plan, d) for d in left],
+            },
+            "write": {
+                "total": len(self.write), "done": sum(task.done for task in self.write),
+                **{effort: efforts[effort] for effort in EFFORTS},
+            },
+            "check": {
+                "total": len(self.check), "done": sum(task.done for task in self.check),
+                "items": [{"message": str(task.message), "done": bool(task.done)} for task in self.check],
+            },
+        }  # fmt: skip
+
+
+def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
+    """What the contract's `plan` says of the work: `work`, `verdicts` (sums) and `constructs[]`.
+
+    Args:
+        plan: the plan, complete.
+        sources: path of a unit -> its bytes.
+    """
+    judged = constructs(plan, sources)
+    return {
+        "work": Work(plan).to_json(),
+        "verdicts": verdict_counts(judged),
+        "constructs": [construct.to_json() for construct in judged],
+    }
+
+
+def _answer(plan: migration.MigrationPlan, decision: migration.Decision) -> dict[str, Any]:
+    how = answer(plan, decision)
+    return {
+        "subject": how.subject, "flag": how.flag, "robosmi_toml": {"table": how.table, "line": how.line},
+        "candidates": list(how.candidates),
+    }  # fmt: skip
+
+
+def _header(task: migration.PlanTask) -> str:
+    """The header of the platform function or name that a task is about."""
+    for element in task.elements:
+        about = (
+            element.function if isinstance(element, migration.AdapterUse)
+            else element.symbol if isinstance(element, migration.SymbolUse)
+            else None
+        )  # fmt: skip
+        header = ancestor_of_kind(about, platform.Header) if about is not None else None
+        if header is not None:
+            return str(header.name)
+    return ""
