@@ -49,7 +49,8 @@ static int16_t drive_goto_step = 4;
 //#   fidelity: open loop: 128 ticks/s are taken as 200 us beyond neutral. Real servos reach their speed earlier: measure a table, and
 //#   fidelity: put it here
 inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
-  return (int16_t)((int32_t)speed * 25 / 16);
+  int32_t by16 = (int32_t)speed * 25;
+  return (int16_t)((by16 < 0 ? by16 + 15 : by16) >> 4);
 }
 
 //# helper wheels
@@ -66,6 +67,8 @@ struct Wheel {
   volatile int8_t sense;          // sign of the last motion
   uint8_t level;                  // encoder: bit 0 the level counted last, bit 1 the level seen last
   uint8_t pin, encoder;
+  volatile uint8_t *in;           // the encoder's register and bit
+  uint8_t mask;
   int32_t whole(const volatile int32_t &value) const {  // not torn by an interrupt
     uint8_t old = SREG;
     cli();
@@ -73,7 +76,10 @@ struct Wheel {
     SREG = old;
     return now;
   }
-  int16_t speed() const { return (int16_t)(whole(speed256) / 256); }
+  int16_t speed() const {  // without a division, which takes 40 us
+    int32_t now = whole(speed256);
+    return (int16_t)((now < 0 ? now + 255 : now) >> 8);
+  }
 };
 static Wheel wheels[2];
 
@@ -154,9 +160,8 @@ static bool drive_encoders_on;
 
 inline void drive_sample() {
   for (auto &wheel : wheels) {
-    Io io(wheel.encoder);
-    if (!io.wired()) continue;
-    uint8_t now = io.high(), seen = wheel.level >> 1;
+    if (!wheel.mask) continue;
+    uint8_t now = (*wheel.in & wheel.mask) != 0, seen = wheel.level >> 1;
     if (now == seen && now != (wheel.level & 1)) {
       wheel.ticks += wheel.sense;
       wheel.level ^= 1;
@@ -174,6 +179,8 @@ inline void drive_watch_encoders() {
     Io io(wheel.encoder);
     if (io.wired()) io.drive(false);
     wheel.level = io.high() * 3;
+    wheel.in = io.in;
+    wheel.mask = io.mask;
     wheel.sense = wheel.sense ? wheel.sense : 1;
   }
   run_in_background(sample_jobs, drive_sample);

@@ -5,26 +5,40 @@
 // and a frame job (of servo360.h 77, of abdrive.h up to 54), and, as it comes again meanwhile, 23 and a sample job (of encoders 23).
 
 //# helper background
+//#   needs: simpletools.h/TimedInput
 //#   vector: TIMER0_COMPA_vect
 //#   stack: 124
-//#   fidelity: sample jobs every 1,024 us with interrupts off, frame jobs every 20 ms on average with interrupts on
+//#   fidelity: sample jobs every 1,024 us, frame jobs every 20 ms on average, both with interrupts on; frame jobs wait while an input is
+//#   fidelity: timed, and come at least 8 ms one after the other
 static void (*sample_jobs[2])();
 static void (*frame_jobs[3])();
+static volatile uint16_t frame_waited;  // microseconds
+static volatile uint8_t frame_age;      // periods of 1,024 us since the frame jobs began last
 
-ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {  // every 1,024 us
-  static uint16_t waited = 0;
+inline void do_frame_jobs() {
   static volatile bool busy = false;
+  uint8_t old = SREG;
   cli();
-  for (auto job : sample_jobs)
-    if (job) job();
-  sei();
-  waited += 1024;
-  if (waited < 20000 || busy) return;
-  waited -= 20000;
-  busy = true;
+  bool due = frame_waited >= 20000 && frame_age > 7 && !busy;
+  if (due) {
+    busy = true;
+    frame_waited -= 20000;
+  }
+  SREG = old;
+  if (!due) return;
   for (auto job : frame_jobs)
     if (job) job();
+  frame_age = 0;
   busy = false;
+}
+
+ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {  // every 1,024 us
+  for (auto job : sample_jobs)
+    if (job) job();
+  frame_waited += 1024;
+  frame_age++;
+  if (frames_wait) frames_wait--;
+  else do_frame_jobs();
 }
 
 template <uint8_t places> inline void run_in_background(void (*(&jobs)[places])(), void (*job)()) {
@@ -36,6 +50,8 @@ template <uint8_t places> inline void run_in_background(void (*(&jobs)[places])(
     place = job;
     break;
   }
+  frames_due = do_frame_jobs;
+  if (!OCR0A) OCR0A = 128;  // not right behind the core's interrupt of that timer
   TIMSK0 |= _BV(OCIE0A);
   SREG = old;
 }

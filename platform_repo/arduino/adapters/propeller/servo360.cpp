@@ -80,22 +80,24 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 };
 
 //# helper Servo360
-//#   needs: S360_POSITION Uninterrupted
+//#   needs: S360_POSITION Uninterrupted servo.h/background simpletools.h/PinWatch
 const int16_t turn360 = 4096;
 
 struct Gains360 {  // in 1/1000
   int32_t proportional, integral, derivative, most;
 };
 
-struct Servo360 {
+inline int32_t thousandth(int32_t value) {  // within 0.01 %, without a division, which takes 40 us
+  return ((value >> 16) * 4194 + (int32_t)((uint16_t)value * 4194UL >> 16)) >> 6;
+}
+
+struct Servo360 : PinWatch {
   uint8_t pin, signal;                              // signal 255: not wired, and the angle is taken to be as calculated
   bool enabled, feedback, approaching;
   uint8_t mode;
   int32_t units;                                    // of the program, each turn
-  volatile uint8_t *in;                             // the signal's register and bit
-  uint8_t mask;
-  volatile uint8_t level;
   volatile uint16_t rise, fall, high[3], cycle[3];  // cycles of the clock, of the signal's last cycles
+  uint8_t place;                                    // of the next cycle
   volatile uint8_t cycles;                          // seen since the last frame, 255 at most
   int16_t theta;                                    // angle in the turn
   int32_t turns, offset, angle, angle_before;
@@ -122,19 +124,38 @@ struct Servo360 {
   void forget_speed() { speed = error = error_before = error_sum = 0; }
   void forget_position() { off = off_before = off_sum = 0; }
 
+  static uint16_t duty(uint16_t high, uint16_t cycle) {  // in 1/4348, as there: 13 bits of a quotient
+    uint32_t rest = high * 4348UL, part = (uint32_t)cycle << 12;
+    uint16_t quotient = 0;
+    for (uint8_t bit = 13; bit; bit--, part >>= 1) {
+      quotient <<= 1;
+      if (rest < part) continue;
+      rest -= part;
+      quotient |= 1;
+    }
+    return quotient;
+  }
+  static int32_t in_frame(int32_t speed) {  // of 20 ms
+    int16_t small = (int16_t)speed;
+    return small == speed ? small / 50 : speed / 50;
+  }
   bool measure() {  // the angle; false without a signal
     angle_before = angle;
     if (signal == 255) return true;
-    uint16_t duty[3];
+    uint16_t high_[3], cycle_[3];
     {
       Uninterrupted now;
-      if (cycles < 3) return cycles = 0, false;
-      for (uint8_t each = 0; each < 3; each++) duty[each] = high[each] * 4348UL / cycle[each];  // as there: 1/4348
+      bool there = cycles > 2;
       cycles = 0;
+      if (!there) return false;
+      for (uint8_t each = 0; each < 3; each++) high_[each] = high[each], cycle_[each] = cycle[each];
     }
-    uint16_t least = min(duty[0], duty[1]), most = max(duty[0], duty[1]);  // the median: an interrupt may have come between
+    bool below[3];  // the median counts: an interrupt may have come between
+    for (uint8_t each = 0, next = 1; each < 3; each++, next = next == 2 ? 0 : next + 1)
+      below[each] = (uint32_t)high_[each] * cycle_[next] < (uint32_t)high_[next] * cycle_[each];
+    uint8_t median = below[0] == below[1] ? 1 : below[1] == below[2] ? 2 : 0;
     int16_t before = theta;
-    theta = (turn360 - 1 - ((int16_t)constrain(duty[2], least, most) - 129)) & (turn360 - 1);
+    theta = (turn360 - 1 - ((int16_t)duty(high_[median], cycle_[median]) - 129)) & (turn360 - 1);
     if (before > turn360 / 3 * 2 && theta < turn360 / 3) turns++;
     if (before < turn360 / 3 && theta > turn360 / 3 * 2) turns--;
     angle = turns * turn360 + theta - offset;
@@ -142,7 +163,7 @@ struct Servo360 {
   }
   int32_t pulse_of(int32_t ups) const {
     if (!ups) return 0;
-    return slope[ups < 0] * ups / 1000 + bend[ups < 0];
+    return thousandth(slope[ups < 0] * ups) + bend[ups < 0];
   }
   static int32_t limited(int32_t value, int32_t most) { return constrain(value, -most, most); }
 
@@ -150,10 +171,11 @@ struct Servo360 {
     forget_speed();
     off = set_point - angle;
     off_sum = limited(off_sum + off, of_position.most);
-    int32_t ups = of_position.proportional * off / 1000 + of_position.integral * off_sum / 1000 + of_position.derivative * (off - off_before) / 1000;
+    int32_t ups = thousandth(of_position.proportional * off) + thousandth(of_position.integral * off_sum) +
+                  thousandth(of_position.derivative * (off - off_before));
     off_before = off;
     ups = limited(ups, position_top);
-    if (signal == 255) angle += ups / 50;
+    if (signal == 255) angle += in_frame(ups);
     out = pulse_of(ups);
   }
   void turn() {
@@ -163,7 +185,8 @@ struct Servo360 {
       drive = pulse_of(speed);
     }
     speed_measured = (angle - angle_before) * 50;
-    int32_t before = error, moved = speed / 50;
+    if (frame_age < 18 || frame_age > 21) speed_measured = speed_measured * 20 / frame_age;  // a frame that had to wait, or the next one
+    int32_t before = error, moved = in_frame(speed);
     angle_calculated += moved;
     if (signal == 255) {
       angle = angle_calculated;
@@ -182,7 +205,7 @@ struct Servo360 {
     }
     error_sum = limited(error_sum, of_speed.most);
     int32_t correction =
-        of_speed.proportional * error_before / 1000 + of_speed.integral * error_sum / 1000 + of_speed.derivative * change / 1000;
+        thousandth(of_speed.proportional * error_before) + thousandth(of_speed.integral * error_sum) + thousandth(of_speed.derivative * change);
     out = drive + limited(correction, speed_top);
   }
   void go() {
@@ -205,56 +228,24 @@ struct Servo360 {
 static Servo360 *servos360[4];
 
 //# helper feedback360_edge
-//#   needs: Servo360 simpletools.h/edge_cycles
+//#   needs: Servo360 simpletools.h/PinWatch
 //#   fidelity: an edge is known to 1 us unless another interrupt runs; the median of three cycles counts
-inline void feedback360_edge() {  // short: the signal is high for 32 us at the least
-  uint16_t now = (uint16_t)edge_cycles();
-  for (Servo360 *servo : servos360) {
-    if (!servo || !servo->mask) continue;
-    uint8_t level = *servo->in & servo->mask;
-    if (level == servo->level) continue;
-    servo->level = level;
-    if (!level) {
-      servo->fall = now;
-      continue;
-    }
-    uint16_t cycle = now - servo->rise;
-    if (cycle > 800u * clockCyclesPerMicrosecond() && cycle < 1500u * clockCyclesPerMicrosecond()) {
-      uint8_t place = servo->cycles % 3;
-      servo->high[place] = servo->fall - servo->rise;
-      servo->cycle[place] = cycle;
-      servo->cycles = servo->cycles == 255 ? 3 : servo->cycles + 1;
-    }
-    servo->rise = now;
+inline void feedback360_edge(PinWatch &watch, uint16_t now) {  // short: the signal is high for 32 us at the least
+  Servo360 &servo = static_cast<Servo360 &>(watch);
+  if (!watch.level) {
+    servo.fall = now;
+    return;
   }
+  uint16_t cycle = now - servo.rise;
+  if (cycle > 800u * clockCyclesPerMicrosecond() && cycle < 1500u * clockCyclesPerMicrosecond()) {
+    uint8_t place = servo.place;
+    servo.place = place == 2 ? 0 : place + 1;
+    servo.high[place] = servo.fall - servo.rise;
+    servo.cycle[place] = cycle;
+    if (servo.cycles < 255) servo.cycles++;
+  }
+  servo.rise = now;
 }
-
-//# helper feedback360_watch
-//#   needs: feedback360_edge
-//#   vector: PCINT0_vect PCINT1_vect PCINT2_vect
-//#   stack: 44
-inline void feedback360_watch(int16_t pin) {
-  if (!digitalPinToPCICR(pin)) return;
-  *digitalPinToPCMSK(pin) |= _BV(digitalPinToPCMSKbit(pin));
-  *digitalPinToPCICR(pin) |= _BV(digitalPinToPCICRbit(pin));
-}
-
-ISR(PCINT0_vect) { feedback360_edge(); }
-ISR(PCINT1_vect) { feedback360_edge(); }
-ISR(PCINT2_vect) { feedback360_edge(); }
-
-//# helper feedback360_watch
-//#   needs: feedback360_edge
-//#   vector: PCINT0_vect
-//#   stack: 44
-//#   mcu: atmega32u4
-inline void feedback360_watch(int16_t pin) {
-  if (!digitalPinToPCICR(pin)) return;
-  *digitalPinToPCMSK(pin) |= _BV(digitalPinToPCMSKbit(pin));
-  *digitalPinToPCICR(pin) |= _BV(digitalPinToPCICRbit(pin));
-}
-
-ISR(PCINT0_vect) { feedback360_edge(); }
 
 //# helper servo360_run
 //#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/background
@@ -271,7 +262,7 @@ inline void servo360_frame() {
   for (Servo360 *servo : servos360) {  // of two that are coupled, the one that lags less slows down
     if (!servo || servo->couple < 0 || !servo->feedback) continue;
     Servo360 *other = servos360[servo->couple];
-    int32_t more = other->lag() - servo->lag(), by = servo->couple_scale * abs(more) / 1000;
+    int32_t more = other->lag() - servo->lag(), by = thousandth(servo->couple_scale * abs(more));
     (more > 0 ? servo : other)->slow_down(min(by, 500));
   }
   for (uint8_t place = 0; place < 4; place++) {
@@ -279,7 +270,7 @@ inline void servo360_frame() {
     ServoSlot *slot = servo ? servo_slot(servo->pin, false) : 0;
     if (!slot) continue;
     servo->out = Servo360::limited(servo->out, 2400);
-    int16_t us = 1500 + servo->out / 10;
+    int16_t us = 1500 + (int16_t)servo->out / 10;
     if (!alive[place] || !servo->enabled) slot->rest();
     else if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
     else slot->start(us);
@@ -304,12 +295,12 @@ inline int8_t servo360_place(int32_t pin) {
 //# adapter servo360_connect
 //#   for: int servo360_connect(int pinControl, int pinFeedback)
 //#   kind: semantic
-//#   needs: servo.h/ServoSlot Uninterrupted Servo360 feedback360_watch servo360_run simpletools.h/Io simpletools.h/pulse_in
+//#   needs: servo.h/ServoSlot Uninterrupted Servo360 feedback360_edge servo360_run simpletools.h/watch_pin simpletools.h/Io simpletools.h/pulse_in
 //#   role: servo
 //#   pin: pinControl digital out servo
 //#   pin: pinFeedback digital in encoder
 //#   fidelity: the place of the servo, or -8 without a signal, -4 and -5 for a pin in use, -7 for a fifth servo
-//#   limit: the feedback pin needs a pin-change interrupt (all pins of an Uno), and SoftwareSerial cannot be used beside it
+//#   limit: the feedback pin needs a pin-change interrupt (all pins of an Uno)
 //#   limit: where the feedback is not wired, the angle is taken to be as calculated
 inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   Io control(pinControl), signal(pinFeedback);
@@ -325,8 +316,6 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   Servo360 *servo = new Servo360();
   servo->pin = pinControl;
   servo->signal = signal.wired() ? pinFeedback : 255;
-  servo->in = signal.in;
-  servo->mask = signal.mask;
   servo->enabled = servo->feedback = true;
   servo->units = 360;
   servo->speed_top = servo->position_top = 2 * 4096L;
@@ -342,7 +331,7 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   {
     Uninterrupted now;
     servos360[place] = servo;
-    if (signal.wired()) feedback360_watch(pinFeedback);
+    if (signal.wired()) watch_pin(*servo, pinFeedback, feedback360_edge);
   }
   delay(25);  // the first angle is the zero
   {

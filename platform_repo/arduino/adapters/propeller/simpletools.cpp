@@ -359,15 +359,127 @@ inline uint32_t edge_cycles() {  // the time in cycles, as of the call
   return cycles - turns * 6u;
 }
 
-//# helper holds
-//#   needs: Io
-inline bool holds(const Io &io, uint8_t level, uint32_t begun, uint32_t limit) {  // waits while the pin has the level; true after the limit
-  uint16_t burst = limit > 20000 ? 2000 : 60;                                   // the clock is looked at rarely: that costs 4 us
-  do {
-    for (uint16_t turn = burst; turn; turn--)
-      if ((*io.in & io.mask) != level) return false;
-  } while (micros() - begun < limit);
+//# helper PinWatch
+//#   fidelity: one handler of pin-change interrupts for all that waits for them; an edge is known to 6 cycles unless another interrupt runs
+struct PinWatch {
+  volatile uint8_t *in;  // the pin's register and bit
+  uint8_t mask, level;
+  void (*changed)(PinWatch &watch, uint16_t cycles);
+  PinWatch *next;
+};
+static PinWatch *pin_watches;
+
+extern volatile unsigned long timer0_overflow_count;  // of the core
+
+inline uint16_t edge_stamp() {  // as edge_cycles, of 16 bits and faster; interrupts are off
+  uint8_t turns = 0, tick = TCNT0;
+  asm volatile(
+      "1: in __tmp_reg__, %1\n\tcp __tmp_reg__, %2\n\tbrne 2f\n\tinc %0\n\trjmp 1b\n2:"
+      : "+r"(turns)
+      : "I"(_SFR_IO_ADDR(TCNT0)), "r"(tick));
+  uint8_t periods = (uint8_t)timer0_overflow_count;
+  tick = TCNT0;
+  if ((TIFR0 & _BV(TOV0)) && tick < 255) periods++;
+  return (uint16_t)((periods << 8 | tick) << 6) - turns * 6u;
+}
+
+inline void pins_changed() {
+  uint16_t now = edge_stamp();
+  for (PinWatch *watch = pin_watches; watch; watch = watch->next) {
+    uint8_t level = *watch->in & watch->mask;
+    if (level == watch->level) continue;
+    watch->level = level;
+    watch->changed(*watch, now);
+  }
+}
+
+inline void end_watch(PinWatch &watch) {
+  uint8_t old = SREG;
+  cli();
+  for (PinWatch **link = &pin_watches; *link; link = &(*link)->next) {
+    if (*link != &watch) continue;
+    *link = watch.next;
+    break;
+  }
+  SREG = old;
+}
+
+inline bool begin_watch(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch, uint16_t cycles)) {
+  if (!digitalPinToPCICR(pin)) return false;
+  uint8_t old = SREG;
+  cli();
+  watch.in = portInputRegister(digitalPinToPort(pin));
+  watch.mask = digitalPinToBitMask(pin);
+  watch.level = *watch.in & watch.mask;
+  watch.changed = changed;
+  watch.next = pin_watches;
+  pin_watches = &watch;
+  *digitalPinToPCMSK(pin) |= _BV(digitalPinToPCMSKbit(pin));
+  *digitalPinToPCICR(pin) |= _BV(digitalPinToPCICRbit(pin));
+  SREG = old;
   return true;
+}
+
+//# helper watch_pin
+//#   needs: PinWatch
+//#   vector: PCINT0_vect PCINT1_vect PCINT2_vect
+//#   stack: 44
+inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch, uint16_t cycles)) {  // false: no such interrupt
+  return begin_watch(watch, pin, changed);
+}
+
+ISR(PCINT0_vect) { pins_changed(); }
+ISR(PCINT1_vect) { pins_changed(); }
+ISR(PCINT2_vect) { pins_changed(); }
+
+//# helper watch_pin
+//#   needs: PinWatch
+//#   vector: PCINT0_vect
+//#   stack: 44
+//#   mcu: atmega32u4
+inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch, uint16_t cycles)) {  // false: no such interrupt
+  return begin_watch(watch, pin, changed);
+}
+
+ISR(PCINT0_vect) { pins_changed(); }
+
+//# helper TimedInput
+//#   fidelity: what drives and servos calculate every 20 ms waits while an input is timed: up to 20 ms for the edge that begins it, and
+//#   fidelity: up to 20 ms for the one that ends it
+static volatile uint8_t frames_wait;  // for how many periods of 1,024 us frame jobs wait
+static void (*frames_due)();          // does those that have waited
+
+struct TimedInput {
+  TimedInput() { edge_found(); }
+  ~TimedInput() {
+    frames_wait = 0;
+    if (frames_due) frames_due();
+  }
+  void edge_found() { frames_wait = 20; }
+};
+
+//# helper leaves
+//#   needs: Io edge_cycles
+//#   fidelity: an edge is known to 1 us; one that came while an interrupt ran, to half of the time that it took
+inline bool leaves(const Io &io, uint8_t level, uint32_t begun, uint32_t limit, uint32_t &at) {  // waits while the pin has the level
+  uint16_t burst = limit > 20000 ? 2000 : 60;  // the clock is looked at rarely: that costs 4 us
+  uint8_t tick = TCNT0, now, turns = 0;         // the last look with that level: so many turns of 14 cycles behind that step of Timer0
+  do {
+    for (uint16_t turn = burst; turn; turn--) {
+      now = TCNT0;
+      if ((*io.in & io.mask) != level) {
+        at = edge_cycles();
+        at -= (uint16_t)((uint16_t)at - tick * 64u - turns * 14u) % 16384 / 2;
+        return true;
+      }
+      turns++;
+      if (now == tick) continue;
+      tick = now;
+      turns = 0;
+    }
+  } while (micros() - begun < limit);
+  at = edge_cycles();
+  return false;
 }
 
 //# helper in_units
@@ -380,44 +492,50 @@ inline int32_t in_units(uint32_t cycles) {
 //# adapter pulse_in
 //#   for: int pulse_in(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io holds edge_cycles in_units io_timeout_ticks
+//#   needs: Io TimedInput leaves in_units io_timeout_ticks
 //#   pin: pin digital in
-//#   fidelity: within 1 us; 0 when no pulse begins in time, the part seen when it does not end
+//#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
+//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
 //#   limit: other cogs wait meanwhile
 inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
   io.drive(false);
+  TimedInput timed;
   uint8_t level = state ? io.mask : 0, other = io.mask ^ level;
-  uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = micros();
-  if (holds(io, level, begun, limit) || holds(io, other, begun, limit)) return 0;
-  uint32_t from = edge_cycles();
-  holds(io, level, begun, limit);
-  return in_units(edge_cycles() - from);
+  uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = micros(), from, to;
+  if (!leaves(io, level, begun, limit, from) || !leaves(io, other, begun, limit, from)) return 0;
+  timed.edge_found();
+  leaves(io, level, begun, limit, to);
+  return in_units(to - from);
 }
 
 //# adapter rc_time
 //#   for: long rc_time(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io holds edge_cycles in_units io_timeout_ticks
+//#   needs: Io TimedInput leaves edge_cycles in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
+//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
 //#   limit: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
 inline int32_t rc_time(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
-  uint32_t begun = micros();
+  TimedInput timed;
+  uint8_t old = SREG;
+  cli();
   io.drive(false);
-  uint32_t from = edge_cycles();
-  holds(io, state ? io.mask : 0, begun, (uint32_t)io_timeout_ticks / 80);
-  return in_units(edge_cycles() - from);
+  uint32_t from = edge_cycles(), begun = micros(), to;
+  SREG = old;
+  leaves(io, state ? io.mask : 0, begun, (uint32_t)io_timeout_ticks / 80, to);
+  return in_units(to - from);
 }
 
 //# adapter pulse_out
 //#   for: void pulse_out(int pin, int time)
 //#   kind: oneToMany
-//#   needs: Io io_ticks
+//#   needs: Io io_ticks TimedInput
 //#   pin: pin digital out
 //#   fidelity: within 0.5 us or 1 %; the pulse is the inverse of the output latch
 inline void pulse_out(int32_t pin, int32_t time) {
@@ -425,12 +543,15 @@ inline void pulse_out(int32_t pin, int32_t time) {
   if (!io.wired()) return;
   uint32_t width = io_ticks == 80 ? (uint32_t)time : (uint32_t)time * io_ticks / 80;
   io.drive(true);
+  if (frames_due) frames_due();
+  frames_wait = 20;
   uint8_t old = SREG;
   cli();
   if (width < 40) {
     *io.in = io.mask;  // a one written to PINx inverts PORTx
     delayMicroseconds(width);
     *io.in = io.mask;
+    frames_wait = 3;  // what answers to the pulse may be timed next
     SREG = old;
     return;
   }
@@ -446,16 +567,17 @@ inline void pulse_out(int32_t pin, int32_t time) {
   int16_t rest = (int16_t)(width - (micros() - begun)) - 3;
   if (rest > 1) delayMicroseconds(rest);
   *io.in = io.mask;
+  frames_wait = 3;
   SREG = old;
 }
 
 //# adapter count
 //#   for: long count(int pin, long duration)
 //#   kind: semantic
-//#   needs: Io
+//#   needs: Io TimedInput
 //#   pin: pin digital in
 //#   fidelity: rising edges in so many milliseconds
-//#   limit: it polls: up to about 100 kHz, and other cogs wait meanwhile
+//#   limit: it polls: up to about 200 kHz, beside servos 20 kHz, as edges within an interrupt are not counted; other cogs wait meanwhile
 inline int32_t count(int32_t pin, int32_t duration) {
   Io io(pin);
   if (!io.wired()) {
@@ -463,12 +585,24 @@ inline int32_t count(int32_t pin, int32_t duration) {
     return 0;
   }
   io.drive(false);
+  TimedInput timed;
   int32_t edges = 0;
   uint8_t last = *io.in & io.mask;
-  for (uint32_t begun = millis(); millis() - begun < (uint32_t)duration;) {
-    uint8_t now = *io.in & io.mask;
-    edges += now && !last;
-    last = now;
+  for (uint16_t second; duration > 0; duration -= second) {
+    second = duration < 1000 ? duration : 1000;
+    for (uint32_t begun = micros(); micros() - begun < second * 1000UL;) {
+      for (uint8_t turn = 8; turn; turn--) {
+        uint8_t now = *io.in & io.mask;
+        edges += now && !last;
+        last = now;
+      }
+      if (frames_wait > 1) continue;
+      uint32_t stopped = micros();  // what has waited takes its time now, which does not count
+      if (frames_due) frames_due();
+      timed.edge_found();
+      last = *io.in & io.mask;
+      begun += micros() - stopped;
+    }
   }
   return edges;
 }

@@ -12,10 +12,11 @@ const int8_t BETWEEN_FRAMES = -1;
 
 volatile uint16_t width[MAX_SERVOS];  // ticks
 volatile uint8_t pinOf[MAX_SERVOS];
-volatile uint16_t active;             // a bit for each channel
+volatile bool active[MAX_SERVOS];
+volatile uint8_t running;             // channels that are active
 volatile int8_t current = BETWEEN_FRAMES;
 volatile uint16_t frameBegan;
-uint8_t channels;
+int8_t channels;
 
 class NoInterrupts {
  public:
@@ -25,8 +26,6 @@ class NoInterrupts {
  private:
   uint8_t status;
 };
-
-bool isActive(int8_t channel) { return (active >> channel) & 1; }
 
 void startTimer() {
   TCCR1A = 0;
@@ -42,12 +41,12 @@ void startTimer() {
 ISR(TIMER1_COMPA_vect) {
   if (current == BETWEEN_FRAMES) {
     frameBegan = OCR1A;
-  } else if (isActive(current)) {
+  } else if (active[current]) {
     digitalWrite(pinOf[current], LOW);
   }
   int8_t next = current + 1;
-  while (next < MAX_SERVOS && !isActive(next)) next++;
-  if (next < MAX_SERVOS) {
+  while (next < channels && !active[next]) next++;
+  if (next < channels) {
     current = next;
     digitalWrite(pinOf[next], HIGH);
     OCR1A = TCNT1 + width[next] - LATENCY;
@@ -74,18 +73,20 @@ uint8_t Servo::attach(int pin, int min, int max) {
   highest = max;
   pinMode(pin, OUTPUT);
   const NoInterrupts guard;
-  if (!active) startTimer();
+  if (!running) startTimer();
   pinOf[channel] = pin;
-  active |= 1u << channel;
+  if (!active[channel]) running++;
+  active[channel] = true;
   return channel;
 }
 
 void Servo::detach() {
   if (channel == INVALID_SERVO) return;
   const NoInterrupts guard;
-  if (isActive(channel)) digitalWrite(pinOf[channel], LOW);
-  active &= ~(1u << channel);
-  if (!active) {
+  if (!active[channel]) return;
+  digitalWrite(pinOf[channel], LOW);
+  active[channel] = false;
+  if (!--running) {
     TIMSK1 &= ~_BV(OCIE1A);
     current = BETWEEN_FRAMES;
   }
@@ -113,6 +114,5 @@ int Servo::readMicroseconds() {
 
 bool Servo::attached() {
   if (channel == INVALID_SERVO) return false;
-  const NoInterrupts guard;
-  return isActive(channel);
+  return active[channel];
 }

@@ -1,0 +1,116 @@
+"""Timed inputs while something works in the background: servos, drives, servos with feedback, a clock of milliseconds.
+
+Interrupts come between an edge and the look at it, which is then known to half of their time: 12 us for that of Servo.h (20 to
+24 us), up to 22 us where it meets another one. That is stated as a limit of the adapters, and held here, where 1 % is less.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import replace
+
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import Uno, proves
+
+TIMED = ["simpletools.h/pulse_in", "simpletools.h/rc_time", "simpletools.h/count", "ping.h/ping_cm"]
+SHORT, LONG = 300.0, 1900.0
+BESIDE_INTERRUPTS = 22.0
+DECAY, CENTIMETRES, HALF_PERIOD = 2500.0, 83.5, 0.11
+WHEELS = [
+    DeviceUse("wheel", {"servo": "D5", "encoder": "A0"}, {}),
+    DeviceUse("wheel", {"servo": "D6", "encoder": "A1"}, {"ticks_per_s_per_us": -0.64}),
+]
+FEEDBACK = [
+    DeviceUse("feedback_servo", {"servo": "D5", "feedback": "A0"}, {}),
+    DeviceUse("feedback_servo", {"servo": "D6", "feedback": "A1"}, {"degrees": 10.0}),
+]
+DRIVE = {"abdrive.left_servo": "5", "abdrive.right_servo": "6", "abdrive.left_encoder": "A0", "abdrive.right_encoder": "A1"}
+
+
+def pulses(width: float, until: float) -> list[list[float]]:
+    """Pulses of one width in microseconds at times that repeat nothing."""
+    chance, at, points = random.Random(7), 1.0, list[list[float]]([[0, 0]])
+    while at < until:
+        at += chance.uniform(1.0, 7.0)
+        points += [[round(at, 4), 1], [round(at + width / 1000, 4), 0]]
+        at += width / 1000
+    return points
+
+
+def inputs(until: float) -> list[DeviceUse]:
+    """A device for each of the timed inputs, until so many milliseconds."""
+    square = [[round(number * HALF_PERIOD, 4), number % 2] for number in range(int(until / HALF_PERIOD))]
+    return [
+        DeviceUse("levels", {"pin": "D2"}, {"points": pulses(SHORT, until)}),
+        DeviceUse("levels", {"pin": "D3"}, {"points": pulses(LONG, until)}),
+        DeviceUse("capacitor", {"pin": "D4"}, {"points": [[0, DECAY]]}),
+        DeviceUse("ranger", {"signal": "D7"}, {"points": [[0, CENTIMETRES]]}),
+        DeviceUse("levels", {"pin": "D8"}, {"points": square}),
+    ]
+
+
+def beside(
+    uno: Uno, begin: str, go_on: str, uses: Sequence[str], devices: Sequence[DeviceUse], most: float, seconds: float
+) -> None:
+    """Time all inputs in a loop beside something.
+
+    Args:
+        uno: the bench.
+        begin: statements that begin what goes on beside.
+        go_on: statements for each turn, with its number `n`.
+        uses: the adapters of these.
+        devices: the devices of these.
+        most: the largest error of a time in microseconds, where 1 % is less.
+        seconds: for how long.
+    """
+    program = f"""
+int32_t n, left, right;
+void say(int32_t number) {{ Serial.print(number); Serial.print(' '); }}
+void setup() {{ Serial.begin(115200); {begin} }}
+void loop() {{ say(pulse_in(2, 1)); say(pulse_in(3, 1)); high(4); pause(1); say(rc_time(4, 1)); say(ping_cm(7)); say(count(8, 4));
+  Serial.println(); n++; {go_on} }}
+"""
+    used = [*TIMED, "simpletools.h/high", "simpletools.h/pause", *uses]
+    trace = uno.run(program, used, seconds * 1000, [*inputs(seconds * 1000), *devices])
+    told = [[int(each) for each in line.split()] for line in trace.text.splitlines()[1:-1]]
+    assert len(told) > 20 * seconds
+    true = {"short pulse": SHORT, "long pulse": LONG, "decay": DECAY}
+    beyond = {
+        (name, value)
+        for line in told
+        for (name, width), value in zip(true.items(), line, strict=False)
+        if abs(value - width) > max(most, width / 100)
+    }
+    assert beyond == set()
+    assert {line[3] for line in told} <= {int(CENTIMETRES), int(CENTIMETRES) + 1}
+    edges = 4 / (2 * HALF_PERIOD)
+    assert {line[4] for line in told} <= {int(edges) - 1, int(edges), int(edges) + 1}
+
+
+@proves(*TIMED)
+def timed_inputs_are_true_beside_a_clock_of_milliseconds(uno: Uno) -> None:
+    beside(uno, "mstime_start();", "left += mstime_get();", ["mstimer.h/mstime_start", "mstimer.h/mstime_get"], [], 8, 2)
+
+
+@proves(*TIMED)
+def timed_inputs_are_true_beside_servos_that_move(uno: Uno) -> None:
+    begin = "servo_set(9, 1500); servo_set(10, 1200); servo_set(11, 1700); servo_setramp(10, 4); servo_setramp(11, 3);"
+    go_on = "servo_set(9, 1500 + n % 50 * 8); servo_set(10, n & 32 ? 1000 : 2000); servo_set(11, n & 32 ? 1000 : 2000);"
+    beside(uno, begin, go_on, ["servo.h/servo_set", "servo.h/servo_setramp"], [], BESIDE_INTERRUPTS, 6)
+
+
+@proves(*TIMED)
+def timed_inputs_are_true_while_a_drive_drives(uno: Uno) -> None:
+    begin = "drive_gotoMode(0); drive_goto(900, 800);"
+    go_on = "drive_getTicks(&left, &right); if (n % 60 == 59) drive_speed(n % 4 * 30, 60 - n % 5 * 10);"
+    used = [f"abdrive.h/drive_{name}" for name in ("goto", "gotoMode", "getTicks", "speed")]
+    beside(replace(uno, ports=DRIVE), begin, go_on, used, WHEELS, BESIDE_INTERRUPTS, 6)
+
+
+@proves(*TIMED)
+def timed_inputs_are_true_beside_servos_with_feedback(uno: Uno) -> None:
+    begin = "servo360_connect(5, A0); servo360_connect(6, A1); servo360_speed(5, 180);"
+    go_on = "if (n % 30 == 0) servo360_angle(6, n * 3);"
+    used = [f"servo360.h/servo360_{name}" for name in ("connect", "speed", "angle")]
+    beside(uno, begin, go_on, used, FEEDBACK, BESIDE_INTERRUPTS, 6)
