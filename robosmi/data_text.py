@@ -21,6 +21,9 @@ _TOKEN = re.compile(
 )
 
 
+_DECODER = json.JSONDecoder()
+
+
 @contextmanager
 def _readable_errors() -> Iterator[None]:
     try:
@@ -55,6 +58,16 @@ def _parts(text: str) -> int:
         dots = dots + (token.lastgroup == "dot") if token.lastgroup else 0
         longest = max(longest, dots + 1)
     return longest
+
+
+def json_at(text: str, place: int) -> tuple[Any, int]:
+    """The value in JSON that begins at a place of a text, and the place behind it.
+
+    Raises:
+        ValueError: there is no JSON (`json.JSONDecodeError`, with the place in the text), or as for `json_of`.
+    """
+    with _readable_errors():
+        return _DECODER.raw_decode(text, place)
 
 
 def json_of(text: str | bytes) -> Any:

@@ -17,8 +17,9 @@ from robosmi.verify.simulation import Engine
 KNOWN_PLACES = {
     "arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h"),
     "gcc-32-bits": Path("/usr/lib32/libc.so"),
+    "wokwi-elements": Path(__file__).parents[1] / ".npm" / "node_modules" / "@wokwi" / "elements" / "package.json",
 }
-"""Things that are no programs: name -> a file that is there if it is installed (Debian; the last is of gcc-multilib)."""
+"""Things that are no programs: name -> a file that is there if it is installed (of Debian, of `.ci/npm-packages`)."""
 
 
 def require_tools(*names: str) -> None:

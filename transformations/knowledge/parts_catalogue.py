@@ -18,7 +18,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
-from robosmi.transformations.knowledge.part_names import names, parse_toml
+from robosmi.transformations.knowledge.part_names import connector_kind, names, parse_toml
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.parts_store import PartsFile
@@ -58,6 +58,16 @@ class Catalogue:
                 if quoted in chunk and (part := _entry(str(path), line, chunk, part_id, self.tool)) is not None:
                     return part
         return None
+
+    def variants(self, part_id: str) -> tuple[str, ...]:
+        """What follows a part's id, behind a blank, in the ids of its variants (`pins=i2c`), in search order."""
+        found: dict[str, None] = {}
+        begin = f'"{part_id} '
+        for path, changed in self._files:
+            for _, chunk in _chunks(path, changed) if path.suffix != ".sqlite" else ():
+                for piece in chunk.split(begin)[1:]:
+                    found[piece.partition('"')[0]] = None
+        return tuple(found)
 
     def words(self, part_id: str) -> dict[str, int]:
         """How often each word (lower case) stands in the description of a part; empty where nothing is known of it."""
@@ -128,13 +138,23 @@ def _ids(table: Mapping[str, Any], tool: str) -> list[str]:
     return [*ids]
 
 
+_COUNTED = re.compile(r"\.[0-9]+$")
+
+
+def _connector(entry: Any) -> PartConnector:
+    """A connector of an entry: a table, or its name alone, which tells what it carries."""
+    if isinstance(entry, str):
+        return PartConnector(entry, entry, connector_kind(_COUNTED.sub("", entry), names()))
+    return PartConnector(entry["id"], entry.get("name", ""), entry.get("kind", "unknown"))
+
+
 @cache
 def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | None:
     table = _table(path, line, chunk)
     if part_id not in _ids(table, tool):
         return None
     try:
-        listed = [PartConnector(c["id"], c.get("name", ""), c.get("kind", "unknown")) for c in table.get("connectors", ())]
+        listed = [_connector(c) for c in table.get("connectors", ())]
         connectors = {c.id: c for c in listed}
         buses = {name: tuple(members) for name, members in table.get("buses", {}).items()}
         shapes = tuple(re.compile(shape).pattern for shape in table.get("shapes", ()))

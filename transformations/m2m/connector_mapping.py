@@ -18,6 +18,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.transformations.knowledge.part_names import PartNames, name_direction, names
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
+from robosmi.transformations.queries.joined_inside import tied_inside
 
 Role = hardware.Role
 
@@ -68,7 +69,7 @@ def map_connectors(
         known: rules on families and names; those of the platform repository if None.
 
     Returns:
-        The connections with their names, and what was odd (rules RS220 to RS227). A circuit without a board has none.
+        The connections with their names, and what was odd (rules RS220 to RS228). A circuit without a board has none.
 
     Raises:
         SourceError: there are more connections than any circuit has.
@@ -199,6 +200,17 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             f"{label} of '{_title(board)}' is tied to a supply and has no mapping: {net.railEvidence}",
             net=net.name,
         )
+        own = [c for c in net.connectors if c.component is board and c.pin == label]
+        if (tied := tied_inside(own, net)) is not None:
+            component, joined = tied
+            contact = " and ".join(joined)
+            state.report(
+                "RS228",
+                Severity.warning,
+                f"'{_title(component)}' ties {label} of '{_title(board)}' to the supply for good: {contact} are one contact",
+                "wire one of them to the other contact",
+                model_index=component.elementId,
+            )
         return
     if id(net) not in state.on_boards:
         state.on_boards[id(net)] = [c for c in net.connectors if c.component is not None and c.component.role is Role.Board]

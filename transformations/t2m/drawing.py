@@ -49,7 +49,6 @@ class Placed:
         line: its line in the file, for findings.
         hint: name of the file that its missing definition was in, or empty.
         symbol: whether it only names a net, so that nothing needs to be known of it.
-        own: whether it is a part of the person's own making, of which its label and the names of its connectors tell nothing.
         listed_as: its id in the tool's catalogue, where `part_id` tells of one variant of it; empty: `part_id`.
     """
 
@@ -63,7 +62,6 @@ class Placed:
     line: int | None = None
     hint: str = ""
     symbol: bool = False
-    own: bool = False
     listed_as: str = ""
 
 
@@ -78,6 +76,7 @@ class KnownPart:
         by_bus: it joins connectors only where a bus of its own does (breadboards, headers): only those in use become elements.
         defined: whether the catalogue or the drawing defines it.
         leaders: for each listed connector that it joins to others, the one that stands for all of them.
+        own: it is of the person's own making, so that names tell nothing of what it does.
     """
 
     part: Part
@@ -86,6 +85,7 @@ class KnownPart:
     by_bus: bool
     defined: bool
     leaders: dict[str, str]
+    own: bool = False
 
     def leader(self, connector: str) -> str:
         """The connector, or the name of the strip, that stands for all that the part joins to a connector."""
@@ -131,22 +131,23 @@ class CircuitBuilder:
         """
         self._given = given_roles(roles, titles)
 
-    def know(self, part_id: str, defined: Part | None = None, board: DrawnBoard | None = None) -> KnownPart:
+    def know(self, part_id: str, defined: Part | None = None, board: DrawnBoard | None = None, own: bool = False) -> KnownPart:
         """What is known of a part.
 
         Args:
             part_id: its id in the tool's catalogue.
             defined: what the drawing itself says of it; the catalogue's entry goes first.
             board: the board that it stands for, where its id does not say it (`drawn_chips`).
+            own: whether it is of the person's own making: its role is open, whatever it is called.
 
         Raises:
             PlatformDataError: an entry of the catalogue, a rule or a board is damaged.
         """
         if part_id not in self._known:
-            self._known[part_id] = self._looked_up(part_id, defined, board)
+            self._known[part_id] = self._looked_up(part_id, defined, board, own)
         return self._known[part_id]
 
-    def _looked_up(self, part_id: str, defined: Part | None, board: DrawnBoard | None) -> KnownPart:
+    def _looked_up(self, part_id: str, defined: Part | None, board: DrawnBoard | None, own: bool) -> KnownPart:
         found = self.catalogue.find(part_id) or defined
         part = found or Part(part_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
         part = replace(part, tool=self.tool)
@@ -155,7 +156,7 @@ class CircuitBuilder:
         if board is not None and part.role == "Unknown":
             evidence = f"drawn as {board.title} (boards of the platform repository)"
             part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
-        part = classify(part, self.project)
+        part = replace(part, evidence="it is of your own making") if own else classify(part, self.project)
         if part.role == "Unknown" and not part.evidence:
             part = replace(part, evidence=f"no rule fits family '{part.family}' and title '{part.title}' of {part.source}")
         about = f"{part.family} / {part.title} / {part_id}"
@@ -166,6 +167,7 @@ class CircuitBuilder:
             by_bus=part.role == "Passive" and conducts_by_bus_only(part.family, self.names, part.title),
             defined=found is not None,
             leaders=bus_leaders(part),
+            own=own,
         )
 
     def place(self, placed: Placed) -> hardware.Component:
@@ -253,7 +255,7 @@ class CircuitBuilder:
         """The part with the role that it has in this place: given by the user, known, or told by label and pin names."""
         if (role := self._given.get(placed.identity)) is not None:
             return replace(known.part, role=role, evidence="given by the user")
-        if known.part.role != "Unknown" or placed.own:
+        if known.part.role != "Unknown" or known.own:
             return known.part
         named = replace(known.part, connectors={fact.id: fact for fact in facts})
         hint = "" if known.defined else placed.hint

@@ -49,11 +49,16 @@ def unknown(robot: Path) -> Path:
 
 
 def pins(path: Path) -> dict[str, list[Any]]:
-    """What hangs on each pin: component, connector, role, signal, parts on the way."""
+    """What hangs on each pin: component, name of its connector, role, signal, parts on the way."""
     return {
-        m["pin"]: [m["component"], m["connectors"][0]["name"], m["role"], m["signal"], [v["title"] for v in m["via"]]]
+        m["pin"]: [m["component"], _named(m["connectors"][0]["name"]), m["role"], m["signal"], [v["title"] for v in m["via"]]]
         for m in hardware(path).result["mappings"]
     }
+
+
+def _named(connector: str) -> list[str]:
+    """The names of a connector in the robots of all tools: each tool has its own."""
+    return next((told[1] for told in ROBOT.values() if connector in told[1]), [connector])
 
 
 def test_there_are_readers() -> None:

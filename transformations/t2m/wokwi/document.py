@@ -1,0 +1,248 @@
+"""A Wokwi `diagram.json` as records: its parts and connections with their lines, and what in it is neither.
+
+The format is that of https://docs.wokwi.com/diagram-format. The first two layers of the JSON are gone through here, so that each
+part and each connection has its line; each of them is parsed by Python's own reader. What parts are and which of their pins exist
+is the business of `reader`. A file that is no diagram at all ends here in a `SourceError`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi import inputs
+from robosmi.data_text import json_at
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+
+MOST_PARTS = 100_000
+"""Parts, and connections, of a diagram; the largest public one has under a thousand."""
+
+_FIX = "open the project in Wokwi and copy its diagram.json again"
+_TELLING = re.compile(r'"(?:parts|connections)"\s*:\s*\[')
+_EDITOR = re.compile(r'"editor"\s*:\s*"wokwi"|"type"\s*:\s*"(?:wokwi|board|chip)-|"\$serialMonitor:')
+_SPACE = re.compile(r"[ \t\r\n]*")
+
+
+@dataclass(frozen=True, slots=True)
+class DiagramPart:
+    """A part: its id, its type (`wokwi-led`), its attributes as texts, its line in the file."""
+
+    identity: str
+    kind: str
+    attributes: dict[str, str]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Connection:
+    """A connection: its number, the two ends as they are written (`uno:13`), the wire's colour, its line in the file."""
+
+    number: int
+    ends: tuple[str, str]
+    color: str
+    line: int
+
+
+@dataclass(slots=True)
+class Diagram:
+    """What a file held.
+
+    Attributes:
+        path: as given.
+        digest: SHA-256 of the file's bytes, hexadecimal.
+        version: of the format, as text.
+        parts: in the file's order; ids may stand twice.
+        connections: in the file's order.
+        left_out: cause and line of each entry that is no part or no connection.
+    """
+
+    path: str
+    digest: str
+    version: str = ""
+    parts: list[DiagramPart] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
+    left_out: list[tuple[str, int]] = field(default_factory=list)
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins so is a Wokwi diagram: an object with parts or connections, and a word of Wokwi's in it.
+
+    Args:
+        head: the first bytes of the file.
+    """
+    text = head.decode("utf-8-sig", "replace").lstrip()
+    return text.startswith("{") and _TELLING.search(text) is not None and _EDITOR.search(text) is not None
+
+
+def read_diagram(path: Path) -> Diagram:
+    """The records of a `diagram.json`.
+
+    Raises:
+        SourceError: the file is missing, not readable, no JSON, no diagram, or has too many parts.
+    """
+    data = _bytes_of(path)
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise SourceError(f"it is not UTF-8: {error.reason}", location=Location(str(path)), fix="save it as UTF-8") from error
+    return _Reading(path, text).diagram(hashlib.sha256(data).hexdigest())
+
+
+def _bytes_of(path: Path) -> bytes:
+    place = Location(str(path))
+    try:
+        data = inputs.read_bytes(path, inputs.DRAWING)
+    except IsADirectoryError as error:
+        raise SourceError("it is a folder, not a diagram", location=place, fix="give the diagram.json in it") from error
+    except OSError as error:
+        fix = inputs.fix_of(error, "check the name and the permissions of the file")
+        raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=fix) from error
+    if not data.strip():
+        raise SourceError("the file is empty", location=place, fix=_FIX)
+    return data
+
+
+class _Reading:
+    """One text, gone through from the beginning."""
+
+    def __init__(self, path: Path, text: str) -> None:
+        self.path = path
+        self.text = text
+        self.breaks = [found.start() for found in re.finditer("\n", text)]
+
+    def diagram(self, digest: str) -> Diagram:
+        made = Diagram(str(self.path), digest)
+        seen: dict[str, int] = {}
+        for key, value, start in self._members():
+            if key in seen and key in ("parts", "connections"):
+                raise self._error(
+                    f"'{key}' stands twice, in lines {seen[key]} and {self._line(start)}", start, "keep one of them"
+                )
+            seen[key] = self._line(start)
+            if key == "version":
+                made.version = _text(value)
+            elif key == "parts":
+                self._parts(made, value, start)
+            elif key == "connections":
+                self._connections(made, value, start)
+        if "parts" not in seen:
+            raise self._error("it is no Wokwi diagram: it has no list of parts", 0, _FIX)
+        return made
+
+    def _parts(self, made: Diagram, entries: Any, start: int) -> None:
+        for number, (entry, place) in enumerate(self._listed("parts", entries, start), 1):
+            line = self._line(place)
+            if not isinstance(entry, dict):
+                made.left_out.append((f"entry {number} of the parts is no part", line))
+                continue
+            identity, kind = _text(entry.get("id")), _text(entry.get("type"))
+            if not kind:
+                made.left_out.append((f"the part '{identity or number}' has no type", line))
+                continue
+            attributes = entry.get("attrs")
+            listed = attributes.items() if isinstance(attributes, dict) else ()
+            made.parts.append(DiagramPart(identity, kind, {key: _text(value) for key, value in listed}, line))
+
+    def _connections(self, made: Diagram, entries: Any, start: int) -> None:
+        for number, (entry, place) in enumerate(self._listed("connections", entries, start), 1):
+            line = self._line(place)
+            if not isinstance(entry, list) or len(entry) < 2 or not all(isinstance(end, str) for end in entry[:2]):
+                made.left_out.append((f"entry {number} of the connections is no connection", line))
+                continue
+            color = entry[2] if len(entry) > 2 and isinstance(entry[2], str) else ""
+            made.connections.append(Connection(number, (entry[0], entry[1]), color, line))
+
+    # ---- JSON
+
+    def _members(self) -> Iterator[tuple[str, Any, int]]:
+        """Key, value and the value's place of each member of the outermost object; of the two lists only their places."""
+        place = self._expect("{", self._skip(0))
+        if self._at("}", place):
+            return
+        while True:
+            key, place = self._value(place)
+            if not isinstance(key, str):
+                raise self._error("the name of a member is no text", place, _FIX)
+            start = self._skip(self._expect(":", place))
+            if key in ("parts", "connections") and self._at("[", start):
+                items, end = self._items(start)
+                yield key, items, start
+            else:
+                value, end = self._value(start)
+                yield key, value, start
+            end = self._skip(end)
+            if self._at("}", end):
+                self._end(end + 1)
+                return
+            place = self._expect(",", end)
+
+    def _items(self, start: int) -> tuple[list[tuple[Any, int]], int]:
+        """The items of a list with their places, and the place behind the list."""
+        items: list[tuple[Any, int]] = []
+        place = self._skip(start + 1)
+        if self._at("]", place):
+            return items, place + 1
+        while True:
+            value, end = self._value(place)
+            items.append((value, place))
+            if len(items) > MOST_PARTS:
+                cause = f"it has more than {MOST_PARTS:,} parts or connections"
+                raise self._error(cause, place, "check that it is the diagram you meant")
+            end = self._skip(end)
+            if self._at("]", end):
+                return items, end + 1
+            place = self._skip(self._expect(",", end))
+
+    def _listed(self, key: str, entries: Any, start: int) -> list[tuple[Any, int]]:
+        if not isinstance(entries, list):
+            raise self._error(f"'{key}' is no list", start, _FIX)
+        return entries
+
+    def _value(self, place: int) -> tuple[Any, int]:
+        place = self._skip(place)
+        try:
+            return json_at(self.text, place)
+        except json.JSONDecodeError as error:
+            raise self._error(f"not valid JSON: {error.msg}", min(error.pos, len(self.text)), _FIX) from error
+        except ValueError as error:
+            raise self._error(f"not valid JSON: {error}", place, _FIX) from error
+
+    def _skip(self, place: int) -> int:
+        found = _SPACE.match(self.text, place)
+        return found.end() if found is not None else place
+
+    def _at(self, letter: str, place: int) -> bool:
+        return self.text.startswith(letter, self._skip(place))
+
+    def _expect(self, letter: str, place: int) -> int:
+        place = self._skip(place)
+        if not self.text.startswith(letter, place):
+            found = f"'{self.text[place]}'" if place < len(self.text) else "the end of the file"
+            raise self._error(f"not valid JSON: '{letter}' is expected, and there is {found}", place, _FIX)
+        return self._skip(place + 1)
+
+    def _end(self, place: int) -> None:
+        if self.text[place:].strip():
+            raise self._error("not valid JSON: more stands behind its end", self._skip(place), _FIX)
+
+    def _line(self, place: int) -> int:
+        return bisect_right(self.breaks, place - 1) + 1
+
+    def _error(self, cause: str, place: int, fix: str) -> SourceError:
+        line = self._line(place)
+        column = place - (self.breaks[line - 2] if line > 1 else -1)
+        return SourceError(cause, location=Location(str(self.path), line, column), fix=fix)
+
+
+def _text(value: object) -> str:
+    """A value as Wokwi takes it: a text or a number; nothing for all else."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return str(value) if isinstance(value, str | int | float) else ""
