@@ -20,6 +20,7 @@ if TYPE_CHECKING:
         migrate,
         plan_migration,
         recommend_libraries,
+        upload_sketch,
     )
     from robosmi.model import load_model, save_model
 
@@ -41,6 +42,7 @@ __all__ = [
     "plan_migration",
     "recommend_libraries",
     "save_model",
+    "upload_sketch",
 ]
 
 _PLACES = dict.fromkeys(__all__, "robosmi.api") | {"load_model": "robosmi.model", "save_model": "robosmi.model"}

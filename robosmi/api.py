@@ -132,20 +132,47 @@ def check_model(path: str | Path) -> Any:
     return content("chain", "check")(path)
 
 
-def compile_sketch(sketch: str | Path, board: str | None = None) -> Any:
+def compile_sketch(sketch: str | Path, board: str | None = None, output: str | Path | None = None) -> Any:
     """Compile a generated sketch with the target's real toolchain.
 
     Args:
         sketch: the output folder, or the sketch's own.
         board: another board than the one in the sketch's project file.
+        output: a folder for the program and the compilation database, made when missing; None leaves nothing.
 
     Returns:
         A `robosmi.verify.compile_report.CompileReport`.
 
     Raises:
         MissingToolError: the compiler is not installed.
-        SourceError: there is no sketch.
+        SourceError: there is no sketch, or the folder cannot be written.
     """
-    from robosmi.verify.toolchain import compile_sketch as compiled
+    if output is None:
+        from robosmi.verify.toolchain import compile_sketch as compiled
 
-    return compiled(Path(sketch), board)
+        return compiled(Path(sketch), board)
+    from robosmi.verify.kept_program import compile_into
+
+    return compile_into(Path(sketch), board, into=Path(output))
+
+
+def upload_sketch(sketch: str | Path, port: str, **options: Any) -> Any:
+    """Put the compiled program of a sketch on the board at a port.
+
+    Args:
+        sketch: the output folder, or the sketch's own.
+        port: the serial port, as the system calls it.
+        **options: `kept_in` (the folder that it was compiled into), `baud`, `unfinished`, `dry_run`; see
+            `robosmi.verify.upload.upload_sketch`.
+
+    Returns:
+        A `robosmi.verify.upload.UploadReport`.
+
+    Raises:
+        SourceError: it is not compiled, was changed since, or cannot be sent.
+        MissingToolError: the tool that uploads is not installed.
+        UploadError: the board did not take it.
+    """
+    from robosmi.verify.upload import upload_sketch as uploaded
+
+    return uploaded(sketch, port, **options)

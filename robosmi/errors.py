@@ -84,6 +84,12 @@ class CompileError(RobosmiError):
     exit_code = 6
 
 
+class UploadError(RobosmiError):
+    """A board did not take a program: it is not there, is another one, or does not answer (exit code 6)."""
+
+    exit_code = 6
+
+
 class VerificationError(RobosmiError):
     """A program cannot be run on a simulator, or the run does not end (exit code 6)."""
 

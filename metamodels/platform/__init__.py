@@ -596,6 +596,8 @@ class BoardMapping(Element, metaclass=MetaEClass):
     """Data memory in bytes."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
     """Version of the core that the board is of, where that is not the platform's; empty where it is, or is unknown."""
+    platformioId: str = EAttribute(eType=EString, default_value="")
+    """Name of the board in PlatformIO, empty where it knows none."""
     pinNames: MutableSequence[PinName] = EReference(upper=-1, containment=True)
     """How programs of the platform call the pins."""
 
@@ -613,6 +615,7 @@ class BoardMapping(Element, metaclass=MetaEClass):
             flashBytes: int | None = None,
             ramBytes: int | None = None,
             coreVersion: str | None = None,
+            platformioId: str | None = None,
             pinNames: Iterable[PinName] | None = None,
         ) -> None: ...
 
@@ -741,6 +744,8 @@ class Microcontroller(Element, metaclass=MetaEClass):
     """Program memory in bytes."""
     ramBytes: int = EAttribute(eType=EInt)
     """Data memory in bytes."""
+    signature: str = EAttribute(eType=EString, default_value="")
+    """Its device signature as six hexadecimal digits, by which a programmer knows it; empty where that is not known."""
     pinMilliamperes: int = EAttribute(eType=EInt)
     """Most that one pin bears, in mA."""
     totalMilliamperes: int = EAttribute(eType=EInt)
@@ -762,6 +767,7 @@ class Microcontroller(Element, metaclass=MetaEClass):
             architecture: str | None = None,
             flashBytes: int | None = None,
             ramBytes: int | None = None,
+            signature: str | None = None,
             pinMilliamperes: int | None = None,
             totalMilliamperes: int | None = None,
             timers: Iterable[Timer] | None = None,
@@ -854,6 +860,8 @@ class Board(Element, metaclass=MetaEClass):
     """Logic level in volts."""
     led: str = EAttribute(eType=EString, default_value="")
     """Label of the pin with the built-in light, empty for none."""
+    bootLoader: BootLoader | None = EReference(containment=True)
+    """What takes programs on it, if anything does."""
     pins: MutableSequence[Pin] = EReference(upper=-1, containment=True)
     """Its pins."""
 
@@ -868,7 +876,32 @@ class Board(Element, metaclass=MetaEClass):
             clockHertz: int | None = None,
             volts: float | None = None,
             led: str | None = None,
+            bootLoader: BootLoader | None = None,
             pins: Iterable[Pin] | None = None,
+        ) -> None: ...
+
+
+class BootLoader(Element, metaclass=MetaEClass):
+    """The program on a board that takes others over its serial line."""
+
+    programmer: str = EAttribute(eType=EString, lower=1)
+    """How tools that upload call its protocol."""
+    bauds: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)
+    """Baud rates that it may have, the likeliest first: boards of one name were sold with several."""
+    bytes: int = EAttribute(eType=EInt)
+    """Program memory in bytes that it takes."""
+    touchBaud: int = EAttribute(eType=EInt)
+    """Baud rate at which its port is opened and closed to make it wait for a program; 0 where a reset by the tool does."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            programmer: str | None = None,
+            bauds: Iterable[int] | None = None,
+            bytes: int | None = None,
+            touchBaud: int | None = None,
         ) -> None: ...
 
 
@@ -1212,6 +1245,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Microcontroller.buses.eType = PinBus
     Microcontroller.uses.eType = ResourceUse
     Board.microcontroller.eType = Microcontroller
+    Board.bootLoader.eType = BootLoader
     Board.pins.eType = Pin
     Pin.board.eType = Board
     Adapter.functions.eType = ApiFunction

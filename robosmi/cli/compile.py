@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from robosmi.cli.common import output_folder
 from robosmi.report import Report
 
 if TYPE_CHECKING:
@@ -16,16 +17,18 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
     parser.add_argument("--board", metavar="NAME", help="another board than the one in the sketch's project file")
+    parser.add_argument("-o", dest="into", metavar="DIR", type=output_folder, help="folder for the program instead of OUT/build")
 
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
-    from robosmi.verify.toolchain import compile_sketch
+    from robosmi.verify.kept_program import compile_into
 
-    compiled = compile_sketch(arguments.output, arguments.board)
+    compiled = compile_into(arguments.output, arguments.board, into=arguments.into)
     report = Report("compile", ok=compiled.exit_code == 0, failure_code=compiled.exit_code)
     report.result = compiled.to_json()
     report.findings = list(compiled.diagnostics)
+    report.artifacts = compiled.artifacts()
     report.lines = _lines(compiled)
     return report
 
@@ -41,4 +44,6 @@ def _lines(compiled: CompileReport) -> list[str]:
     lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]
     if compiled.ok and not compiled.fits:
         lines.append(f"  too big for this board{f'; it fits on {compiled.fits_on}' if compiled.fits_on else ''}")
+    if compiled.hex is not None:
+        lines.append(f"  program: {compiled.hex}")
     return lines

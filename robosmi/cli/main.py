@@ -28,6 +28,7 @@ from robosmi.errors import (
     RobosmiError,
     SourceError,
     StoppedError,
+    UploadError,
     UsageError,
     did_you_mean,
 )
@@ -42,6 +43,7 @@ COMMANDS = {
     "undo": "put an output folder back as it was before the last run",
     "check": "hold a drawing, a plan or any model against its constraints",
     "compile": "compile a generated sketch",
+    "upload": "put a compiled sketch on its board",
     "simulate": "run a generated program on a simulator, and see its console and pins",
     "verify": "compare what the original and the migrated program do",
     "adapters": "what does on the target what the source platform's functions do, and bodies of your own",
@@ -64,6 +66,7 @@ ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
     (MissingToolError, "RS904"),
     (StoppedError, "RS905"),
     (CompileError, "RS906"),
+    (UploadError, "RS909"),
     (RobosmiError, "RS970"),
 )
 

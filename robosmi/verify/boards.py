@@ -15,6 +15,23 @@ from robosmi.plugins import content
 
 
 @dataclass(frozen=True)
+class BootLoader:
+    """What takes programs on a board.
+
+    Attributes:
+        programmer: how a tool that uploads calls its protocol.
+        bauds: baud rates that it may have, the likeliest first.
+        takes_bytes: how long a program may be that leaves it in its place.
+        touch_baud: the baud rate at which its port is opened and closed to make it wait for a program; 0 where a reset does.
+    """
+
+    programmer: str
+    bauds: tuple[int, ...]
+    takes_bytes: int
+    touch_baud: int = 0
+
+
+@dataclass(frozen=True)
 class Board:
     """A board. Sizes in bytes.
 
@@ -27,6 +44,8 @@ class Board:
         flash_bytes: what a program may take.
         ram_bytes: the data memory.
         folders: folders with headers of its own, which the flags name.
+        boot_loader: what takes programs on it; None where nothing is known of that.
+        signature: what a programmer reads from its microcontroller, six hexadecimal digits; empty where that is not known.
     """
 
     name: str
@@ -37,6 +56,8 @@ class Board:
     flash_bytes: int
     ram_bytes: int
     folders: tuple[Path, ...] = ()
+    boot_loader: BootLoader | None = None
+    signature: str = ""
 
     def fill(self) -> dict[str, str]:
         """A copy of the values."""

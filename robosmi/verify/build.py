@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import MissingToolError
-from robosmi.verify import archives, messages
+from robosmi.verify import archives, compile_commands, messages
 from robosmi.verify.boards import Board
 from robosmi.verify.compile_report import (
     BADLY_NAMED,
@@ -72,6 +74,7 @@ class Build:
             libraries=tuple(libraries),
             diagnostics=tuple(self._about_sketch(libraries) + findings),
             warnings_elsewhere=elsewhere,
+            commands=tuple(self._commands(libraries)),
         )
         if failed:
             read = any(finding.severity is Severity.error for finding in findings)
@@ -156,6 +159,11 @@ class Build:
 
     def _compile_sketch(self, sources: Sequence[Path], libraries: list[CompiledLibrary]) -> tuple[list[Path], str, bool]:
         return self._compile(sources, "sketch", self._own_includes(libraries), self.folder / "sketch")
+
+    def _commands(self, libraries: list[CompiledLibrary]) -> Iterator[dict[str, Any]]:
+        includes = self._own_includes(libraries)
+        told = partial(self._flags, use="sketch", mode="compile", includes=includes)
+        return compile_commands.entries(self.sketch, self.toolchain, self.installed, told)
 
     # ---- archives of libraries and of the core
 

@@ -53,6 +53,8 @@ class CompileReport:
         warnings_elsewhere: how many warnings about files that are not the sketch's were left out.
         seconds: how long it took.
         elf, hex: the program, where it was to be kept.
+        commands: how tools that read sources find each file of the sketch compiled: entries of a compilation database.
+        database: the file with these, where it was to be kept.
     """
 
     ok: bool
@@ -70,6 +72,8 @@ class CompileReport:
     seconds: float = 0.0
     elf: Path | None = field(default=None, compare=False)
     hex: Path | None = field(default=None, compare=False)
+    commands: tuple[dict[str, Any], ...] = field(default=(), compare=False)
+    database: Path | None = field(default=None, compare=False)
 
     @property
     def exit_code(self) -> int:
@@ -80,6 +84,11 @@ class CompileReport:
     def errors(self) -> tuple[Finding, ...]:
         """The findings of severity error."""
         return tuple(finding for finding in self.diagnostics if finding.severity is Severity.error)
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """The files that were left, as the contract lists them."""
+        kept = {"elf": self.elf, "hex": self.hex, "compilation database": self.database}
+        return [{"path": str(path), "kind": kind} for kind, path in kept.items() if path is not None]
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form of a compile result."""

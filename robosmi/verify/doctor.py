@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib
 import re
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib import metadata
 from operator import attrgetter
@@ -23,6 +23,7 @@ from robosmi.verify.original_build import compiler_version, missing_tools
 from robosmi.verify.simulation import Engine, engine_names
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
+from robosmi.verify.uploader import find_program, uploader_data
 
 PACKAGES = {
     "pyecore": ("pyecore.ecore", "models"),
@@ -80,6 +81,7 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         for toolchain in load_toolchains(project):
             result += _programs(toolchain)
             result.append(_core(toolchain))
+        result += _uploaders(load_toolchains(project), project)
         result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
     return [*result, *map(_engine, engine_names()), *_plugins()]
 
@@ -155,6 +157,16 @@ def _programs(toolchain: Toolchain) -> Iterator[ToolStatus]:
         version = tool_version(path, entry.version, env) if path else None
         fix = None if path else install_fix(toolchain, [entry.package])
         yield ToolStatus(entry.command, toolchain.needed_for, path, version, fix)
+
+
+def _uploaders(toolchains: Iterable[Toolchain], project: Path | None) -> Iterator[ToolStatus]:
+    """The tools that put programs on boards, each once."""
+    for toolchain in {toolchain.uploader: toolchain for toolchain in toolchains if toolchain.uploader}.values():
+        data, env = uploader_data(toolchain, project), environment(toolchain)
+        found = find_program(data)
+        version = tool_version(found[0], data.texts("version"), env) if found else None
+        fix = None if found else install_fix(toolchain, [data.text("package")])
+        yield ToolStatus(data.text("command"), "upload", found[0] if found else None, version, fix)
 
 
 def _core(toolchain: Toolchain) -> ToolStatus:

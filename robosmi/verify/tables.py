@@ -94,6 +94,13 @@ class DataTable:
             raise self.error(key, f"must be a list of texts, it is {items!r}")
         return tuple(items)
 
+    def numbers(self, key: str) -> tuple[int, ...]:
+        """A list of whole numbers."""
+        items = self._get(key, list, "a list of whole numbers")
+        if not all(isinstance(item, int) and not isinstance(item, bool) for item in items):
+            raise self.error(key, f"must be a list of whole numbers, it is {items!r}")
+        return tuple(items)
+
     def pattern(self, key: str) -> re.Pattern[str]:
         """A regular expression, compiled so that `^` and `$` match at each line."""
         try:

@@ -45,8 +45,9 @@ class Toolchain:
 
     Attributes:
         platform: the folder of the repository it lies in.
+        uploader: name of the file (see `uploader`) that says how programs get on boards; empty where none does.
         tools: by key.
-        sketch, core, flags, link, size, messages, libraries, environment: the tables of that name.
+        sketch, core, flags, link, size, messages, libraries, environment, database: the tables of that name.
     """
 
     path: Path
@@ -57,6 +58,7 @@ class Toolchain:
     default_board: str
     needed_for: str
     install: str
+    uploader: str
     tools: Mapping[str, ToolEntry]
     tool_places: tuple[str, ...]
     languages: tuple[ToolchainLanguage, ...]
@@ -70,6 +72,7 @@ class Toolchain:
     messages: DataTable
     libraries: DataTable
     environment: DataTable
+    database: DataTable
 
     @property
     def suffixes(self) -> tuple[str, ...]:
@@ -117,6 +120,7 @@ def load_toolchain(path: Path) -> Toolchain:
         default_board=table.text("default_board"),
         needed_for=table.text("needed_for"),
         install=table.text("install"),
+        uploader=table.text("uploader", ""),
         tools=entries,
         tool_places=tools.texts("places", ()),
         languages=tuple(_language(entry, entries) for entry in table.tables("languages")),
@@ -130,6 +134,7 @@ def load_toolchain(path: Path) -> Toolchain:
         messages=table.table("messages"),
         libraries=table.table("libraries"),
         environment=table.table("environment"),
+        database=table.table("database") if "database" in table.values else DataTable(path, {}),
     )
 
 

@@ -55,6 +55,7 @@ def run(
     environment: Mapping[str, str] | None = None,
     limit_s: float = LIMIT_S,
     stdin: IO[bytes] | None = None,
+    advice: str = "look for an #include or .incbin of what is no ordinary file, or for macros that grow without end",
 ) -> subprocess.CompletedProcess[str]:
     """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
 
@@ -64,6 +65,7 @@ def run(
         environment: of the process; this process's if None.
         limit_s: seconds after which it is given up. A compiler that is let read a pipe waits for ever.
         stdin: the file that it reads as its input; none if None.
+        advice: what to do where it does not end.
 
     Raises:
         MissingToolError: the program cannot be started.
@@ -84,7 +86,7 @@ def run(
             except subprocess.TimeoutExpired:
                 raise VerificationError(
                     f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped",
-                    fix="look for an #include or .incbin of what is no ordinary file, or for macros that grow without end",
+                    fix=advice,
                 ) from None
             finally:
                 end_session(process)
@@ -134,8 +136,9 @@ def core_version(toolchain: Toolchain, core: Path) -> str:
 
 
 def tool_version(path: str, arguments: Sequence[str], environment: Mapping[str, str] | None = None) -> str:
-    """The version that a program tells (the last number with dots of its first line), or `unknown`."""
-    first = (run([path, *arguments], environment=environment).stdout.splitlines() or [""])[0]
+    """The version that a program tells (the last number with dots of the first line that is not blank), or `unknown`."""
+    said = run([path, *arguments], environment=environment)
+    first = next((line for line in (said.stdout or said.stderr).splitlines() if line.strip()), "")
     numbers = re.findall(r"\d+(?:\.\d+)+", first)
     return numbers[-1] if numbers else "unknown"
 

@@ -27,10 +27,11 @@ _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
-_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "pins", "drawn_as", "drawn_chips")
+_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips")
+_BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
 _MAPPING_KEYS = (
-    "fqbn", "fqbn_also", "variant", "define", "extra_flags", "flash_bytes", "ram_bytes", "core", "numbers", "interrupts",
-    "literals",
+    "fqbn", "fqbn_also", "platformio", "variant", "define", "extra_flags", "flash_bytes", "ram_bytes", "core", "numbers",
+    "interrupts", "literals",
 )  # fmt: skip
 
 
@@ -78,7 +79,21 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         clockHertz=table.number("f_cpu"),
         volts=table.decimal("volts"),
         led=led,
+        bootLoader=_boot_loader(table.table("boot_loader")) if "boot_loader" in table.values else None,
         pins=pins,
+    )
+
+
+def _boot_loader(entry: DataTable) -> platform.BootLoader:
+    _check_keys(entry, _BOOT_LOADER_KEYS)
+    bauds = list(entry.numbers("bauds"))
+    if not bauds or min(bauds) <= 0:
+        raise entry.error("bauds", "must hold one baud rate or more")
+    return platform.BootLoader(
+        programmer=entry.text("programmer"),
+        bauds=bauds,
+        bytes=entry.number("bytes"),
+        touchBaud=entry.optional_number("touch_baud") or 0,
     )
 
 
@@ -149,6 +164,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         architecture=table.text("architecture"),
         flashBytes=table.number("flash_bytes"),
         ramBytes=table.number("ram_bytes"),
+        signature=_signature(table),
         pinMilliamperes=table.optional_number("pin_ma") or 0,
         totalMilliamperes=table.optional_number("total_ma") or 0,
         timers=[platform.Timer(name=t.text("name"), bits=t.number("bits")) for t in table.tables("timers")],
@@ -159,6 +175,13 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         ],
         uses=uses,
     )
+
+
+def _signature(table: DataTable) -> str:
+    signature = table.text("signature", "").lower()
+    if signature and not re.fullmatch("[0-9a-f]{6}", signature):
+        raise table.error("signature", f"must be six hexadecimal digits, it is '{signature}'")
+    return signature
 
 
 def mapping_file(platform_name: str, board: str, project: Path | None = None) -> Path | None:
@@ -197,6 +220,7 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         board=board,
         boardId=table.text("fqbn", "") if table is not None else "",
         otherIds=list(table.texts("fqbn_also", ())) if table is not None else [],
+        platformioId=table.text("platformio", "") if table is not None else "",
         variant=table.text("variant", "") if table is not None else "",
         define=table.text("define", "") if table is not None else "",
         coreVersion=table.text("core", "") if table is not None else "",

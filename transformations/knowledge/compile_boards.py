@@ -7,7 +7,7 @@ from pathlib import Path
 from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards, variant_folder
-from robosmi.verify.boards import Board
+from robosmi.verify.boards import Board, BootLoader
 
 
 def boards_to_compile_for(platform_name: str, project: Path | None = None) -> list[Board]:
@@ -40,4 +40,14 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         flash_bytes=int(mapping.flashBytes),
         ram_bytes=int(mapping.ramBytes),
         folders=(variant,) if variant is not None else (),
+        boot_loader=_boot_loader(board.bootLoader, chip),
+        signature=str(chip.signature),
     )  # fmt: skip
+
+
+def _boot_loader(found: platform.BootLoader | None, chip: platform.Microcontroller) -> BootLoader | None:
+    if found is None:
+        return None
+    return BootLoader(
+        str(found.programmer), tuple(map(int, found.bauds)), int(chip.flashBytes) - int(found.bytes), int(found.touchBaud)
+    )

@@ -1,0 +1,173 @@
+"""What `compile` leaves behind: the program, a record of what it was made from, and how each file was compiled.
+
+The folder `build` beside a sketch holds `<name>.elf` and `<name>.hex`, `<name>.build.json` (the record: board, libraries,
+digests of the sketch's files and of the program) and `compile_commands.json` (a compilation database as Clang defines it).
+All are written, or none. Building is done by `toolchain`, putting a program on a board by `upload`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tempfile
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from robosmi import inputs
+from robosmi.data_text import json_of
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.generate.manifest import NAME as MANIFEST
+from robosmi.model.commit import update
+from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.libraries import STAND_IN
+from robosmi.verify.sketch import Sketch, find_sketch
+from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchain_data import load_toolchains
+
+FOLDER = "build"
+DATABASE = "compile_commands.json"
+SCHEMA = "robosmi-build/1"
+_NO_SOURCE = (".md", ".orig")
+"""Endings of files in a sketch's folder that no compiler reads."""
+
+
+@dataclass(frozen=True)
+class BuildRecord:
+    """What a kept program was made from.
+
+    Attributes:
+        board: name of the board it was compiled for.
+        fits: whether it fits on that board.
+        stand_ins: libraries that were not installed, so that stand-ins are in the program.
+        sources: file of the sketch's folder -> SHA-256.
+        program: SHA-256 of the `.hex`.
+    """
+
+    board: str
+    fits: bool
+    stand_ins: tuple[str, ...]
+    sources: dict[str, str]
+    program: str
+
+    def to_bytes(self) -> bytes:
+        """The record's file."""
+        values = {
+            "schema": SCHEMA, "board": self.board, "fits": self.fits, "stand_ins": list(self.stand_ins),
+            "sources": self.sources, "program": self.program,
+        }  # fmt: skip
+        return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
+
+
+def folder_of(named: Path, sketch: Sketch) -> Path:
+    """Where the program of a sketch is kept unless another folder is named: `build` in the output folder.
+
+    Args:
+        named: what the person named: the output folder, the sketch's folder in it, or its main file.
+        sketch: the sketch that was found there.
+    """
+    above = sketch.folder.resolve().parent
+    beside = named.resolve() == above or (above / MANIFEST).is_file()
+    return (sketch.folder.parent if beside else sketch.folder) / FOLDER
+
+
+def compile_into(
+    folder_or_sketch: Path, board: str | None = None, *, into: Path | None = None, project: Path | None = None
+) -> CompileReport:
+    """Compile a sketch and leave the program, its record and the compilation database in a folder, all or none.
+
+    What does not compile leaves the compilation database alone; an older program stays, which its record tells from the sketch.
+
+    Args:
+        folder_or_sketch: as for `compile_sketch`.
+        board: as for `compile_sketch`.
+        into: the folder, made when missing; `folder_of` if None.
+        project: as for `compile_sketch`.
+
+    Returns:
+        The report; its `elf` and `hex` are the files that were left.
+
+    Raises:
+        SourceError: the folder cannot be written; and as `compile_sketch`.
+        StoppedError: another run is writing there, or a file there is read-only.
+    """
+    sketch, _ = find_sketch(Path(folder_or_sketch), load_toolchains(project))
+    folder = into if into is not None else folder_of(Path(folder_or_sketch), sketch)
+    sources = digests(sketch, folder)
+    with tempfile.TemporaryDirectory(prefix="robosmi-kept-") as kept:
+        report = compile_sketch(folder_or_sketch, board, keep=Path(kept), project=project)
+        contents = {DATABASE: _json(report.commands)}
+        if report.elf is not None and report.hex is not None:
+            program = inputs.read_bytes(report.hex, inputs.OUTPUT)
+            stand_ins = tuple(library.name for library in report.libraries if library.source == STAND_IN)
+            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, hashlib.sha256(program).hexdigest())
+            contents |= {
+                report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT),
+                report.hex.name: program,
+                _record_name(sketch): record.to_bytes(),
+            }
+            report = replace(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
+    update(folder, contents)
+    return replace(report, database=folder / DATABASE)
+
+
+def digests(sketch: Sketch, kept_in: Path) -> dict[str, str]:
+    """The files of a sketch's folder that may be part of its program: relative path -> SHA-256.
+
+    Args:
+        sketch: the sketch.
+        kept_in: the folder for programs, which is not part of it where it lies inside.
+
+    Raises:
+        SourceError: a file cannot be read.
+    """
+    found: dict[str, str] = {}
+    for path in sorted(sketch.folder.rglob("*")):
+        name = path.relative_to(sketch.folder)
+        hidden = any(part.startswith(".") for part in name.parts)
+        if hidden or path.suffix in _NO_SOURCE or not path.is_file() or path.is_relative_to(kept_in):
+            continue
+        try:
+            found[name.as_posix()] = hashlib.sha256(inputs.read_bytes(path, inputs.OUTPUT)).hexdigest()
+        except OSError as error:
+            fix = inputs.fix_of(error, "check its permissions")
+            raise SourceError(f"the file cannot be read: {error.strerror}", location=Location(str(path)), fix=fix) from error
+    return found
+
+
+def kept_hex(folder: Path, sketch: Sketch) -> Path:
+    """Where the program of a sketch lies in a folder that `compile_into` has written."""
+    return folder / f"{sketch.main.stem}.hex"
+
+
+def read_record(folder: Path, sketch: Sketch) -> BuildRecord | None:
+    """The record of a kept program, or None where there is none.
+
+    Raises:
+        SourceError: it is damaged.
+    """
+    path = folder / _record_name(sketch)
+    fix = "compile the sketch again"
+    try:
+        data = json_of(inputs.read_bytes(path, inputs.RECORD).decode())
+        if data["schema"] != SCHEMA:
+            raise ValueError(f"its schema is '{data['schema']}'")
+        return BuildRecord(
+            str(data["board"]), bool(data["fits"]), tuple(map(str, data["stand_ins"])),
+            {str(name): str(digest) for name, digest in data["sources"].items()}, str(data["program"]),
+        )  # fmt: skip
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise SourceError(f"the record cannot be read: {error.strerror}", location=Location(str(path)), fix=fix) from error
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise SourceError(f"the record of the program is damaged: {error}", location=Location(str(path)), fix=fix) from error
+
+
+def _record_name(sketch: Sketch) -> str:
+    return f"{sketch.main.stem}.build.json"
+
+
+def _json(value: Any) -> bytes:
+    return (json.dumps(value, indent=1) + "\n").encode()

@@ -1,0 +1,6 @@
+#include <avr/io.h>
+
+int main(void) {
+  DDRB |= 1;
+  for (;;) PORTB ^= 1;
+}
