@@ -536,6 +536,8 @@ class PortFlow(Decision):
     """The ports that the text can send through it, by number."""
     calls: MutableSequence[Call] = EReference(upper=-1)
     """The calls of platform functions that it reaches; those in bodies of macros are left out."""
+    anything: bool = EAttribute(eType=EBoolean)
+    """Whether a number may go through it that the text does not say, so that a person may bind any port of the source."""
 
     if TYPE_CHECKING:
 
@@ -552,6 +554,7 @@ class PortFlow(Decision):
             name: str | None = None,
             bindings: Iterable[PortBinding] | None = None,
             calls: Iterable[Call] | None = None,
+            anything: bool | None = None,
         ) -> None: ...
 
 

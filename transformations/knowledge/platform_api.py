@@ -18,6 +18,9 @@ from robosmi.transformations.knowledge.platform_folder import facts_of, forget_f
 if TYPE_CHECKING:
     from robosmi.metamodels import platform as pf
 
+_PORTS = 32
+"""So many ports where the platform does not say it: the bits of a word."""
+
 
 class ApiIndex:
     """The API of one platform.
@@ -62,6 +65,11 @@ class ApiIndex:
     def settings(self) -> Mapping[str, Any]:
         """The platform's settings: widths of types, how programs are parsed."""
         return self._facts.settings
+
+    @property
+    def ports(self) -> int:
+        """How many ports a board of the platform has; their numbers begin with 0."""
+        return int(self.settings.get("ports", {}).get("count", _PORTS))
 
     def header_kind(self, header: str) -> str | None:
         """platform, standard or posix; None for a header that the platform does not know."""

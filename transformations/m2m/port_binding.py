@@ -75,12 +75,7 @@ def _layer(layer: Mapping[str, str], ports: list[Port], program: ProgramPorts, a
         number = int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
         if port is None and (port := next((p for p in program.unasked if name == p.name or name in p.names), None)) is not None:
             ports.append(port)
-        if (
-            port is None
-            and program.anything
-            and number is not None
-            and number < int(api.settings.get("ports", {}).get("count", 32))
-        ):
+        if port is None and program.anything and number is not None and number < api.ports:
             holder = next((p.element for p in ports), None)
             port = Port(f"P{number}", "runtime", holder, number)  # type: ignore[arg-type]
             ports.append(port)

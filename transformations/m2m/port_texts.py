@@ -85,6 +85,7 @@ def _flow(
         chosenBy=migration.ChosenBy.rule,
         confidence=1.0,
         evidence=why,
+        anything=each.anything,
         bindings=[numbers[n] for n in each.numbers if n in numbers],
         calls=list({id(a.call): a.call for a in each.flow.arguments if a.call is not None}.values()),
         changes=changes,

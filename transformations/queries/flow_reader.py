@@ -14,9 +14,13 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.argument_places import TokenText
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of, says_where
 from robosmi.transformations.queries.pin_uses import pin_number
+from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
 
+_WRITTEN = re.compile(rb"[0-9']")
+"""What a number or character begins with that stands in the text itself."""
 _DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
 
 
@@ -55,6 +59,10 @@ class FlowReader:
                 self._shared.setdefault(str(declaration.name), declaration)
             elif isinstance(declaration, ccode.Enumeration):
                 self._shared.update({str(literal.name): literal for literal in declaration.literals})
+        pointed, own = pointed_functions(views)
+        known = {str(reference.name): view for reference, view in pointed} if not own else {}
+        self.pointed = {p.position: (name, p) for name, view in known.items() for p in self.pins(name, view)}
+        """Pins of functions of the platform that are called through pointers, where no function of the program is, too."""
         for view in views:
             self._macro_arguments(view)
 
@@ -83,20 +91,35 @@ class FlowReader:
             return self.value(getattr(expression, _THROUGH[kind]))
         if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
             return self.value(expression.operand)
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--"):
+            stepped = self.value(expression.operand)
+            self.calculated(stepped, expression)
+            return stepped
         if isinstance(expression, ccode.Binary) and str(expression.operator) == ",":
             return self.value(expression.right)
+        if isinstance(expression, ccode.Binary) and (array := moved_pointer(expression)) is not None:
+            elements = self.value(array)
+            self.flows.keep(elements, f"line {expression.line} calculates where it is")
+            return elements
         if isinstance(expression, ccode.NameReference):
             return self._name(expression)
         if isinstance(expression, ccode.Member):
-            return self._once(("field", str(expression.name)), f"'{expression.name}' is a member of a structure")
+            return self._field(str(expression.name))
         if isinstance(expression, ccode.Call):
             return self._result(expression)
         if isinstance(expression, ccode.IntegerLiteral):
             return self._literal(expression)
         key = self.key(expression)
         if not isinstance(expression, ccode.ConditionalExpression):
-            self.flows.keep(key, f"line {expression.line} calculates it", computed=True)
+            self.calculated(key, expression)
         return key
+
+    def calculated(self, key: Hashable, expression: Any) -> None:
+        """The values of an expression that computes something come into a flow."""
+        self.flows.keep(key, f"line {expression.line} calculates it")
+        unit = ancestor_of_kind(expression, ccode.SourceUnit)
+        if unit is not None and not (isinstance(expression, ccode.Unary) and gives_access(expression.operand)):
+            self.flows.of(key).calculated.append((unit, expression))
 
     def _name(self, reference: ccode.NameReference) -> Hashable:
         target = reference.target
@@ -118,6 +141,11 @@ class FlowReader:
         name = call.calleeName or "a function"
         return self._once(("element", id(call)), f"'{name}' returns it (line {call.line})")
 
+    def _field(self, name: str) -> Hashable:
+        key = ("field", name)
+        self.flows.keep(key, f"'{name}' is a member of a structure")
+        return key
+
     def _once(self, key: Hashable, why: str) -> Hashable:
         self.flows.keep(key, why, computed=True)
         return key
@@ -129,7 +157,10 @@ class FlowReader:
             name, within, holder = _holder(literal)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
-            self.put(key, unit, literal.startOffset, literal.endOffset, pin_number(int(literal.value)), holder, name, within)
+            start, end = int(literal.startOffset), int(literal.endOffset)
+            self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
+            if not _WRITTEN.match(self.sources[unit.path], start, end):
+                self.flows.keep(key, f"a macro makes it (line {literal.line})")
         return key
 
     def put(
@@ -155,13 +186,15 @@ class FlowReader:
     def follow(self, view: CodeView) -> None:
         """Read a unit."""
         for element in view.elements:
-            if isinstance(element, ccode.Variable):
+            if isinstance(element, ccode.NameReference):
+                self._taken(element)
+            elif isinstance(element, ccode.Variable):
                 self._variable(element)
             elif isinstance(element, ccode.Assignment):
                 self._assignment(element)
             elif isinstance(element, ccode.ConditionalExpression):
-                self.flows.join(self.key(element), self.value(element.whenTrue))
-                self.flows.join(self.key(element), self.value(element.whenFalse))
+                self._give(self.key(element), element.whenTrue)
+                self._give(self.key(element), element.whenFalse)
             elif isinstance(element, ccode.Return) and element.value is not None:
                 self._return(element)
             elif isinstance(element, ccode.Call):
@@ -170,56 +203,66 @@ class FlowReader:
                 for declaration in element.declaration.declarations if element.declaration is not None else ():
                     self.flows.keep(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
 
+    def _give(self, taker: Hashable, expression: Any) -> None:
+        """A thing is given the value of an expression."""
+        self.flows.join(taker, self.value(expression))
+        unit = ancestor_of_kind(expression, ccode.SourceUnit)
+        if unit is not None:
+            self.flows.of(taker).given.append((unit, expression))
+
+    def _taken(self, reference: ccode.NameReference) -> None:
+        """A function of the program that is used as a value gets what anything that is called through a pointer gets."""
+        function = reference.target
+        if not isinstance(function, ccode.Function) or not function.definition:
+            return
+        why = f"'{function.name}' is called through a pointer"
+        for position, parameter in enumerate(function.parameters):
+            self.flows.join(("through a pointer", position), self.key(parameter))
+            self.flows.keep(self.key(parameter), why, computed=True)
+        self.flows.keep(("result", self.key(function)), why)
+
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
-        if use is not None and isinstance(use.declaration, ccode.Record):
-            self._record(variable.initializer, use.declaration, str(variable.name))
+        if record_of(use) is not None and variable.initializer is not None:
+            if isinstance(variable.initializer, ccode.InitializerList):
+                for member, given in members_given(use, variable.initializer):
+                    self._give(self._field(str(member.name)), given)
+            else:
+                self.flows.keep(self.value(variable.initializer), f"'{variable.name}' is a structure")
             return
         if variable.initializer is not None:
-            leaves = list(_leaves(variable.initializer))
-            for inner in leaves:
-                self.flows.join(key, self.value(inner))
+            given = list(leaves(variable.initializer))
+            for inner in given:
+                self._give(key, inner)
             sizes = [int(n) for n in _DIMENSION.findall(str(use.arrayDims or ""))] if use is not None else []
             count = 1
             for size in sizes:
                 count *= size
-            if sizes and len(leaves) < count and isinstance(variable.initializer, ccode.InitializerList):
-                self.flows.keep(key, f"elements of '{variable.name}' are 0 until they get a value", computed=True)
+            if sizes and len(given) < count and isinstance(variable.initializer, ccode.InitializerList):
+                self.flows.keep(key, f"elements of '{variable.name}' are 0 until they get a value")
             return
         lasting = isinstance(variable.eContainer(), ccode.SourceUnit) or variable.storage is ccode.Storage.staticStorage
         if variable.storage is ccode.Storage.externStorage:
             if variable.name not in self._defined:
                 self.flows.keep(key, f"'{variable.name}' is defined elsewhere", computed=True)
         elif lasting:
-            self.flows.keep(key, f"'{variable.name}' is 0 until it gets a value", computed=True)
-
-    def _record(self, values: Any, record: ccode.Record, name: str) -> None:
-        """The values of a structure, or of an array of them, go to its members in their order."""
-        if not isinstance(values, ccode.InitializerList):
-            if values is not None:
-                self.flows.keep(self.value(values), f"'{name}' is a structure")
-            return
-        if any(isinstance(inner, ccode.InitializerList) for inner in values.elements):
-            for inner in values.elements:
-                self._record(inner, record, name)
-            return
-        for member, inner in zip(record.fields, values.elements, strict=False):
-            why = f"'{member.name}' is a member of a structure"
-            self.flows.join(self._once(("field", str(member.name)), why), self.value(inner))
+            self.flows.keep(key, f"'{variable.name}' is 0 until it gets a value")
 
     def _assignment(self, assignment: ccode.Assignment) -> None:
+        if isinstance(assignment.eContainer(), ccode.InitializerList):
+            return  # a value for a member or element by its name
         left = self.value(assignment.left)
         if str(assignment.operator) != "=":
-            self.flows.keep(left, f"line {assignment.line} calculates it", computed=True)
+            self.calculated(left, assignment)
             return
-        self.flows.join(left, self.value(assignment.right))
+        self._give(left, assignment.right)
         if not isinstance(assignment.left, ccode.NameReference):
             self.flows.keep(left, f"line {assignment.line} fills it at run time")
 
     def _return(self, statement: ccode.Return) -> None:
         function = ancestor_of_kind(statement, ccode.Function)
         if function is not None:
-            self.flows.join(("result", self.key(function)), self.value(statement.value))
+            self._give(("result", self.key(function)), statement.value)
 
     def _call(self, call: ccode.Call, view: CodeView) -> None:
         if call.viaMacro:
@@ -228,23 +271,42 @@ class FlowReader:
         own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
         if own is not None:
             for parameter, argument in zip(own.parameters, arguments, strict=False):
-                self.flows.join(self.key(parameter), self.value(argument))
+                self._give(self.key(parameter), argument)
+            return
+        if call.callee is None and call.calleeExpression is not None:
+            for position, argument in enumerate(arguments):
+                self._give(("through a pointer", position), argument)
+            for name, pin in self.pointed.values():
+                if pin.position < len(arguments):
+                    self.flows.keep(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
+                    self._pin(name, pin, call, view)
             return
         parameters = self.pins(str(call.calleeName or ""), view)
         if not parameters:
+            self._exchanged(arguments)
             return
-        text = self.texts[view.unit.path]
-        places = text.arguments(text.at(int(call.startOffset)))
         for pin in parameters:
-            if pin.position >= len(arguments):
-                continue
-            argument = arguments[pin.position]
-            start, end = int(argument.startOffset), int(argument.endOffset)
-            if places is not None and len(places) == len(arguments) and places[pin.position]:
-                start, end = places[pin.position][0][1], places[pin.position][-1][2]
-            if text.tokens and view_text(self.sources[view.unit.path], start, end) in pin.none:
-                continue
-            self.reach(self.value(argument), PinArgument(view.unit, start, end, str(call.calleeName), pin, call, argument))
+            if pin.position < len(arguments):
+                self._pin(str(call.calleeName), pin, call, view)
+
+    def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView) -> None:
+        """An argument of a call is a pin for a function of the platform."""
+        text, arguments = self.texts[view.unit.path], list(call.arguments)
+        places = text.arguments(text.at(int(call.startOffset)))
+        argument = arguments[pin.position]
+        start, end = int(argument.startOffset), int(argument.endOffset)
+        if places is not None and len(places) == len(arguments) and places[pin.position]:
+            start, end = places[pin.position][0][1], places[pin.position][-1][2]
+        if not text.tokens or view_text(self.sources[view.unit.path], start, end) not in pin.none:
+            self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument))
+
+    def _exchanged(self, arguments: Sequence[Any]) -> None:
+        """What a function that is not followed may bring from one of its arguments to another, or to a function it is given."""
+        open_ = [a for a in arguments if gives_access(a)]
+        for one in open_[1:]:
+            self.flows.join(self.value(open_[0]), self.value(one))
+        if open_ and any(isinstance(getattr(a, "target", None), ccode.Function) for a in arguments):
+            self.flows.join(("through a pointer", 0), self.value(open_[0]))
 
     def reach(self, key: Hashable, pin: PinArgument) -> None:
         """A flow ends in an argument that is a pin."""
@@ -301,15 +363,6 @@ def view_text(data: bytes, start: int, end: int) -> str:
     return data[start:end].decode("utf-8", errors="replace").strip()
 
 
-def _leaves(expression: Any) -> Iterator[Any]:
-    """The values in an initialiser, those of nested lists too."""
-    if isinstance(expression, ccode.InitializerList):
-        for inner in expression.elements:
-            yield from _leaves(inner)
-    elif expression is not None:
-        yield expression
-
-
 def _written(reference: Any) -> bool:
     """Whether a reference to a variable, or to an element of it, changes it."""
     inner, outer = reference, reference.eContainer()
@@ -326,7 +379,7 @@ def _holder(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
     index = None
     while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
         if isinstance(outer, ccode.InitializerList):
-            if index is not None:
+            if index is not None or any(map(says_where, outer.elements)):
                 return "", "", literal
             index = list(outer.elements).index(inner)
         inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
@@ -336,4 +389,8 @@ def _holder(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
     if any(_written(reference) for reference in outer.references):
         return "", "", literal  # the name says no longer which port it is
     name = str(outer.name) if index is None else f"{outer.name}[{index}]"
+    if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:
+        if outer.valueType.arrayDims or index is None or index >= len(record.fields):
+            return "", "", literal
+        name = f"{outer.name}.{record.fields[index].name}"
     return name, str(function.name) if function is not None else "", outer if index is None else literal

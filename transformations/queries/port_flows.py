@@ -34,7 +34,10 @@ def port_flows(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> list[
         uses.follow(view)
     follow_macros(reader)
     found = [flow for flow in reader.flows.all() if flow.arguments]
+    count = next((view.api.ports for view in views), 0)
     for flow in found:
+        beyond = sorted({place.value for place in flow.places if place.value >= count})
+        flow.kept += [f"{number} is no port of the source (0 to {count - 1})" for number in beyond]
         flow.places.sort(key=lambda p: (p.unit.path, p.start))
         flow.arguments.sort(key=lambda a: (a.unit.path, a.start))
     return sorted(found, key=lambda f: (f.arguments[0].unit.path, f.arguments[0].start))

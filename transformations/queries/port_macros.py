@@ -147,6 +147,11 @@ class _MacroBody:
             return
         if not self.macro.functionLike:
             flows.keep(key, f"'{self.name}' is calculated", computed=True)
+            flows.of(key).given.append((self.view.unit, self.macro))
+            for token in body if body and body[0][3] == "{" else ():
+                if token[0] == "number" and (number := _INTEGER.match(token[3])):
+                    value = pin_number(c_integer(number[1]))
+                    self.reader.put(key, self.view.unit, token[1], token[2], value, self.macro, self.name)
         for index in range(self.begin, len(self.text.tokens)):
             if self.text.tokens[index][0] == "name" and (arguments := self.text.arguments(index)) is not None:
                 self._call(self.text.tokens[index][3], arguments)

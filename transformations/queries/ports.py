@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import PinUse, pin_number, pin_uses, pin_values
+from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.value_flows import Flow, PinArgument, PortPlace
 from robosmi.transformations.queries.values import Value, Values
@@ -96,11 +98,12 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
         flows: its flows of port numbers.
     """
     values = {view.unit.path: Values(view.program, view.unit) for view in views}
-    count = next((int(view.api.settings.get("ports", {}).get("count", 32)) for view in views), 32)
-    through = [_flow_ports(flow, values, count) for flow in flows]
+    reached = {view.unit.path: ReachedValues(view.program, view.unit) for view in views}
+    count = next((view.api.ports for view in views), 0)
+    through = [_flow_ports(flow, values, reached, count) for flow in flows]
     bits = [use for view in views for use in register_bits(view, values[view.unit.path])]
     found: dict[int, Port] = {}
-    for number, element in _reached(through, bits):
+    for number, element in _reached(through, [use for use in bits if use.pin is not None and use.pin < count]):
         found.setdefault(number, Port(f"P{number}", "runtime", element, number))
     _name(found, through)
     anything = any(f.anything for f in through) or any(use.pin is None for use in bits)
@@ -123,20 +126,32 @@ def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port
     return list(conventional)
 
 
-def _flow_ports(flow: Flow, values: Mapping[str, Values], count: int) -> FlowPorts:
+def _flow_ports(flow: Flow, values: Mapping[str, Values], reached: Mapping[str, ReachedValues], count: int) -> FlowPorts:
     mine: list[list[Value]] = []
     for argument in flow.arguments:
         known: list[Value] = []
         if argument.call is not None:
             known = pin_values(argument.parameter, list(argument.call.arguments), argument.argument, values[argument.unit.path])
         mine.append([v if v.number is None else Value(pin_number(v.number), v.origin) for v in known])
-    said = {v.number for known in mine for v in known if v.number is not None}
-    hidden = any(a.call is None for a in flow.arguments)
-    unknown = any(v.number is None for known in mine for v in known) or hidden
-    written = {place.value for place in flow.places}
-    numbers = said | (written if unknown or not flow.kept else set())
-    anything = unknown and (flow.computed or not flow.places)
+    numbers = {v.number for known in mine for v in known if v.number is not None}
+    unknown = any(v.number is None for known in mine for v in known) or any(a.call is None for a in flow.arguments)
+    if unknown or not flow.kept:
+        numbers |= {place.value for place in flow.places}
+    anything = False
+    if unknown:
+        given = [v.number for unit, one in flow.given for v in reached[unit.path].of(one)]
+        computed = [v.number for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
+        numbers |= {pin_number(number) for number in (*given, *computed) if number is not None}
+        anything = flow.computed or None in computed or not numbers
     return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine)
+
+
+def _result(expression: Any) -> Any:
+    """What has the value that an expression computes: of one that steps a variable, the variable."""
+    if isinstance(expression, ccode.Assignment):
+        return expression.left
+    steps = isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--")
+    return expression.operand if steps else expression  # type: ignore[attr-defined]
 
 
 def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[tuple[int, ccode.Located]]:
@@ -144,9 +159,7 @@ def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[t
     for each in through:
         for number in each.numbers:
             yield number, _where(each, number)
-    for use in bits:
-        if use.pin is not None:
-            yield use.pin, use.call
+    yield from ((use.pin, use.call) for use in bits if use.pin is not None)
 
 
 def _where(each: FlowPorts, number: int) -> ccode.Located:

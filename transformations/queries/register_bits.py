@@ -14,22 +14,27 @@ from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.pin_uses import PinUse
 from robosmi.transformations.queries.values import Values
 
+_WORD = 64
+_ALL = (1 << 32) - 1
+"""All bits of a register."""
 _WRITES = ("=", "|=", "^=", "&=")
 
 
 def register_bits(view: CodeView, values: Values) -> list[PinUse]:
     """The uses of ports as bits of registers, in text order; of a mask that the text does not say, one use of no known pin.
 
+    A bit that no port has, because the mask is wider than the register, is a use of that number.
+
     Args:
         view: of the unit.
         values: values in the unit.
     """
     registers: dict[str, str] = view.api.settings.get("ports", {}).get("registers", {})
-    count = int(view.api.settings.get("ports", {}).get("count", 32))
+    count = view.api.ports
     found: dict[tuple[int | None, str, int], PinUse] = {}
     for reference in view.of_kind(ccode.NameReference):
         direction = registers.get(str(reference.name))
-        if direction is None or isinstance(reference.target, (ccode.Variable, ccode.Parameter)):
+        if direction is None or isinstance(reference.target, (ccode.Variable, ccode.Parameter)) or _put_back(reference):
             continue
         for bit in _bits(reference, values, count):
             use = PinUse(
@@ -45,19 +50,44 @@ def _bits(reference: Any, values: Values, count: int) -> Iterator[int | None]:
     parent: Any = reference.eContainer()
     if isinstance(parent, ccode.Assignment) and parent.left is reference:
         operator = str(parent.operator)
-        mask = _mask(values, parent.right, whole if operator == "&=" else 0) if operator in _WRITES else None
+        mask = _changed(values, parent.right, reference, whole if operator == "&=" else 0) if operator in _WRITES else None
     elif isinstance(parent, ccode.Binary) and str(parent.operator) == "&":
         mask = _mask(values, parent.right if parent.left is reference else parent.left)
     elif isinstance(parent, ccode.Binary) and str(parent.operator) == ">>" and parent.left is reference:
         places = [v.number for v in values.of(parent.right)]
-        known = [place for place in places if place is not None and 0 <= place < count]
+        known = [place for place in places if place is not None and 0 <= place < _WORD]
         mask = sum(1 << place for place in set(known)) if len(known) == len(places) else None
     else:
         mask = None
     if mask is None:
         yield None
         return
-    yield from (bit for bit in range(count) if mask >> bit & 1)
+    mask = mask if mask >= 0 else mask & whole
+    yield from (bit for bit in range(mask.bit_length()) if mask >> bit & 1)
+
+
+def _put_back(reference: Any) -> bool:
+    """Whether a use of a register only gives back to the same register the bits that an assignment leaves alone."""
+    inner, outer = reference, reference.eContainer()
+    while isinstance(outer, (ccode.Binary, ccode.Cast, ccode.Unary)):
+        inner, outer = outer, outer.eContainer()
+    left = outer.left if isinstance(outer, ccode.Assignment) and outer.right is inner and str(outer.operator) == "=" else None
+    return isinstance(left, ccode.NameReference) and left.name == reference.name
+
+
+def _changed(values: Values, expression: Any, register: Any, cleared: int = 0) -> int | None:
+    """The bits that an assignment changes: of what is put back with `|`, `&` or `^`, those of the other side."""
+    operator = str(expression.operator) if isinstance(expression, ccode.Binary) else ""
+    if operator in ("|", "^", "&") and not cleared:
+        sides = [expression.left, expression.right]
+        own = [side for side in sides if isinstance(side, ccode.NameReference) and side.name == register.name]
+        if own:
+            other = sides[0] if own[0] is sides[1] else sides[1]
+            return _mask(values, other, _ALL if operator == "&" else 0)
+        if operator != "&":
+            found = [_changed(values, side, register) for side in sides]
+            return None if None in found else (found[0] or 0) | (found[1] or 0)
+    return _mask(values, expression, cleared)
 
 
 def _mask(values: Values, expression: Any, cleared: int = 0) -> int | None:

@@ -71,12 +71,16 @@ class Flow:
         arguments: the pins that go out.
         kept: why its numbers have to stay as they are; empty where nothing speaks against change.
         computed: whether a value comes in that no number in the text shows.
+        calculated: the expressions that compute values which come in, each with its file.
+        given: the other expressions and macros whose values come in, each with its file.
     """
 
     places: list[PortPlace] = field(default_factory=list)
     arguments: list[PinArgument] = field(default_factory=list)
     kept: list[str] = field(default_factory=list)
     computed: bool = False
+    calculated: list[tuple[ccode.SourceUnit, ccode.Located]] = field(default_factory=list)
+    given: list[tuple[ccode.SourceUnit, ccode.Located]] = field(default_factory=list)
 
 
 class Flows:
@@ -104,6 +108,8 @@ class Flows:
             into.arguments += taken.arguments
             into.kept += taken.kept
             into.computed |= taken.computed
+            into.calculated += taken.calculated
+            into.given += taken.given
 
     def keep(self, key: Hashable, why: str, *, computed: bool = False) -> None:
         """The numbers of a flow have to stay; with `computed`, a value comes in that the text does not show."""

@@ -12,6 +12,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flow_reader import FlowReader
+from robosmi.transformations.queries.pointers import gives_access
 
 _COMPARISONS = frozenset(["==", "!=", "<", ">", "<=", ">="])
 _LOGICAL = frozenset(["&&", "||"])
@@ -56,7 +57,7 @@ class ValueUses:
                 return  # of the macro's own body
         why = self._why_kept(expression, expression.eContainer(), view)
         if why:
-            self.reader.flows.keep(self.reader.value(expression), why, computed=_gives_access(expression))
+            self.reader.flows.keep(self.reader.value(expression), why, computed=gives_access(expression))
 
     def _why_kept(self, expression: Any, parent: Any, view: CodeView) -> str:
         kind = type(parent).__name__
@@ -67,6 +68,9 @@ class ValueUses:
         if isinstance(parent, ccode.ConditionalExpression):
             return "" if parent.condition is not expression else f"{name} is tested {line}"
         if isinstance(parent, ccode.Unary):
+            if str(parent.operator) in ("++", "--"):
+                self.reader.calculated(self.reader.value(expression), parent)
+                return ""
             return "" if str(parent.operator) in ("*", "&") else f"{name} is calculated with {line}"
         if isinstance(parent, ccode.Assignment):
             return "" if str(parent.operator) == "=" else f"{name} is calculated with {line}"
@@ -94,14 +98,6 @@ class ValueUses:
         if any(p.position == position for p in self.reader.pins(str(call.calleeName or ""), view)):
             return ""
         return f"{name} goes to '{call.calleeName or 'a function'}' {line}"
-
-
-def _gives_access(expression: Any) -> bool:
-    """Whether who is given an expression may change what it stands for: an address, an array, a pointer."""
-    if isinstance(expression, ccode.Unary):
-        return str(expression.operator) == "&"
-    use = getattr(getattr(expression, "target", None), "valueType", None)
-    return use is not None and bool(use.arrayDims or use.pointerDepth)
 
 
 def _expansion(expression: Any) -> ccode.Call | None:

@@ -15,6 +15,7 @@ from robosmi.query import ancestor_of_kind
 
 LIMIT = 64
 _NUMBER = re.compile(r"\b(0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)[uUlL]*\b")
+_CAST = re.compile(r"\(\s*(?:(?:unsigned|signed|const|char|short|int|long|u?int(?:8|16|32)_t)\s*)+\)")
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 _WRITES = ("++", "--")
 
@@ -174,8 +175,11 @@ class Values:
     def _macro(self, name: str) -> list[Value]:
         return self._guarded(self.macros[name], "macro", lambda m: self._macro_value(str(m.body or "")))
 
+    def _macro_itself(self, macro: Any) -> list[Value]:
+        return [RUNTIME] if macro.functionLike else self._guarded(macro, "macro", lambda m: self._macro_value(str(m.body or "")))
+
     def _macro_value(self, body: str) -> list[Value]:
-        text = _NUMBER.sub(lambda m: str(c_integer(m[1])), body)
+        text = _NUMBER.sub(lambda m: str(c_integer(m[1])), _CAST.sub(" ", body))
         try:
             number = self._evaluate(ast.parse(text.strip(), mode="eval").body)
         except (SyntaxError, ValueError, RecursionError):
@@ -230,15 +234,27 @@ class Values:
             container: Any = reference.eContainer()
             if isinstance(container, ccode.Index) and container.array is reference and _written(container):
                 return None
-        found = []
+        found: list[Value] = []
         for element in target.initializer.elements:
-            values = self.of(element)
+            values = self.of(element.right if isinstance(element, ccode.Assignment) else element)
             if len(values) != 1 or values[0].number is None:
                 return None
-            found.append(Value(values[0].number, "array"))
+            place = self._place(element, len(found))
+            if place is None:
+                return None
+            found += [Value(0, "array")] * (place + 1 - len(found))
+            found[place] = Value(values[0].number, "array")
         size = _SIZE.fullmatch(str(target.valueType.arrayDims or "")) if target.valueType is not None else None
         rest = min(int(size[1]), LIMIT) - len(found) if size is not None else 0
         return found + [Value(0, "array")] * max(rest, 0)
+
+    def _place(self, element: Any, following: int) -> int | None:
+        """Where an element of an array's initialiser goes: behind the last one, or where `[index] =` says."""
+        if not isinstance(element, ccode.Assignment):
+            return following
+        said = self.of(element.left.index) if isinstance(element.left, ccode.Index) and element.left.array is None else []
+        number = said[0].number if len(said) == 1 else None
+        return number if number is not None and 0 <= number < LIMIT else None
 
 
 _METHODS: dict[str, Any] = {
@@ -249,6 +265,7 @@ _METHODS: dict[str, Any] = {
     "Binary": Values._binary,
     "NameReference": Values._name,
     "Index": Values._index,
+    "Macro": Values._macro_itself,
 }
 _CHANGES: dict[str, Any] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
 _PYTHON: dict[type, str] = {

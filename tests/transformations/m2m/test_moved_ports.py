@@ -1,0 +1,105 @@
+"""Each port moves its own pin: programs are migrated, compiled and run on a simulator, and the pins that rise are counted.
+
+A program says in its first lines how often each pin of the target has to rise (`// expect D9=1`), to which a port is bound
+beyond those that the plan lists (`// bind P1=D8`), and what level is at a pin (`// level D2 [[0, 1]]`, milliseconds and level).
+No port of the source has the number of the pin that it is bound to, so that a number that is not moved is seen.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.metamodels import migration
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.simulation import DeviceUse, simulate
+from robosmi.verify.toolchain import compile_sketch
+from tests.tools import require_engine, require_tools
+
+PROGRAMS = sorted((Path(__file__).parent / "moved_ports").glob("*.c"))
+PINS = {0: "D9", 1: "D8", 2: "D7", 3: "D6", 4: "D5", 5: "D4", 6: "D3", 7: "D2", 8: "D10", 10: "D12"}
+
+
+def rises(levels: list[tuple[float, object]]) -> int:
+    """How often a pin becomes high."""
+    values = [0, *(level for _, level in levels)]
+    return sum(after == 1 != before for before, after in pairwise(values))
+
+
+def bound(plan: migration.MigrationPlan) -> dict[str, str]:
+    """A pin for each port that a plan lists."""
+    return {f"P{b.sourcePin}": PINS[b.sourcePin] for b in plan.portBindings if b.sourcePin in PINS}
+
+
+def findings(plan: migration.MigrationPlan) -> list[str]:
+    """The rules of a plan's findings about ports."""
+    return [str(f.rule) for f in plan.findings if f.rule in ("RS326", "RS327", "RS328")]
+
+
+@pytest.mark.needs_tool
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+def test_each_port_moves_its_own_pin(program: Path, tmp_path: Path) -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    require_engine("simavr")
+    text = program.read_text()
+    wanted = {pin: int(count) for pin, count in re.findall(r"\b([DA]\d+)=(\d+)", re.findall(r"// expect (.*)", text)[0])}
+    devices = [
+        DeviceUse("levels", {"pin": pin}, {"points": json.loads(points)})
+        for pin, points in re.findall(r"// level (\S+) (.*)", text)
+    ]
+    said = bound(robosmi.plan_migration([program]).plan) | dict(re.findall(r"// bind (\S+)=(\S+)", text))
+    made = robosmi.migrate([program], tmp_path / "out", bind=said)
+    (tmp_path / "built").mkdir()
+    report = compile_sketch(made.sketch, "uno", keep=tmp_path / "built")
+    assert report.ok, report.diagnostics
+    assert report.elf is not None
+    assert report.hex is not None
+    trace = simulate(job(report.elf, report.hex, load_board("uno"), 600_000, devices))
+    pins = [f"D{n}" for n in range(14)] + [f"A{n}" for n in range(6)]
+    assert {pin: count for pin in pins if (count := rises(list(trace.levels(pin))))} == wanted
+
+
+@pytest.mark.parametrize(
+    ("name", "rules"),
+    [
+        ("beyond_the_board", ["RS326"]),
+        ("stepped_result", ["RS327"]),
+        ("calculated_character", ["RS327"]),
+        ("counting_while", []),
+        ("recursion", []),
+        ("named_table", []),
+        ("pointer_through_table", []),
+        ("platform_function_pointer", []),
+    ],
+)
+def test_what_only_a_run_shows_is_told(name: str, rules: list[str]) -> None:
+    plan = robosmi.plan_migration([path for path in PROGRAMS if path.stem == name]).plan
+    assert sorted(set(findings(plan))) == rules
+
+
+def test_a_bound_port_that_only_a_run_shows_is_told_no_more() -> None:
+    program = next(path for path in PROGRAMS if path.stem == "stepped_result")
+    plan = robosmi.plan_migration([program], bind={"P1": "D8"}).plan
+    assert findings(plan) == []
+
+
+def test_a_pointer_to_functions_of_both_kinds_is_told(tmp_path: Path) -> None:
+    program = tmp_path / "both.c"
+    program.write_text(
+        '#include "simpletools.h"\nvoid flash(int pin) { high(pin); low(pin); }\nvoid (*acts[2])(int) = { flash, high };\n'
+        "int main() { for (int i = 0; i < 2; i++) acts[i](3); }\n"
+    )
+    plan = robosmi.plan_migration([program]).plan
+    assert "RS328" in findings(plan)
+
+
+def test_registers_that_are_put_back_change_only_what_is_put_in() -> None:
+    program = next(path for path in PROGRAMS if path.stem == "register_table")
+    plan = robosmi.plan_migration([program]).plan
+    assert {b.sourcePin for b in plan.portBindings} == {0, 1, 2}

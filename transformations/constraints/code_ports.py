@@ -1,0 +1,77 @@
+"""Constraints on the ports of a program that is moved: numbers that no port has, and numbers that only the running program knows.
+
+Which target pins the ports are on is asked of the plan's bindings (`plan_ports`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode, migration
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
+from robosmi.transformations.queries.pin_uses import PinUse, pin_uses_of
+from robosmi.transformations.queries.pointers import pointed_functions
+from robosmi.transformations.queries.register_bits import register_bits
+from robosmi.transformations.queries.values import Values
+from robosmi.validate import Fail
+
+units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
+
+
+@units.constraint(
+    id="RS326", severity=Severity.warning, location=place, advice="correct the number; until then the call does nothing here"
+)
+def PortIsOfTheSource(u: ccode.SourceUnit) -> Any:
+    """A number that is given for a port is one of the source board's."""
+    m = the_move()
+    view = m.view(u)
+    count = view.api.ports
+    uses = [*pin_uses_of(view, m.views), *register_bits(view, Values(view.program, u))]
+    wrong = [use for use in uses if use.pin is not None and use.pin >= count]
+    numbers = sorted({use.pin for use in wrong if use.pin is not None})
+    said = "; ".join(f"{number}, where functions that shift a bit by it act on port {number % count} there" for number in numbers)
+    return not wrong or together(f"no port of the source (0 to {count - 1}) has this number: {said}", [u.call for u in wrong])
+
+
+@units.constraint(
+    id="RS327", severity=Severity.warning, location=place,
+    advice='bind those that it can be, --bind P4=PIN or [bind] P4 = "PIN"; the others do nothing',
+)  # fmt: skip
+def PortsAreKnown(u: ccode.SourceUnit) -> Any:
+    """The text says which ports a function or register is given, or a person has bound those that only a run shows."""
+    if any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in the_move().plan.portBindings):
+        return True
+    found = list(_unknown(u))
+    names = ", ".join(dict.fromkeys(name for name, _ in found))
+    places = [element for _, element in found]
+    return not found or Fail(
+        f"only the running program knows which ports {names} are given ({in_lines(places)})", places=tuple(places)
+    )
+
+
+def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Expression]]:
+    """The calls and registers of a unit that are given ports which the text does not say."""
+    m = the_move()
+    view = m.view(u)
+    flows = [flow for flow in m.plan.portFlows if flow.anything]
+    calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
+    yield from ((f"'{call.calleeName}'", call) for call in calls)
+    bits: list[PinUse] = register_bits(view, Values(view.program, u))
+    yield from ((f"'{use.function}'", use.call) for use in bits if use.pin is None and use.direction != "unknown")
+
+
+@units.constraint(
+    id="RS328", severity=Severity.warning, location=place,
+    advice="call the function of the platform from a function of the program, and let the pointer point there",
+)  # fmt: skip
+def PointersTellNumbersApart(u: ccode.SourceUnit) -> Any:
+    """A pointer to functions of the platform, which take pins of the target, is none to functions that take the source's."""
+    m = the_move()
+    platform, own = pointed_functions(m.views)
+    here = [reference for reference, view in platform if view.unit is u] if own else []
+    names = ", ".join(dict.fromkeys(f"'{reference.name}'" for reference in here))
+    wrong = f"{names} may be called through a pointer with numbers of the source, which are other pins on the target"
+    return not here or Fail(f"{wrong} ({in_lines(here)})", places=tuple(here))

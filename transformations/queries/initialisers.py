@@ -1,0 +1,90 @@
+"""What initialisers in braces give to what: elements of arrays, members of structures, by their order or by their names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.metamodels import ccode
+
+_DIMENSION = re.compile(r"\[[^\]]*\]")
+_NAMES = 20
+"""So many names of names of types are followed, at most."""
+
+
+def record_of(use: ccode.TypeUse | None) -> ccode.Record | None:
+    """The structure that a type is, by whatever name, or that elements of an array are."""
+    for _ in range(_NAMES):
+        declaration = use.declaration if use is not None and not use.pointerDepth else None
+        if not isinstance(declaration, ccode.Typedef):
+            return declaration if isinstance(declaration, ccode.Record) else None
+        use = declaration.aliased
+        if use is not None and use.declaration is None and not use.pointerDepth:
+            return _without_name(declaration)
+    return None
+
+
+def _without_name(definition: ccode.Typedef) -> ccode.Record | None:
+    """The structure without a name of its own that a `typedef struct { ... } Name` defines: it begins within that."""
+    unit = definition.eContainer()
+    start, end = definition.startOffset, definition.endOffset
+    declared = unit.declarations if isinstance(unit, ccode.SourceUnit) else ()
+    records = (d for d in declared if isinstance(d, ccode.Record) and not d.name)
+    return next((record for record in records if start <= record.startOffset < end), None)
+
+
+def says_where(element: Any) -> bool:
+    """Whether an element of an initialiser says its member or place: `.name = value`, `[index] = value`."""
+    left = element.left if isinstance(element, ccode.Assignment) else None
+    return isinstance(left, ccode.Member) or (isinstance(left, ccode.Index) and left.array is None)
+
+
+def value_in(element: Any) -> Any:
+    """The value of an element of an initialiser, whether it says its member or not."""
+    return element.right if says_where(element) else element
+
+
+def leaves(expression: Any) -> Iterator[Any]:
+    """The values in an initialiser, those of nested lists too."""
+    if isinstance(expression, ccode.InitializerList):
+        for inner in expression.elements:
+            yield from leaves(value_in(inner))
+    elif expression is not None:
+        yield expression
+
+
+def members_given(use: ccode.TypeUse | None, initialiser: ccode.InitializerList) -> Iterator[tuple[ccode.Field, Any]]:
+    """Each value in the initialiser of a structure, or of an array of them, with the member that it goes to.
+
+    Where inner braces are left out, any value may go to any member.
+
+    Args:
+        use: the type of what is initialised.
+        initialiser: the list.
+    """
+    record = record_of(use)
+    if record is None or use is None:
+        return
+    inside = [value_in(element) for element in initialiser.elements]
+    if use.arrayDims:
+        inner = ccode.TypeUse(arrayDims=_DIMENSION.sub("", use.arrayDims, count=1) or None, declaration=record)
+        for one in inside:
+            if isinstance(one, ccode.InitializerList):
+                yield from members_given(inner, one)
+            else:
+                yield from ((member, one) for member in record.fields)
+        return
+    places = {str(member.name): place for place, member in enumerate(record.fields)}
+    place = 0
+    for element, value in zip(initialiser.elements, inside, strict=True):
+        left = element.left if isinstance(element, ccode.Assignment) and says_where(element) else None
+        place = places.get(str(left.name), place) if isinstance(left, ccode.Member) else place
+        member = record.fields[place] if place < len(record.fields) else None
+        place += 1
+        if member is None:
+            continue
+        if record_of(member.valueType) is None:
+            yield from ((member, leaf) for leaf in leaves(value))
+        elif isinstance(value, ccode.InitializerList):
+            yield from members_given(member.valueType, value)

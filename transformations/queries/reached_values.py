@@ -1,0 +1,117 @@
+"""Which values an expression may have while the program runs, also where the text gives a name more than one: a bound from above.
+
+`values` asks for the one value that a name has. Here all values count that are assigned to it, and where it is stepped (`pin++`,
+`pin += 2`, a function that calls itself with `pin + 1`) all numbers up to those that it is compared with. What comes from outside
+stays unknown.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.values import LIMIT, RUNTIME, Value, Values, passed_arguments
+
+_UP = {"<": -1, "<=": 0, ">": 0, ">=": -1, "!=": -1, "==": 0}
+"""Comparison of a rising number with a bound -> how far above the bound it gets at most."""
+_DOWN = {">": 1, ">=": 0, "<": 0, "<=": 1, "!=": 1, "==": 0}
+"""The same of a falling one: how far above the bound it ends."""
+
+
+class ReachedValues(Values):
+    """Values that expressions of one program may have."""
+
+    def _counter(self, reference: Any, variable: Any) -> list[Value] | None:
+        found = super()._counter(reference, variable)
+        return found if found is not None and RUNTIME not in found else None
+
+    def _variable(self, variable: Any) -> list[Value]:
+        if variable.valueType is not None and variable.valueType.arrayDims:
+            return [RUNTIME]
+        return self._all_given(variable, [variable.initializer] if variable.initializer is not None else [])
+
+    def _parameter(self, parameter: Any) -> list[Value]:
+        return self._all_given(parameter, passed_arguments(parameter))
+
+    def _all_given(self, target: Any, given: list[Any]) -> list[Value]:
+        """The values that a variable or parameter may have.
+
+        Args:
+            target: the variable or parameter.
+            given: what it is given where it is declared, or by callers.
+        """
+        steps: list[int | None] = []
+        for reference in target.references:
+            container: Any = reference.eContainer()
+            if isinstance(container, ccode.Assignment) and container.left is reference:
+                operator = str(container.operator)
+                if operator == "=":
+                    given = [*given, container.right]
+                else:
+                    steps.append(self._step_of(container.right, operator))
+            elif isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--"):
+                steps.append(1 if str(container.operator) == "++" else -1)
+            elif isinstance(container, ccode.Unary) and str(container.operator) == "&":
+                return [RUNTIME]
+        own = [_own_step(expression, target) for expression in given]
+        steps += [self._step_of(step[1], f"{step[0]}=") for step in own if step is not None]
+        found = [value for expression, step in zip(given, own, strict=True) if step is None for value in self.of(expression)]
+        if not steps:
+            return found or [RUNTIME]
+        numbers = [value.number for value in found]
+        known = [number for number in numbers if number is not None]
+        return self._stepped(target, known, steps) if known and len(known) == len(numbers) else [RUNTIME]
+
+    def _step_of(self, expression: Any, operator: str) -> int | None:
+        """By how much an assignment steps, None where the text does not say it."""
+        values = self.of(expression)
+        number = values[0].number if len(values) == 1 else None
+        return None if number is None or operator not in ("+=", "-=") else number if operator == "+=" else -number
+
+    def _stepped(self, target: Any, first: list[int], steps: list[int | None]) -> list[Value]:
+        """All numbers between the first ones and those that a stepped name is compared with."""
+        if None in steps:
+            return [RUNTIME]
+        low, high = min(first), max(first)
+        bounds = list(self._bounds(target))
+        if any(step is not None and step > 0 for step in steps):
+            tops = [number + _UP[operator] for operator, number, _ in bounds]
+            if not tops:
+                return [RUNTIME]
+            high = max(high, *tops)
+        if any(step is not None and step < 0 for step in steps):
+            bottoms = [number + _DOWN[operator] - behind for operator, number, behind in bounds]
+            if not bottoms:
+                return [RUNTIME]
+            low = min(low, *bottoms)
+        return [Value(number, "constant") for number in range(low, high + 1)] if high - low < LIMIT else [RUNTIME]
+
+    def _bounds(self, target: Any) -> Any:
+        """The comparisons of a name with known numbers: operator, number, and 1 where it is stepped behind the comparison."""
+        for reference in target.references:
+            side: Any = reference
+            parent: Any = side.eContainer()
+            behind = 0
+            if isinstance(parent, ccode.Unary) and str(parent.operator) in ("++", "--"):
+                side, parent = parent, parent.eContainer()
+                behind = int(side.startOffset == reference.startOffset)
+            if not isinstance(parent, ccode.Binary) or str(parent.operator) not in _UP:
+                continue
+            first = parent.left is side
+            operator = str(parent.operator) if first else _TURNED[str(parent.operator)]
+            for value in self.of(parent.right if first else parent.left):
+                if value.number is not None:
+                    yield operator, value.number, behind
+
+
+_TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "!=": "!=", "==": "=="}
+
+
+def _own_step(expression: Any, target: Any) -> tuple[str, Any] | None:
+    """Operator and step of an expression such as `pin + 1` that is given to the name in it."""
+    if not isinstance(expression, ccode.Binary) or str(expression.operator) not in ("+", "-"):
+        return None
+    left: Any = expression.left
+    return (
+        (str(expression.operator), expression.right) if isinstance(left, ccode.NameReference) and left.target is target else None
+    )
