@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
-from robosmi.generate.three_way import Chunk, chunks
+from robosmi.generate.three_way import Chunk, by_words, chunks
 
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
 
@@ -177,6 +177,12 @@ class _Merge:
                 lines += [_Line(line, chunk.ours[0] + k + 1) for k, line in enumerate(mine)]
                 if edits and chunk is edits[0] and mine:
                     lines[-len(mine)].notes.append(("RS512", Severity.info, told, None))
+            elif (
+                merged := by_words(_whole(base[slice(*chunk.base)]), _whole(mine), _whole(theirs[slice(*chunk.theirs)]))
+            ) is not None:
+                lines += [_Line(line, chunk.ours[0] + k + 1) for k, line in enumerate(merged)]
+                both = "your edit and the newly made text change different words of the same lines: both are kept"
+                lines[-1].notes.append(("RS512", Severity.info, both, "see whether they go together"))
             else:
                 begin = _Line(YOURS)
                 begin.notes.append(

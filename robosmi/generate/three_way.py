@@ -1,22 +1,30 @@
 """Three-way merge of texts by lines: what a person changed and what the generator changed since the same base.
 
 The algorithm is diff3's: lines that both sides left alone are where they meet; between such lines, a side that did not change
-gives way, and both having changed is a conflict unless they changed alike. Matching lines are found by patience diff (lines that
-stand once in both texts are anchors), and a line that stands more often matches only below the same head: else a body would go to
-another function that looks like its own when functions change places. Python's `difflib` does the rest. (The `merge3` package
-merges so, too, but its licence, GPL, does not fit; `three-merge` merges characters and marks no conflicts.)
+gives way, and both having changed is a conflict unless they changed alike. `by_words` does the same with the words of such lines.
+Matching lines are found by patience diff (lines that stand once in both texts are anchors), and a line that stands more often
+matches only below the same head: else a body would go to another function that looks like its own when functions change places.
+Python's `difflib` does the rest. (The `merge3` package merges so, too, but its licence, GPL, does not fit; `three-merge` merges
+characters and marks no conflicts.)
 Source: S. Khanna, K. Kunal, B. C. Pierce, A Formal Investigation of Diff3, FSTTCS 2007.
 """
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
 Span = tuple[int, int]
+Blocks = Callable[[Sequence[str], Sequence[str]], list[tuple[int, int, int]]]
+_WORDS = re.compile(r"\s*(?:\w+|[^\w\s])|\s+\Z")
+"""A word or sign with the blanks before it, so that two changes with nothing but blanks between them touch."""
+_MOST_WORDS = 2000
+_ALIKE = 0.5
+"""So much of the words both sides keep, or what matches does so by chance."""
 
 
 @dataclass(frozen=True)
@@ -36,17 +44,18 @@ class Chunk:
     theirs: Span
 
 
-def chunks(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) -> list[Chunk]:
+def chunks(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], blocks: Blocks | None = None) -> list[Chunk]:
     """The stretches of three texts, in order, without gaps.
 
     Args:
         base: lines of the text that both started from.
         ours: lines of the person's.
         theirs: lines of the generator's.
+        blocks: finds what two texts have in common, as lines match unless it is given.
     """
     found: list[Chunk] = []
     at = [0, 0, 0]
-    for start, length, in_ours, in_theirs in _meeting(base, ours, theirs):
+    for start, length, in_ours, in_theirs in _meeting(base, ours, theirs, blocks or _blocks):
         found += _between(base, ours, theirs, at, [start, in_ours, in_theirs])
         if length:
             spans = [(p, p + length) for p in (start, in_ours, in_theirs)]
@@ -55,10 +64,54 @@ def chunks(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) -> l
     return found
 
 
-def _meeting(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) -> Iterator[tuple[int, int, int, int]]:
+def by_words(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) -> list[str] | None:
+    """Lines merged by words and signs, each with its own, where both sides changed the same lines and different words of them.
+
+    Args:
+        base: lines of the text that both started from.
+        ours: lines of the person's.
+        theirs: lines of the generator's.
+
+    Returns:
+        The merged lines; None where a line came or went, where changes touch, where a side has hardly a word of a line left, or
+        where each side changed a line that the other did not (a body under another head may be another's).
+    """
+    if not len(base) == len(ours) == len(theirs):
+        return None
+    mine = {i for i, line in enumerate(ours) if line != base[i]}
+    made = {i for i, line in enumerate(theirs) if line != base[i]}
+    if not (mine <= made or made <= mine):
+        return None
+    merged = [_line_by_words(*three) for three in zip(base, ours, theirs, strict=True)]
+    lines = [line for line in merged if line is not None]
+    return lines if len(lines) == len(merged) else None
+
+
+def _line_by_words(base: str, ours: str, theirs: str) -> str | None:
+    before, mine, made = (_WORDS.findall(text) for text in (base, ours, theirs))
+    if max(len(before), len(mine), len(made)) > _MOST_WORDS:
+        return None
+    if any(SequenceMatcher(None, before, side, autojunk=False).ratio() < _ALIKE for side in (mine, made)):
+        return None
+    merged: list[str] = []
+    for chunk in chunks(before, mine, made, _in_common):
+        if chunk.kind == "conflict":
+            return None
+        merged += made[slice(*chunk.theirs)] if chunk.kind == "theirs" else mine[slice(*chunk.ours)]
+    return "".join(merged)
+
+
+def _in_common(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int, int]]:
+    """Matching runs of words: place in the base, place in the other, length."""
+    return [tuple(block) for block in SequenceMatcher(None, base, other, autojunk=False).get_matching_blocks() if block.size]
+
+
+def _meeting(
+    base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], blocks: Blocks
+) -> Iterator[tuple[int, int, int, int]]:
     """Runs of lines that both sides kept: place in the base, length, place in ours, in theirs; an empty one at the end."""
-    left = _blocks(base, ours)
-    right = _blocks(base, theirs)
+    left = blocks(base, ours)
+    right = blocks(base, theirs)
     i = j = 0
     while i < len(left) and j < len(right):
         (a, x, n), (b, y, m) = left[i], right[j]
