@@ -224,6 +224,8 @@ class Platform(Element, metaclass=MetaEClass):
     """True when plain char is signed."""
     hasCogs: bool = EAttribute(eType=EBoolean)
     """True when it runs several cores that a program starts itself."""
+    portCount: int = EAttribute(eType=EInt)
+    """How many ports its boards have, numbered from 0; 0 when not known."""
     architecture: str = EAttribute(eType=EString, default_value="")
     """Name of the processor architecture as libraries declare it."""
     coreVersion: str = EAttribute(eType=EString, default_value="")
@@ -287,6 +289,7 @@ class Platform(Element, metaclass=MetaEClass):
             doubleBits: int | None = None,
             charSigned: bool | None = None,
             hasCogs: bool | None = None,
+            portCount: int | None = None,
             architecture: str | None = None,
             coreVersion: str | None = None,
             coreName: str | None = None,
@@ -473,6 +476,8 @@ class ApiSymbol(Element, metaclass=MetaEClass):
     """Its type."""
     meaning: str = EAttribute(eType=EString, default_value="")
     """What it stands for."""
+    portDirection: str = EAttribute(eType=EString, default_value="")
+    """What the bits of a register do with the ports of their numbers: in, out or unknown; empty where bits are no ports."""
 
     if TYPE_CHECKING:
 
@@ -485,6 +490,7 @@ class ApiSymbol(Element, metaclass=MetaEClass):
             form: str | None = None,
             typeName: str | None = None,
             meaning: str | None = None,
+            portDirection: str | None = None,
         ) -> None: ...
 
 

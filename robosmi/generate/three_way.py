@@ -103,7 +103,8 @@ def _line_by_words(base: str, ours: str, theirs: str) -> str | None:
 
 def _in_common(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int, int]]:
     """Matching runs of words: place in the base, place in the other, length."""
-    return [tuple(block) for block in SequenceMatcher(None, base, other, autojunk=False).get_matching_blocks() if block.size]
+    found = SequenceMatcher(None, base, other, autojunk=False).get_matching_blocks()
+    return [(block.a, block.b, block.size) for block in found if block.size]
 
 
 def _meeting(

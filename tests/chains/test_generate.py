@@ -172,6 +172,32 @@ def test_a_plan_in_which_one_port_has_two_bindings_is_refused_and_the_sketch_sta
     assert sketch_of(migrated) == before
 
 
+@pytest.mark.parametrize(
+    ("edit", "rule", "advice"),
+    [
+        (('choice="Red633nmLED1WriteP1" name="LED"', 'choice="D5" name="LED"'), "RS716", "give it the connection"),
+        (('choice="Red633nmLED1WriteP1" name="LED"', 'choice="none" name="LED"'), "RS716", "give it the connection"),
+        (('sourcePin="7"', 'sourcePin="77"'), "RS719", "correct its number"),
+        (('startOffset="', 'startOffset="-'), "RS709", "correct the offsets"),
+        (('name="high" signature', 'name="drive_speed" signature'), "RS718", "leave one of them"),
+    ],
+)
+def test_nonsense_in_a_plan_is_refused_and_the_sketch_stays(
+    migrated: Path, edit: tuple[str, str], rule: str, advice: str
+) -> None:
+    plan = migrated / "models" / "plan.xmi"
+    text = plan.read_text()
+    assert edit[0] in text
+    plan.write_text(text.replace(*edit, 1))
+    before = tree(migrated)
+    assert rule in run("check", plan, "--json").rules()
+    outcome = run("generate", plan, "-o", migrated)
+    assert outcome.code == 3
+    assert f"[{rule}]" in outcome.err
+    assert advice in outcome.err
+    assert tree(migrated) == before
+
+
 def test_generating_from_an_edited_plan_twice_changes_nothing(migrated: Path) -> None:
     plan = migrated / "models" / "plan.xmi"
 

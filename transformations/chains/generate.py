@@ -11,6 +11,7 @@ from robosmi.model.recovery import at_work, look_only
 from robosmi.model.runs import alone
 from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce
+from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 
 
@@ -25,7 +26,7 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
 
     Raises:
         SourceError: the plan or a file beside it cannot be read, or does not match its digest.
-        ModelError: a model contradicts its metamodel.
+        ModelError: a model contradicts its metamodel, or the plan itself.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
     own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
@@ -37,6 +38,7 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
     with nullcontext() if dry_run else at_work(Path(output)):
         seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")}
         models = load_models(Path(plan))
+        refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
 
@@ -47,5 +49,6 @@ def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
     with nullcontext() if dry_run else alone(place):
         look_only(place)
         models = load_models(plan)
+    refuse_nonsense(models.plan)
     settle(models.plan, models.files)
     return models

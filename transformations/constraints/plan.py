@@ -9,43 +9,24 @@ from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import migration
-from robosmi.query import root_of
 from robosmi.transformations.constraints.code_rules import moved
 from robosmi.transformations.constraints.electrical_plan import together
-from robosmi.transformations.constraints.plan_ports import bound_pin, named, plan_of, ports
+from robosmi.transformations.constraints.plan_edits import edits
+from robosmi.transformations.constraints.plan_ports import named, ports
 from robosmi.transformations.queries.text_changes import all_changes, decision_of
 from robosmi.validate import EVL, Fail, Fix
 
 plan = EVL()
 """The constraints on a plan; run them over its model."""
 
+plan.include(edits)
 plan.include(together)
 plan.include(moved)
 plan.include(ports)
 
 bindings = plan.context(migration.PortBinding)
 decisions = plan.context(migration.Decision)
-dispositions = plan.context(migration.Disposition)
-libraries = plan.context(migration.LibraryChoice)
 plans = plan.context(migration.MigrationPlan)
-
-
-@dispositions.constraint(id="RS701", advice="make the plan again with migrate")
-def DecidesOnTheProgram(d: migration.Disposition) -> Any:
-    """A decision about code is about an element of the plan's program."""
-    inside = d.element is not None and root_of(d.element) is plan_of(d).program
-    return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
-
-
-@bindings.constraint(
-    id="RS703", guard=lambda b: bound_pin(b) is not None and plan_of(b).board is not None, advice="bind it to a pin of the board"
-)
-def PinIsOfTheBoard(b: migration.PortBinding) -> Any:
-    """A port is bound to a pin of the plan's board."""
-    pin, board = bound_pin(b), plan_of(b).board
-    assert pin is not None
-    assert board is not None
-    return pin.board is board or Fail(f"the {named(b)} is bound to {pin.label}, which is no pin of {board.title or board.name}")
 
 
 @bindings.constraint(id="RS704", guard=lambda b: b.connection is not None)
@@ -78,25 +59,15 @@ def IsDecided(d: migration.Decision) -> Any:
     return not d.open or Fail(f"nothing is chosen yet for the {named(d)}", options=", ".join(o.label for o in d.options))
 
 
-@libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")
-def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> Any:
-    """A chosen library is one of the plan's target platform."""
-    target, chosen = plan_of(c).target, c.chosen
-    assert chosen is not None
-    return chosen.eContainer() is target or Fail(f"the {named(c)} is {chosen.name}, which is none of the target platform")
-
-
 @plans.constraint(id="RS708", advice="correct the offsets, or make the plan again with migrate")
 def ChangesDoNotCross(p: migration.MigrationPlan) -> Any:
-    """Each change of text replaces bytes of its unit, and crosses no other; one that a person added has an effect."""
+    """A change of text crosses no other; one that a person added has an effect."""
     wrong: list[str] = []
     widest: migration.TextChange | None = None
-    placed = [(c.unit, c) for c in all_changes(p) if c.unit is not None]
+    placed = [(c.unit, c) for c in all_changes(p) if c.unit is not None and 0 <= c.startOffset <= c.endOffset <= c.unit.size]
     for unit, change in sorted(placed, key=lambda pair: (pair[0].path, pair[1].startOffset, -pair[1].endOffset)):
         start, end, path = change.startOffset, change.endOffset, unit.path
-        if not 0 <= start <= end <= unit.size:
-            wrong.append(f"a change of {path} replaces bytes {start} to {end} of {unit.size}")
-        elif widest is None or widest.unit is not unit or widest.endOffset <= start:
+        if widest is None or widest.unit is not unit or widest.endOffset <= start:
             widest = change if start < end else widest
         elif widest.startOffset < end and (widest.endOffset < end or decision_of(change) is None):
             wrong.append(f"two changes of {path} overlap: bytes {widest.startOffset} to {widest.endOffset} and {start} to {end}")

@@ -61,6 +61,7 @@ def build(
         doubleBits=settings["double_bits"],
         charSigned=settings["char_signed"],
         hasCogs=settings["has_cogs"],
+        portCount=int(settings.get("ports", {}).get("count", 0)),
         architecture=settings.get("architecture", ""),
         attributeMacros=list(settings["parser"].get("attribute_macros", ())),
         headers=[_header(api, header, entries) for header, entries in sorted(by_header.items())],
@@ -147,6 +148,7 @@ def _symbol(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiSymbol:
     return pf.ApiSymbol(
         name=name,
         form=entry.kind,
+        portDirection=api.settings.get("ports", {}).get("registers", {}).get(name, ""),
         symbolKind=getattr(pf.SymbolKind, known.get("kind") or api.symbol_kind(name, entry)),
         typeName=known.get("type") or entry.detail,
         meaning=known.get("meaning", ""),

@@ -22,7 +22,7 @@ class StoredFacts:
 
     def __init__(self, model: pf.Platform) -> None:
         self.origin = f"stored model of {model.name}"
-        self.settings: Mapping[str, Any] = {
+        self.settings: dict[str, Any] = {
             "name": str(model.name),
             "language": str(model.language),
             "int_bits": model.intBits,
@@ -42,6 +42,7 @@ class StoredFacts:
         self.library_cores: dict[str, Sequence[str]] = {}
         self.virtual_headers: Mapping[str, bytes] = {}
         registers: set[str] = set()
+        bits: dict[str, str] = {}
         for header in model.headers:
             name = "" if header.name == COMPILER else str(header.name)
             if name:
@@ -52,11 +53,14 @@ class StoredFacts:
                 self._add(str(symbol.name), ApiEntry(name, str(symbol.form), str(symbol.typeName)))
                 if symbol.symbolKind is pf.SymbolKind.register:
                     registers.add(str(symbol.name))
+                if symbol.portDirection:
+                    bits[str(symbol.name)] = str(symbol.portDirection)
                 if symbol.meaning:
                     self.symbols[str(symbol.name)] = {"meaning": str(symbol.meaning), "kind": symbol.symbolKind.name}
             for declared in header.types:
                 self._add(str(declared.name), ApiEntry(name, "type", str(declared.form)))
         self.registers = frozenset(registers)
+        self.settings["ports"] = {"registers": bits} | ({"count": model.portCount} if model.portCount else {})
 
     def _add(self, name: str, entry: ApiEntry) -> None:
         self.entries.setdefault(name, []).append(entry)

@@ -26,6 +26,7 @@ from robosmi.transformations.m2m.platform_dependence import Dependence, partitio
 from robosmi.transformations.m2m.port_texts import port_changes
 from robosmi.transformations.m2m.text_changes import mark_rewritten
 from robosmi.transformations.m2m.widths import Widened
+from robosmi.transformations.queries.binding_edits import TRACED
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
@@ -161,7 +162,7 @@ def put_together(
             "connector mapping", "hardware", [*connection.boardConnectors, *connection.connectors, *connection.via], [connection]
         )
     for binding in d.bindings:
-        trace.link("port binding", "hardware", [binding.element, binding.connection], [binding])
+        trace.link(TRACED, "hardware", [binding.element, binding.connection or binding.pin], [binding])
     for choice in d.choices:
         trace.link("library ranking", "libraries", [choice.component], [choice])
     for widening in d.widened.widenings:

@@ -7,7 +7,6 @@ that are in the plan and derives none. When a person binds a port otherwise in a
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -17,6 +16,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, EditRule, Replacement
 from robosmi.transformations.m2m.port_texts import RULE as PORT
 from robosmi.transformations.m2m.port_texts import replacement
+from robosmi.transformations.queries.binding_edits import writes
 from robosmi.transformations.queries.port_pins import port_text
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.text_changes import CARRIED_OVER, all_changes, decision_of, effective
@@ -89,11 +89,11 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
             for change in (c for c in binding.changes if c.rule == PORT):
                 text = _text_of(change, texts)
                 new = replacement(binding, text.data[change.startOffset : change.endOffset])
-                if not _writes(change, port_text(binding) or new):
+                if not writes(change, port_text(binding) or new):
                     change.replacement, change.reason = new, f"{binding.name} is {binding.choice or 'not bound'} on the target"
             continue
         value = port_text(binding)  # a plan of an earlier version, which had no flows
-        if binding.changes and value is not None and all(_writes(change, value) for change in binding.changes):
+        if binding.changes and value is not None and all(writes(change, value) for change in binding.changes):
             continue
         binding.changes.clear()
         binding.changes.extend(_binding_changes(binding, texts))
@@ -119,10 +119,6 @@ def _text_of(change: migration.TextChange, texts: Sequence[SourceText]) -> Sourc
     if found is None:
         raise ModelError("a change of a port is in no source unit", fix="make the plan again with migrate")
     return found
-
-
-def _writes(change: migration.TextChange, value: str) -> bool:
-    return re.search(rf"(?<!\w){re.escape(value)}(?!\w)", change.replacement) is not None
 
 
 def mark_rewritten(plan: migration.MigrationPlan) -> None:

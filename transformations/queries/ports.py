@@ -151,7 +151,7 @@ def _result(expression: Any) -> Any:
     if isinstance(expression, ccode.Assignment):
         return expression.left
     steps = isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--")
-    return expression.operand if steps else expression  # type: ignore[attr-defined]
+    return expression.operand if steps else expression
 
 
 def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[tuple[int, ccode.Located]]:

@@ -81,6 +81,35 @@ def connected(number: int) -> migration.MigrationPlan:
     return a_plan(portBindings=binding)
 
 
+def chosen_as(choice: str, text: str) -> migration.MigrationPlan:
+    """A plan whose port is bound to the first pin, says this choice, and whose text has this in the place of its number."""
+
+    def binding(plan: migration.MigrationPlan) -> list[migration.PortBinding]:
+        change = migration.TextChange(rule="port", replacement=text, endOffset=1)
+        return [migration.PortBinding(name="n", pin=pins(plan)[0], choice=choice, changes=[change])]
+
+    return a_plan(portBindings=binding)
+
+
+def adapted(*names: str) -> migration.MigrationPlan:
+    """A plan whose function `f` is adapted by adapters of these names, one use each."""
+
+    def used(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
+        assert plan.target is not None
+        made = [platform.Adapter(name=name) for name in names]
+        plan.target.adapters.extend(made)
+        return [migration.AdapterUse(name="f", adapter=adapter) for adapter in made]
+
+    return a_plan(adapterUses=used)
+
+
+def numbered(number: int) -> migration.MigrationPlan:
+    """A plan of a source with eight ports that binds the port of this number to nothing."""
+    made = a_plan(portBindings=lambda p: [migration.PortBinding(name="n", sourcePin=number, choice="none")])
+    made.source = platform.Platform(name="source", portCount=8)
+    return made
+
+
 def with_library(chosen: Callable[[migration.MigrationPlan], platform.Library]) -> migration.MigrationPlan:
     """A plan in which a library is chosen for a component."""
     return a_plan(libraryChoices=lambda p: [migration.LibraryChoice(chosen=chosen(p), choice="x")])
@@ -172,6 +201,11 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS708": (lambda: edited((0, 5), (5, 9)), lambda: edited((0, 5), (4, 9))),
     "RS711": (lambda: at(3, 9), lambda: at(9, 3)),
     "RS712": (lambda: calling(1), lambda: calling(2)),
+    "RS709": (lambda: edited((0, 100)), lambda: edited((90, 101))),
+    "RS717": (lambda: adapted("f"), lambda: adapted("g")),
+    "RS718": (lambda: adapted("f"), lambda: adapted("f", "f")),
+    "RS719": (lambda: numbered(7), lambda: numbered(8)),
+    "RS716": (lambda: chosen_as("D2", "7"), lambda: chosen_as("D2", "D1")),
     "RS715": (lambda: on_one_pin(2), lambda: on_one_pin(3)),
     "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),
     "RS713": (

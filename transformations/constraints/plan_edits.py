@@ -1,0 +1,107 @@
+"""Constraints that a stored plan has to satisfy before anything is generated from it: a person may have edited it into nonsense.
+
+`generate` refuses a plan that does not satisfy them; `check` asks them with all others (`plan`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.errors import ModelError
+from robosmi.metamodels import migration
+from robosmi.model import EmfModel
+from robosmi.query import root_of
+from robosmi.transformations.constraints.plan_ports import bound_pin, named, plan_of
+from robosmi.transformations.queries.binding_edits import only_the_choice_was_edited, referred
+from robosmi.transformations.queries.text_changes import all_changes
+from robosmi.validate import EVL, Fail
+
+edits = EVL()
+"""The constraints on an edited plan; run them over its model."""
+
+bindings = edits.context(migration.PortBinding)
+dispositions = edits.context(migration.Disposition)
+libraries = edits.context(migration.LibraryChoice)
+plans = edits.context(migration.MigrationPlan)
+uses = edits.context(migration.AdapterUse)
+
+
+def refuse_nonsense(edited: migration.MigrationPlan) -> None:
+    """Make sure that a plan which a person may have edited says one thing.
+
+    Raises:
+        ModelError: it contradicts itself.
+    """
+    faults = [f for f in edits.run(EmfModel(edited, name="plan")).findings() if f.severity is Severity.error]
+    if faults:
+        more = f"; and {len(faults) - 1} more: robosmi check names them" if len(faults) > 1 else ""
+        raise ModelError(f"{faults[0].message} [{faults[0].rule}]{more}", location=faults[0].location, fix=faults[0].fix)
+
+
+@dispositions.constraint(id="RS701", advice="make the plan again with migrate")
+def DecidesOnTheProgram(d: migration.Disposition) -> Any:
+    """A decision about code is about an element of the plan's program."""
+    inside = d.element is not None and root_of(d.element) is plan_of(d).program
+    return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
+
+
+@bindings.constraint(
+    id="RS703", guard=lambda b: bound_pin(b) is not None and plan_of(b).board is not None, advice="bind it to a pin of the board"
+)
+def PinIsOfTheBoard(b: migration.PortBinding) -> Any:
+    """A port is bound to a pin of the plan's board."""
+    pin, board = bound_pin(b), plan_of(b).board
+    assert pin is not None
+    assert board is not None
+    return pin.board is board or Fail(f"the {named(b)} is bound to {pin.label}, which is no pin of {board.title or board.name}")
+
+
+@bindings.constraint(id="RS716", advice="give it the connection or the pin that is meant, too (plan.xmi), or use --bind")
+def ChoiceIsWhatItRefersTo(b: migration.PortBinding) -> Any:
+    """The recorded choice of a port is what its binding refers to, unless a person has edited what it refers to."""
+    now = referred(b) or "nothing"
+    return not only_the_choice_was_edited(b) or Fail(f"the choice of the {named(b)} says {b.choice}, and it is bound to {now}")
+
+
+@uses.constraint(id="RS717", guard=lambda u: u.adapter is not None, advice="give it the adapter of its function, or none")
+def AdapterIsOfItsFunction(u: migration.AdapterUse) -> Any:
+    """A function is filled by an adapter for it."""
+    adapter = u.adapter
+    assert adapter is not None
+    own = adapter.name == u.name or any(function is u.function for function in adapter.functions)
+    return own or Fail(f"the adapter of '{u.name}' is one for '{adapter.name}'")
+
+
+@uses.constraint(id="RS718", advice="leave one of them")
+def FunctionIsAdaptedOnce(u: migration.AdapterUse) -> Any:
+    """A function of the source platform is adapted in one way."""
+    first = next(other for other in plan_of(u).adapterUses if other.name == u.name)
+    return first is u or Fail(f"the plan has two adapter uses of '{u.name}'")
+
+
+@bindings.constraint(id="RS719", guard=lambda b: b.sourcePin >= 0, advice="correct its number, or make the plan again")
+def NumberIsAPort(b: migration.PortBinding) -> Any:
+    """The number of a port is one that the source platform has."""
+    source = plan_of(b).source
+    count = source.portCount if source is not None else 0
+    return not count or b.sourcePin < count or Fail(f"the {named(b)} has the number {b.sourcePin}, of 0 to {count - 1}")
+
+
+@plans.constraint(id="RS709", advice="correct the offsets, or make the plan again with migrate")
+def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> Any:
+    """Each change of text replaces bytes of its unit."""
+    wrong = [
+        f"a change of {c.unit.path} replaces bytes {c.startOffset} to {c.endOffset} of {c.unit.size}"
+        for c in all_changes(p)
+        if c.unit is not None and not 0 <= c.startOffset <= c.endOffset <= c.unit.size
+    ]
+    return not wrong or Fail("; ".join(wrong))
+
+
+@libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")
+def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> Any:
+    """A chosen library is one of the plan's target platform."""
+    target, chosen = plan_of(c).target, c.chosen
+    assert chosen is not None
+    return chosen.eContainer() is target or Fail(f"the {named(c)} is {chosen.name}, which is none of the target platform")
