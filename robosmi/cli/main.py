@@ -40,6 +40,7 @@ COMMANDS = {
     "recommend": "which library drives which component",
     "migrate": "move a program to the board of a drawing",
     "generate": "make the sketch again from a stored plan",
+    "wiring": "hand the wiring of a migration back: for another tool, as a table or as a picture",
     "undo": "put an output folder back as it was before the last run",
     "check": "hold a drawing, a plan or any model against its constraints",
     "compile": "compile a generated sketch",

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from robosmi.transformations.knowledge.parts_store import PartsFile
 
 _HEAD = "[[part]]"
-_NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml")
+_NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml", "wokwi_types.toml")
 _KEYS = "see parts/README.md for the keys"
 
 

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,22 +10,16 @@ from robosmi.data_text import toml_of
 from robosmi.resources import built_in
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
-from tests.tools import require_tools
+from tests.wiring.elements import wokwi_elements
 
-HERE = Path(__file__).resolve().parent
-ELEMENTS = HERE.parents[3] / ".npm" / "node_modules" / "@wokwi" / "elements"
 OTHERS = {"wokwi-esp32-devkit-v1", "wokwi-franzininho", "wokwi-nano-rp2040-connect"}
 """Boards of other families, whose pins are taken as a diagram has them."""
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def elements() -> dict[str, list[str]]:
     """The names of the pins of each element, as its class has them."""
-    require_tools("node", "wokwi-elements")
-    done = subprocess.run(["node", str(HERE / "pins.js"), str(ELEMENTS)], capture_output=True, text=True, check=True)
-    found: dict[str, list[str]] = json.loads(done.stdout)
-    assert len(found) > 40
-    return found
+    return wokwi_elements()
 
 
 def entries() -> list[dict[str, Any]]:

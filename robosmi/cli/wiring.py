@@ -1,0 +1,39 @@
+"""`robosmi wiring OUT --as FORM -o PATH`: the wiring of a migration for another tool, as a table, or as a picture."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.cli.common import output_folder
+from robosmi.errors import UsageError
+from robosmi.plugins import content, registry
+from robosmi.project import project_of
+from robosmi.report import Report
+
+FORM = "wiring form"
+"""The registry's kind of forms."""
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    forms = registry().names(FORM)
+    parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
+    parser.add_argument("--as", dest="form", required=True, choices=forms, help=f"the form: {', '.join(forms)}")
+    parser.add_argument(
+        "-o", dest="path", required=True, metavar="PATH", type=Path, help="the file, or the folder of the project"
+    )
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("wiring")
+    if not str(arguments.path).strip("\0 "):
+        raise UsageError("the place for the wiring has no name", fix="give a file or a folder: -o PATH")
+    done = content("chain", "wiring")(arguments.output, arguments.form, arguments.path)
+    report.result = {"form": arguments.form, "path": str(arguments.path), **done.result}
+    report.findings, report.artifacts = list(done.findings), done.artifacts()
+    report.lines = [f"wrote {artifact['path']}" for artifact in report.artifacts]
+    project = project_of(arguments.output)
+    report.judge(project.severity, project.accept)
+    return report

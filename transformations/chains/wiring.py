@@ -1,0 +1,157 @@
+"""The chain `wiring`: the wiring that a migration has planned, handed back for another tool, as a table, or as a picture.
+
+It reads the plan and the models beside it, and the sketch as it now stands. Forms are registered (`wiring form`): functions that
+give files, or one file where the form is a file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robosmi import __version__, inputs
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError, StoppedError
+from robosmi.metamodels import migration
+from robosmi.model.commit import update
+from robosmi.model.files import write_atomic
+from robosmi.plugins import content
+from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
+from robosmi.transformations.m2m.wokwi_wiring import wokwi_wiring
+from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.transformations.m2t.pin_table import pin_table
+from robosmi.transformations.m2t.sketch_project import project
+from robosmi.transformations.m2t.wokwi_project import project_files
+
+FORM = "wiring form"
+"""The registry's kind of forms: functions of `(models, OUT, path)` that give `Handed`."""
+
+
+@dataclass
+class Handed:
+    """A wiring in one form.
+
+    Attributes:
+        files: relative path -> bytes; a form that is one file has it under an empty path.
+        kinds: the same paths -> kind of artifact.
+        findings: what could not be handed back, with what to do.
+        result: further facts, JSON values.
+    """
+
+    files: Mapping[str, bytes]
+    kinds: Mapping[str, str]
+    findings: list[Finding] = field(default_factory=list)
+    result: dict[str, Any] = field(default_factory=dict)
+    written: list[tuple[Path, str]] = field(default_factory=list)
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """The files, as the contract lists them."""
+        return [{"path": str(path), "kind": kind} for path, kind in self.written]
+
+
+def wiring(output: Path, form: str, path: Path) -> Handed:
+    """Write the wiring of a migration.
+
+    Args:
+        output: the output folder of `migrate` or `generate`.
+        form: name of a registered form.
+        path: where to: a file, or a folder, as the form is.
+
+    Raises:
+        SourceError: there is no plan, it has no drawing, or the form cannot say it.
+        StoppedError: a file in the folder is there already and is another.
+    """
+    models = load_models(output / FOLDER / PLAN)
+    makes: Callable[[MigrationModels, Path, Path], Handed] = content(FORM, form)
+    made = makes(models, output, path)
+    if "" in made.files:
+        write_atomic(path, made.files[""])
+    else:
+        _check_free(path, made.files)
+        update(path, made.files)
+    made.written = [(path / name if name else path, made.kinds[name]) for name in made.files]
+    return made
+
+
+def _check_free(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Nothing that somebody may have edited is written over."""
+    for name, data in files.items():
+        try:
+            there = inputs.read_bytes(folder / name, inputs.OUTPUT)
+        except FileNotFoundError:
+            continue
+        except OSError as error:
+            raise SourceError(
+                f"the wiring cannot be written here: {error.strerror}", location=Location(str(folder / name))
+            ) from error
+        if there != data:
+            fix = "give another folder with -o, or move the file away"
+            raise StoppedError(
+                "a file of that name is there already, and it is another", location=Location(str(folder / name)), fix=fix
+            )
+
+
+# ---- forms
+
+
+def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
+    """A folder for the Wokwi simulator: diagram, sketch, libraries; parts that Wokwi lacks are listed."""
+    plan = models.plan
+    drawn = wokwi_wiring(plan)
+    source = Location(str(path))
+    findings = [
+        Finding("RS531", Severity.warning, f"not in the diagram: {line}", source, fix="wire it by hand; Wokwi cannot show it")
+        for line in drawn.listed()
+    ]
+    if drawn.added:
+        message = f"{drawn.added} wires to supply and ground are added: the pin table says nothing of them"
+        findings.append(Finding("RS532", Severity.info, message, source))
+    sketch = _sketch(output / plan.name)
+    files = project_files(drawn, sketch, project(plan)["libraries"], drawn.listed(), f"RoboSMi {__version__}")
+    kinds = {name: "sketch" if name in sketch or name.endswith(".ino") else "wiring" for name in files}
+    result = {
+        "drawn": [{"id": part.identity, "type": part.kind} for part in drawn.parts],
+        "not_drawn": [
+            {"component": p.title, "model_index": p.identity, "part": p.part, "pins": [*p.pins], "why": p.why}
+            for p in drawn.not_drawn
+        ],
+    }
+    return Handed(files, kinds, findings, result)
+
+
+def _sketch(folder: Path) -> dict[str, bytes]:
+    """The files of the sketch as they now stand."""
+    place = Location(str(folder))
+    try:
+        return {file.name: inputs.read_bytes(file, inputs.OUTPUT) for file in sorted(folder.iterdir()) if file.is_file()}
+    except OSError as error:
+        raise SourceError(
+            f"the sketch cannot be read: {error.strerror}", location=place, fix="make it again with generate"
+        ) from error
+
+
+def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
+    """The pin table, which can be read again as a drawing."""
+    plan = models.plan
+    text = pin_table(_connections(plan), plan.board.name if plan.board is not None else "", path.with_suffix(".csv"))
+    return Handed({"": text.encode()}, {"": "pin table"})
+
+
+def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
+    """The picture (SVG)."""
+    circuit = models.plan.circuit
+    if circuit is None:
+        raise _no_drawing()
+    return Handed({"": svg(circuit).encode()}, {"": "picture"})
+
+
+def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection]:
+    if plan.circuit is None:
+        raise _no_drawing()
+    return list(plan.connections)
+
+
+def _no_drawing() -> SourceError:
+    return SourceError("the plan has no drawing, and so no wiring", fix="run migrate with --hardware SKETCH")

@@ -1,0 +1,50 @@
+"""What a Wokwi diagram that is written consists of: parts, wires, and what Wokwi has no part for. Plain records.
+
+They are made by `m2m/wokwi_wiring` and written by `m2t/wokwi_project`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnPart:
+    """A part of the diagram: its id, type and attributes."""
+
+    identity: str
+    kind: str
+    attributes: dict[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class NotDrawn:
+    """A component that Wokwi has no part for: title, identity in the drawing, part, the board pins that it is on, and why."""
+
+    title: str
+    identity: str
+    part: str
+    pins: tuple[str, ...]
+    why: str
+
+
+@dataclass(slots=True)
+class WokwiWiring:
+    """A diagram before it is text.
+
+    Attributes:
+        parts: the board first, then in the drawing's order.
+        wires: the two ends of each (`uno:13`), and what it carries: `GND`, a voltage, or nothing for a signal.
+        not_drawn: what Wokwi has no part for.
+        added: supply and ground wires that the source says nothing about.
+    """
+
+    parts: list[DrawnPart] = field(default_factory=list)
+    wires: list[tuple[str, str, str]] = field(default_factory=list)
+    not_drawn: list[NotDrawn] = field(default_factory=list)
+    added: int = 0
+
+    def listed(self) -> list[str]:
+        """A line about each part that is not drawn."""
+        told = ((p, f" on {', '.join(p.pins)}" if p.pins else "") for p in self.not_drawn)
+        return [f"{p.title} ({p.part}){pins}: {p.why}" for p, pins in told]

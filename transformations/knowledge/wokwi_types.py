@@ -1,0 +1,231 @@
+"""Which type of Wokwi's stands for a component of any drawing, and which of its pins each connector is.
+
+The types are those of `parts/wokwi_types.toml`. Nothing is made up: a component that no type stands for, or a connector that is
+no pin of the type, is left to the caller to list. What Wokwi's parts and pins are is in the catalogue; how a diagram is put
+together is `m2m/wokwi_wiring`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from functools import cache
+from pathlib import Path
+
+from robosmi.metamodels import hardware
+from robosmi.resources import folders
+from robosmi.transformations.knowledge.board_models import drawing_files, table_of, text_of
+from robosmi.transformations.knowledge.part import Part
+from robosmi.transformations.knowledge.part_names import Phrases
+from robosmi.transformations.knowledge.parts_catalogue import Catalogue
+from robosmi.verify.tables import DataTable
+
+TOOL = "wokwi"
+_OWN = "chip-"
+_DIGITS = re.compile(r"\[(\d)-(\d)\]")
+_POWERED = ("supply", "ground")
+
+
+@dataclass(frozen=True, slots=True)
+class WokwiPart:
+    """A component as Wokwi draws it: its type, its attributes, the pin that each of its connectors is, by the connector's id.
+
+    Attributes:
+        kind: the type (`wokwi-led`).
+        attributes: of the type.
+        pins: connector -> pin; connectors that are no pin of the type are not in it.
+        supplies: pins of the type that are a supply or a ground, with their kind.
+        returns: pins that go to ground where nothing is known of them (`GND` by pin).
+    """
+
+    kind: str
+    attributes: Mapping[str, str]
+    pins: Mapping[str, str]
+    supplies: Mapping[str, str]
+    returns: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class WokwiBoard:
+    """A board as Wokwi draws it: its type, the pin of each label, its supply pins by what they are called (`GND`, `5V`)."""
+
+    kind: str
+    pins: Mapping[str, str]
+    supplies: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    kind: str
+    attributes: Mapping[str, str]
+    words: Phrases
+    forbidden: Phrases
+    pins: tuple[tuple[str, str], ...]
+    order: tuple[tuple[str, ...], ...]
+    returns: tuple[str, ...]
+
+
+def wokwi_board(name: str, project: Path | None = None) -> WokwiBoard | None:
+    """How Wokwi draws a board, or None if it does not.
+
+    Args:
+        name: short name of the board (`uno`).
+        project: the project folder, whose own data goes first; the current folder if None.
+    """
+    for path in drawing_files(project):
+        if path.stem != name or f'"{TOOL}"' not in text_of(path):
+            continue
+        for drawn in table_of(path).tables("drawn_as", needed=False):
+            if drawn.text("tool") == TOOL:
+                kind = drawn.texts("modules")[0]
+                connectors = drawn.table("connectors")
+                pins = {label: connectors.texts(label)[0] for label in connectors.values}
+                part = Catalogue(project, TOOL).find(kind)
+                supplies = {_counted(pin): pin for pin in reversed(_of_kind(part, _POWERED))}
+                return WokwiBoard(kind, pins, supplies)
+    return None
+
+
+def boards_of_wokwi(project: Path | None = None) -> list[str]:
+    """The short names of the boards that Wokwi draws, sorted."""
+    return sorted({path.stem for path in drawing_files(project) if f'tool = "{TOOL}"' in text_of(path)})
+
+
+def wokwi_part(
+    component: hardware.Component, connected: Collection[hardware.Connector], project: Path | None = None
+) -> WokwiPart | None:
+    """How Wokwi draws a component, or None if none of its types stands for it.
+
+    Args:
+        component: the component, of a drawing of any tool.
+        connected: its connectors that are to be drawn, of which the pins are wanted.
+        project: the project folder, whose own data goes first; the current folder if None.
+
+    Raises:
+        PlatformDataError: an entry is damaged.
+    """
+    catalogue = Catalogue(project, TOOL)
+    if component.circuit is not None and component.circuit.tool.lower() == TOOL:
+        if component.partId.startswith(_OWN):
+            return None
+        attributes = {p.name: p.value for p in component.properties}
+        powered = {c.connectorId: c.kind.name for c in component.connectors if c.kind.name in _POWERED}
+        return WokwiPart(component.partId, attributes, {c.connectorId: c.connectorId for c in component.connectors}, powered)
+    for entry in _all(project):
+        about = (component.partTitle or component.title, component.family)
+        if not any(text in entry.words for text in about if text) or any(text in entry.forbidden for text in about if text):
+            continue
+        variant = " ".join([entry.kind, *(f"{key}={value}" for key, value in entry.attributes.items())])
+        part = catalogue.find(variant) or catalogue.find(entry.kind)
+        if part is not None:
+            powered = {pin: part.connectors[pin].kind for pin in _of_kind(part, _POWERED)}
+            return WokwiPart(
+                entry.kind,
+                entry.attributes,
+                _pins(component, connected, part, entry),
+                powered,
+                dict.fromkeys(entry.returns, "GND"),
+            )
+    return None
+
+
+def _pins(component: hardware.Component, connected: Collection[hardware.Connector], part: Part, entry: _Entry) -> dict[str, str]:
+    """The pins of connectors: by name, by what they are on, by their order, and the last signal of both."""
+    found: dict[str, str] = {}
+    for connector in component.connectors:
+        if (pin := _named(connector, part, entry)) is not None:
+            found[connector.connectorId] = pin
+    for connector in component.connectors:
+        if connector.connectorId not in found and (pin := _powered(connector, part)) is not None:
+            found[connector.connectorId] = pin
+    used = {*found.values()}
+    free = iter([pins for pins in entry.order if used.isdisjoint(pins)])
+    for group in _groups(component, connected):
+        if any(c.connectorId in found for c in group):
+            continue
+        if (pins := next(free, None)) is None:
+            break
+        found.update({c.connectorId: pins[min(place, len(pins) - 1)] for place, c in enumerate(group)})
+    left = [c for c in component.connectors if c in connected and c.connectorId not in found]
+    signals = [pin for pin in part.connectors if pin not in {*found.values()} and pin not in _of_kind(part, _POWERED)]
+    if len(left) == 1 and len(signals) == 1:
+        found[left[0].connectorId] = signals[0]
+    return found
+
+
+def _named(connector: hardware.Connector, part: Part, entry: _Entry) -> str | None:
+    name = connector.name.strip().lower()
+    if not name:
+        return None
+    same = next((pin for pin in part.connectors if pin.lower() == name), None)
+    return same or next((pin for pin, pattern in entry.pins if fnmatchcase(name, pattern)), None)
+
+
+def _powered(connector: hardware.Connector, part: Part) -> str | None:
+    kind = connector.kind.name
+    if connector.net is not None and connector.net.rail and kind not in _POWERED:
+        kind = "ground" if connector.net.voltage == "GND" else "supply"
+    return next(iter(_of_kind(part, (kind,))), None) if kind in _POWERED else None
+
+
+def _groups(component: hardware.Component, connected: Collection[hardware.Connector]) -> Iterator[list[hardware.Connector]]:
+    """The connectors in the part's order, those that are joined inside together, as far as they are to be drawn."""
+    seen: set[str] = set()
+    for connector in component.connectors:
+        if connector.connectorId in seen:
+            continue
+        bus = next((bus for bus in component.buses if connector in bus.connectors), None)
+        group = [*bus.connectors] if bus is not None else [connector]
+        seen.update(c.connectorId for c in group)
+        if drawn := [c for c in group if c in connected]:
+            yield drawn
+
+
+def _of_kind(part: Part | None, kinds: Sequence[str]) -> list[str]:
+    return [c.id for c in part.connectors.values() if c.kind in kinds] if part is not None else []
+
+
+def _counted(pin: str) -> str:
+    """A pin's name less the number that tells it from others of the name."""
+    return re.sub(r"(?<=[A-Z])\.\d+$", "", pin)
+
+
+def _all(project: Path | None) -> Iterator[_Entry]:
+    for folder in folders("platform_repo", project):
+        if (path := folder / "parts" / "wokwi_types.toml").is_file():
+            yield from _entries(path, path.stat().st_mtime_ns)
+
+
+@cache
+def _entries(path: Path, changed: int) -> tuple[_Entry, ...]:  # `changed` keys the cache
+    return tuple(_entry(table) for table in DataTable.read(path).tables("type"))
+
+
+def _entry(table: DataTable) -> _Entry:
+    attributes = table.table("attrs") if "attrs" in table.values else None
+    pins = table.table("pins") if "pins" in table.values else None
+    order = table.values.get("order", [])
+    if not isinstance(order, list) or not all(isinstance(pins, list) for pins in order):
+        raise table.error("order", "must be a list of lists of pins")
+    return _Entry(
+        kind=table.text("type"),
+        attributes={key: attributes.text(key) for key in attributes.values} if attributes is not None else {},
+        words=Phrases((word, 0) for word in table.texts("words")),
+        forbidden=Phrases((word, 0) for word in table.texts("not", ())),
+        pins=tuple(pair for pin in pins.values for pair in _told(pin, pins.texts(pin))) if pins is not None else (),
+        returns=table.texts("returns", ()),
+        order=tuple(tuple(map(str, pins)) for pins in order),
+    )
+
+
+def _told(pin: str, patterns: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Pin and pattern of each name; a range of digits in both is the same digit."""
+    digits = _DIGITS.search(pin)
+    for pattern in patterns:
+        if digits is None:
+            yield pin, pattern
+        else:
+            for digit in range(int(digits[1]), int(digits[2]) + 1):
+                yield _DIGITS.sub(str(digit), pin), _DIGITS.sub(str(digit), pattern)

@@ -1,0 +1,78 @@
+"""A project for the Wokwi simulator as files: `diagram.json`, the sketch under the name that Wokwi expects, `libraries.txt`.
+
+What is drawn and wired is decided before (`m2m/wokwi_wiring`). The formats are those of https://docs.wokwi.com: diagram-format,
+guides/libraries. Places are pixels: parts stand in columns at the right of the board, wires find their own way.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, WokwiWiring
+
+DIAGRAM, SKETCH, LIBRARIES, LISTED = "diagram.json", "sketch.ino", "libraries.txt", "not-drawn.txt"
+_SOURCES = (".ino", ".h", ".hpp", ".c", ".cpp", ".s")
+_LEFT, _COLUMN, _ROW, _ROWS = 420, 220, 150, 6
+_COLOURS = ("green", "blue", "orange", "purple", "gold", "cyan", "magenta", "limegreen", "brown", "gray")
+_CARRIED = {"GND": "black", "": ""}
+
+
+def diagram_text(wiring: WokwiWiring, author: str) -> str:
+    """The text of `diagram.json`, a part or a connection to a line.
+
+    Args:
+        wiring: what is drawn.
+        author: who the file says has made it.
+    """
+    parts = [json.dumps(_part(part, number), ensure_ascii=False) for number, part in enumerate(wiring.parts)]
+    wires = [
+        json.dumps([one, other, _CARRIED.get(carried, "red") or _COLOURS[number % len(_COLOURS)], []], ensure_ascii=False)
+        for number, (one, other, carried) in enumerate(wiring.wires)
+    ]
+    head = [f'  "version": 1,\n  "author": {json.dumps(author)},\n  "editor": "wokwi"']
+    lists = [f'  "{name}": [{_lines(entries)}]' for name, entries in (("parts", parts), ("connections", wires))]
+    return "{\n" + ",\n".join([*head, *lists, '  "dependencies": {}']) + "\n}\n"
+
+
+def project_files(
+    wiring: WokwiWiring, sketch: Mapping[str, bytes], libraries: Sequence[str], listed: Sequence[str], author: str
+) -> dict[str, bytes]:
+    """The files of the project, relative path -> bytes.
+
+    Args:
+        wiring: what is drawn.
+        sketch: the files of the sketch's folder, name -> bytes.
+        libraries: name of each library, with its version in brackets where it is known.
+        listed: a line about each part that is not drawn; no file is made where there is none.
+        author: who the diagram says has made it.
+    """
+    files = {DIAGRAM: diagram_text(wiring, author).encode()}
+    for name, data in sketch.items():
+        if name.lower().endswith(_SOURCES):
+            files[SKETCH if name.lower().endswith(".ino") else name] = data
+    lines = ["# Libraries of this project, as Wokwi installs them (docs.wokwi.com/guides/libraries)", *map(_library, libraries)]
+    files[LIBRARIES] = ("\n".join(lines) + "\n").encode()
+    if listed:
+        head = "Parts of the robot that Wokwi has none for; they are not in the diagram:"
+        files[LISTED] = ("\n".join([head, *listed]) + "\n").encode()
+    return files
+
+
+def _part(part: DrawnPart, number: int) -> dict[str, Any]:
+    place = number - 1
+    left = 0 if number == 0 else _LEFT + _COLUMN * (place // _ROWS)
+    top = 0 if number == 0 else _ROW * (place % _ROWS)
+    return {"type": part.kind, "id": part.identity, "top": top, "left": left, "attrs": part.attributes}
+
+
+def _lines(entries: Sequence[str]) -> str:
+    return "\n" + ",\n".join(f"    {entry}" for entry in entries) + "\n  " if entries else ""
+
+
+def _library(text: str) -> str:
+    """`Servo (1.2.2)` as `Servo@1.2.2`."""
+    name, _, version = text.removesuffix(")").partition(" (")
+    return f"{name}@{version}" if version else name
