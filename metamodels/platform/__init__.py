@@ -360,6 +360,8 @@ class ApiFunction(Element, metaclass=MetaEClass):
     """True for a function-like macro."""
     blocking: bool = EAttribute(eType=EBoolean)
     """True when it returns only after a time that matters."""
+    longestMicroseconds: int = EAttribute(eType=EInt)
+    """The longest time that it takes where its arguments do not say it, in microseconds; 0 where that is not known or has no bound."""
     startsCog: bool = EAttribute(eType=EBoolean)
     """True when it starts code on another core."""
     codeArgument: int = EAttribute(eType=EInt, default_value=-1)
@@ -382,6 +384,7 @@ class ApiFunction(Element, metaclass=MetaEClass):
             variadic: bool | None = None,
             functionLikeMacro: bool | None = None,
             blocking: bool | None = None,
+            longestMicroseconds: int | None = None,
             startsCog: bool | None = None,
             codeArgument: int | None = None,
             parameters: Iterable[ApiParameter] | None = None,

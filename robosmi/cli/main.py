@@ -97,6 +97,7 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
     for name, summary in COMMANDS.items():
         sub = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
         sub.add_argument("--json", action="store_true", help="print one JSON document to stdout and nothing else")
+        sub.add_argument("-v", "--verbose", action="store_true", help="show every finding, and not only the first of many alike")
         sub.add_argument(
             "--fail-on", choices=("info", "warning", "error", "never"), default="error",
             help="exit with 1 when there is a finding of at least this severity (default: error)",
@@ -157,13 +158,13 @@ def _collect_less() -> None:
 
 def _run(parsed: argparse.Namespace) -> int:
     from robosmi.plugins import broken_findings
-    from robosmi.report import terminal_text
+    from robosmi.report import takes_colour, terminal_text
 
     report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
     report.findings += broken_findings()
     if parsed.json:
         _print_json(report.to_json())
-    elif text := terminal_text(report):
+    elif text := terminal_text(report, verbose=parsed.verbose, colour=takes_colour(sys.stdout)):
         streams.say(text)
     return int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
 

@@ -6,6 +6,7 @@ decides anything but the exit code that findings amount to.
 
 from __future__ import annotations
 
-from robosmi.report.document import Report, terminal_text
+from robosmi.report.document import Report
+from robosmi.report.terminal_text import takes_colour, terminal_text
 
-__all__ = ["Report", "terminal_text"]
+__all__ = ["Report", "takes_colour", "terminal_text"]

@@ -1,4 +1,4 @@
-"""One command's report: schema `robosmi/1` of the contract, and its short text for a terminal."""
+"""One command's report: schema `robosmi/1` of the contract. Its text for a terminal is made in `terminal_text`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
-from robosmi.quoting import terminal
 
 SCHEMA = "robosmi/1"
 
@@ -91,17 +90,3 @@ def _names(finding: Finding) -> tuple[object, ...]:
     """By what a finding's element may be named under `[[accept]]`."""
     about = finding.evidence
     return (finding.element, "*", about.get("component") or None, f"#{about['model_index']}" if "model_index" in about else None)
-
-
-def terminal_text(report: Report) -> str:
-    """What a person reads: the command's lines, then findings with their places, as compilers print them.
-
-    Texts of files and models stay text there: they send a terminal no sequence and begin no line.
-    """
-    lines = list(report.lines)
-    for finding in report.findings:
-        place = f"{finding.location}: " if finding.location else ""
-        lines.append(f"{place}{finding.severity.name}: {finding.message} [{finding.rule}]")
-        if finding.fix and finding.severity > Severity.info:
-            lines.append(f"  do: {finding.fix}")
-    return "\n".join(map(terminal, lines))

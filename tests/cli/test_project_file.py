@@ -78,10 +78,10 @@ def add(source: Path, text: str) -> None:
 
 @pytest.mark.parametrize(("level", "code", "severity"), [("error", 1, "error"), ("warning", 0, "warning")])
 def test_a_severity_of_the_project_file_counts(level: str, code: int, severity: str, line_follower: Path, tmp_path: Path) -> None:
-    add(line_follower, f'\n[severity]\nRS108 = "{level}"\n')
+    add(line_follower, f'\n[severity]\nRS250 = "{level}"\n')
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--json")
     assert outcome.code == code
-    assert [f["severity"] for f in outcome.document["findings"] if f["rule"] == "RS108"] == [severity]
+    assert [f["severity"] for f in outcome.document["findings"] if f["rule"] == "RS250"] == [severity]
 
 
 def test_a_rule_may_be_switched_off(line_follower: Path, tmp_path: Path) -> None:

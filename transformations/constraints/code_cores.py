@@ -125,9 +125,9 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
     )
 
 
-@units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait where other work has to go on")
+@units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait")
 def DoesNotWait(unit: ccode.SourceUnit) -> Any:
-    """What is repeated for ever does not wait."""
+    """What is repeated for ever does not wait where other work has to go on meanwhile."""
     cores = the_move().cores
     main = main_function(unit)
     repeated = [s.body for s in main.body.statements if isinstance(s, ccode.Loop) and s.endless] if main and main.body else []
@@ -136,13 +136,12 @@ def DoesNotWait(unit: ccode.SourceUnit) -> Any:
     calls = [e for e in done if isinstance(e, ccode.Call) and e.calleeName in blocking and not e.viaMacro]
     busy = filter(_is_busy, done) if the_move().plan.concurrency is None else ()  # else these were given a yield
     waits = sorted((*calls, *busy), key=lambda e: int(e.startOffset))
-    if not waits:
+    elsewhere = cores.starts or any(name not in the_move().served for name in cores.by_libraries)
+    if not waits or not elsewhere:
         return True
     counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)
     names = ", ".join(f"{name} ({count})" if count > 1 else name for name, count in counted.most_common())
-    elsewhere = cores.starts or any(name not in the_move().served for name in cores.by_libraries)
-    others = ", while code on other cores has to go on" if elsewhere else ""
-    return together(f"what is repeated for ever waits in {names}{others}", waits)
+    return together(f"what is repeated for ever waits in {names}, while code on other cores has to go on", waits)
 
 
 def _is_busy(element: Any) -> bool:

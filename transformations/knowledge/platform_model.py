@@ -112,6 +112,7 @@ def _function(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiFunction:
         variadic=variadic,
         functionLikeMacro=entry.kind == "function_macro",
         blocking=bool(meaning.get("blocking", False)),
+        longestMicroseconds=int(meaning.get("longest_us", 0)),
         startsCog=api.starts_cog(name, entry.header),
         codeArgument=-1 if (code := api.code_argument(name)) is None else code,
         parameters=parameters,

@@ -69,7 +69,7 @@ class StoredFacts:
         name = str(function.name)
         kind = "function_macro" if function.functionLikeMacro else "function"
         self._add(name, ApiEntry(header, kind, str(function.returnType), str(function.parameterList)))
-        self.functions[name] = {"blocking": bool(function.blocking)}
+        self.functions[name] = {"blocking": bool(function.blocking), "longest_us": int(function.longestMicroseconds)}
         if function.codeArgument >= 0:
             self.code_arguments[name] = int(function.codeArgument)
         if function.startsCog:

@@ -35,7 +35,7 @@ def plan_tasks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 
 def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Mapping[str, str]) -> list[migration.PlanFinding]:
-    """What readers and checks found, as part of the plan.
+    """What readers and checks found, as part of the plan. What the source does on other cores is none where adapters do it here.
 
     Args:
         plan: the plan, complete but for its findings and tasks.
@@ -52,7 +52,16 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
             elements=[c for c in [components.get(str(f.evidence.get("model_index", "")))] if c is not None],
         )
         for f in read
+        if not _adapted(f, plan)
     ]  # fmt: skip
+
+
+def _adapted(finding: Finding, plan: migration.MigrationPlan) -> bool:
+    """Whether a finding is about functions that run on other cores there, and adapters with bodies stand for all of them."""
+    if finding.rule != "RS108":
+        return False
+    served = {str(use.name) for use in plan.adapterUses if use.adapter is not None or use.written}
+    return served.issuperset(finding.evidence.get("functions", ("",)))
 
 
 def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:

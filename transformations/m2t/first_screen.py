@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.answers import answer
+from robosmi.transformations.queries.board_needs import board_needs, needs_in_words, shortages
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.verdicts import EFFORTS
 from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
@@ -19,7 +20,7 @@ from robosmi.transformations.queries.work import Work
 
 LINES = 40
 """How many lines the first screen of a report has at most."""
-_SHARES = (9, 7, 5)
+_SHARES = (9, 6, 5)
 """How many lines each of the three lists may have when all are long."""
 _OPTIONS = 4
 _SNIPPET = 44
@@ -78,10 +79,14 @@ class FirstScreen:
 
     Attributes:
         works: how many calls work, in words.
+        needs: what the program needs of its board, in words; empty where it needs nothing that is counted.
+        shortages: what the board cannot give.
         decide, write, check: the lists.
     """
 
     works: str
+    needs: str
+    shortages: tuple[str, ...]
     decide: Listed
     write: Listed
     check: Listed
@@ -101,8 +106,12 @@ def first_screen(plan: migration.MigrationPlan, sources: Mapping[str, bytes], ta
         Listed("Write", written(work), tuple(_bodies(work)), _write_hint(plan, work)),
         Listed("Check on the bench", checked(work), tuple(_checks(work))),
     )
-    room = _shared([len(each.first) for each in lists], sum(_SHARES) - taken)
-    return FirstScreen(works(plan, work), *(_cut(each, lines) for each, lines in zip(lists, room, strict=True)))
+    needs = board_needs(plan)
+    short = tuple(shortages(needs))
+    room = _shared([len(each.first) for each in lists], sum(_SHARES) - taken - 2 * bool(short))
+    return FirstScreen(
+        works(plan, work), needs_in_words(needs), short, *(_cut(each, lines) for each, lines in zip(lists, room, strict=True))
+    )
 
 
 def _shared(wanted: Sequence[int], lines: int) -> list[int]:

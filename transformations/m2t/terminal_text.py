@@ -22,9 +22,13 @@ def terminal_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes], 
     """
     board = plan.board.title if plan.board else "the target"
     screen = first_screen(plan, sources)
-    lines = [f"{'made' if made else 'would make'} {sketch} for {board}", _sum("works", screen.works)]
+    lines = [f"{'made' if made else 'would make'} {sketch} for {board}"]
+    lines += [_sum("too big", short) for short in screen.shortages]
+    lines.append(_sum("works", screen.works))
     for word, each in (("decide", screen.decide), ("write", screen.write), ("check", screen.check)):
         lines += _list(word, each)
+    if screen.needs:
+        lines.append(_sum("needs", screen.needs))
     for connection in plan.connections:
         ports = ", ".join(b.name for b in plan.portBindings if b.connection is connection)
         pin = connection.pin.label if connection.pin else "?"

@@ -39,7 +39,8 @@ def library_cogs(view: code.CodeView) -> list[Finding]:
         call = min((f.calls[0] for f in functions), key=lambda c: int(c.startOffset))
         names = ", ".join(f.name for f in functions)
         runs = "run on a core of their own" if len(functions) > 1 else "runs on a core of its own"
-        found.append(_finding(view, "RS108", Severity.info, call, f"{names} ({header}) {runs}"))
+        evidence = {"functions": [f.name for f in functions]}
+        found.append(_finding(view, "RS108", Severity.info, call, f"{names} ({header}) {runs}", evidence=evidence))
     return found
 
 
@@ -56,10 +57,16 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
 
 
 def _finding(
-    view: code.CodeView, rule: str, severity: Severity, call: ccode.Call, message: str, fix: str | None = None
+    view: code.CodeView,
+    rule: str,
+    severity: Severity,
+    call: ccode.Call,
+    message: str,
+    fix: str | None = None,
+    evidence: dict[str, Any] | None = None,
 ) -> Finding:
     place = Location(str(view.unit.path), int(call.line), int(call.column), int(call.endLine), int(call.endColumn))
-    return Finding(rule, severity, message, place, fix=fix)
+    return Finding(rule, severity, message, place, fix=fix, evidence=evidence or {})
 
 
 def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str, list[ccode.Call]]) -> dict[str, Any]:

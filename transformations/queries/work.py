@@ -15,6 +15,7 @@ from typing import Any
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.answers import answer
+from robosmi.transformations.queries.board_needs import board_needs
 from robosmi.transformations.queries.plan import decisions
 from robosmi.transformations.queries.verdicts import EFFORTS, constructs, unserved_headers, verdict_counts
 from robosmi.transformations.queries.waiting_calls import WITH_CARE, WORKS, CallStates
@@ -108,7 +109,7 @@ class Work:
 
 
 def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
-    """What the contract's `plan` says of the work: `work`, `verdicts` (sums) and `constructs[]`.
+    """What the contract's `plan` says of the work: `work`, `needs` (of the board), `verdicts` (sums) and `constructs[]`.
 
     Args:
         plan: the plan, complete.
@@ -117,6 +118,7 @@ def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> di
     judged = constructs(plan, sources)
     return {
         "work": Work(plan).to_json(),
+        "needs": board_needs(plan).to_json(),
         "verdicts": verdict_counts(judged),
         "constructs": [construct.to_json() for construct in judged],
     }

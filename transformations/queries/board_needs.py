@@ -1,0 +1,171 @@
+"""What a plan's program needs of its board before it is compiled: pins, timers, and the time that each pass of its loop waits.
+
+All is read off the models: the plan's bindings, the board with its microcontroller, the pieces of adapters and the libraries that
+the program gets. What cannot be had is told apart, so that a report can say it first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.metamodels import migration, platform
+from robosmi.transformations.queries.loop_time import Time, loop_time
+from robosmi.transformations.queries.plan_adapters import closure, emitted
+
+_MILLION = 1e6
+
+
+@dataclass(frozen=True)
+class PinNeeds:
+    """How many pins a program needs.
+
+    Attributes:
+        of_board: pins that the board has.
+        used: pins that ports of the program are bound to.
+        drawn: pins that something is wired to and no port is bound to.
+        wanted: open ports, each of which may need one.
+    """
+
+    of_board: int
+    used: int
+    drawn: int
+    wanted: int
+
+    @property
+    def missing(self) -> int:
+        """How many pins there are too few when each open port needs one."""
+        return max(0, self.used + self.drawn + self.wanted - self.of_board) if self.of_board else 0
+
+
+@dataclass(frozen=True)
+class TimerNeeds:
+    """Who takes a timer: pieces of adapters, by the functions that need them, and libraries."""
+
+    timer: str
+    takers: tuple[str, ...]
+
+    @property
+    def contested(self) -> bool:
+        """Whether more than one takes it."""
+        return len(self.takers) > 1
+
+
+@dataclass(frozen=True)
+class BoardNeeds:
+    """What a program needs of its board.
+
+    Attributes:
+        pins: of pins.
+        timers: of each timer that anything takes, by name.
+        loop: how long each pass of its loop waits; None for a program that runs once.
+    """
+
+    pins: PinNeeds
+    timers: tuple[TimerNeeds, ...]
+    loop: Time | None
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form."""
+        return {
+            "pins": {
+                "of_board": self.pins.of_board, "used": self.pins.used, "drawn": self.pins.drawn,
+                "wanted": self.pins.wanted, "missing": self.pins.missing,
+            },
+            "timers": [{"timer": t.timer, "takers": list(t.takers)} for t in self.timers],
+            "loop": None if self.loop is None else {
+                "waits_low_ms": round(self.loop.low / 1000, 3), "waits_high_ms": round(self.loop.high / 1000, 3),
+                "unbounded": [{"what": w.what, "line": w.line} for w in self.loop.unbounded],
+            },
+        }  # fmt: skip
+
+
+def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
+    """What a plan's program needs of its board.
+
+    Args:
+        plan: the plan; what is not compiled yet counts as what the models say.
+    """
+    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan))
+
+
+def _pins(plan: migration.MigrationPlan) -> PinNeeds:
+    bound = {id(pin) for b in plan.portBindings if (pin := _pin(b)) is not None}
+    drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
+    wanted = sum(b.open for b in plan.portBindings)
+    return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)
+
+
+def _pin(binding: migration.PortBinding) -> platform.Pin | None:
+    return binding.connection.pin if binding.connection is not None else binding.pin
+
+
+def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
+    """Who takes which timer; pieces that need each other, and the library that they work with, are one."""
+    takers: dict[str, list[tuple[set[int], str]]] = {}
+    for choice in plan.libraryChoices:
+        if choice.included and choice.chosen is not None:
+            for timer in choice.chosen.timers:
+                takers.setdefault(str(timer), []).append((set(), str(choice.chosen.name)))
+    for piece in emitted(plan):
+        needed = closure([piece])
+        library = next((str(name) for each in needed for name in each.libraries), "")
+        for timer in piece.timers:
+            _join(takers.setdefault(str(timer), []), {id(each) for each in needed}, id(piece), library or str(piece.name))
+    return (TimerNeeds(timer, tuple(dict.fromkeys(name for _, name in takers[timer]))) for timer in sorted(takers))
+
+
+def _join(families: list[tuple[set[int], str]], needed: set[int], piece: int, name: str) -> None:
+    """Add a piece to those that take a timer: to the family of one that it needs, which is called by its last piece."""
+    for number, (members, called) in enumerate(families):
+        if members & needed or called == name:
+            families[number] = (members | {piece}, called if not members or called == name else name)
+            return
+    families.append(({piece}, name))
+
+
+# ---- in words
+
+
+def needs_in_words(needs: BoardNeeds) -> str:
+    """The needs as one line of a report."""
+    pins = needs.pins
+    said = []
+    if pins.of_board and (pins.used or pins.drawn or pins.wanted):
+        more = f", {pins.wanted} more wanted" if pins.wanted else ""
+        spare = f", {pins.drawn} wired to what no port uses" if pins.drawn else ""
+        said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
+    said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
+    if needs.loop is not None:
+        said.append(f"each pass of the loop {_time_in_words(needs.loop)}")
+    return "; ".join(said)
+
+
+def _time_in_words(time: Time) -> str:
+    low, high = _seconds(time.low), _seconds(time.high)
+    counted = f"{low} to {high}" if low != high else low
+    names = list(dict.fromkeys(wait.what for wait in time.unbounded))
+    lines = sorted({wait.line for wait in time.unbounded})
+    if not names:
+        return f"waits {counted}" if time.high else "does not wait"
+    places = f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines[:4]))}{' ...' if len(lines) > 4 else ''}"
+    longer = f"as long as {', '.join(names[:3])}{' ...' if len(names) > 3 else ''} take{'s' * (len(names) == 1)} ({places})"
+    return f"waits {counted}, and {longer}" if time.high else f"waits {longer}"
+
+
+def _seconds(microseconds: float) -> str:
+    if microseconds >= _MILLION:
+        return f"{microseconds / _MILLION:.3g} s"
+    return f"{microseconds / 1000:.3g} ms" if microseconds >= 1000 else f"{microseconds:.0f} us" if microseconds else "0"
+
+
+def shortages(needs: BoardNeeds) -> list[str]:
+    """What the board cannot give, as sentences without a full stop."""
+    found = []
+    if needs.pins.missing:
+        needed = needs.pins.used + needs.pins.drawn + needs.pins.wanted
+        few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
+        found.append(f"{few}: {needed} are needed, and the board has {needs.pins.of_board}")
+    found += [f"{timer.timer} is taken by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
+    return found

@@ -1,0 +1,214 @@
+"""How long what a program repeats for ever waits each time, as far as its text and what is known of the platform say it.
+
+Counted is time in functions that wait: what their arguments ask for, or the longest they take. Time for computing is not counted,
+nor what a function sends or prints. Where a wait ends by something outside (a person, a sensor, a wheel), it has no upper bound
+and is named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import all_contents
+from robosmi.transformations.queries.main_program import main_structure
+from robosmi.transformations.queries.values import Values
+
+TICKS = 80
+"""Ticks of the source's clock in a microsecond, where its platform names none."""
+_UNITS = {platform.Meaning.milliseconds: 1000.0, platform.Meaning.microseconds: 1.0}
+
+
+@dataclass(frozen=True)
+class Wait:
+    """A wait that nothing bounds: what waits, and its line."""
+
+    what: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Time:
+    """Between which times something waits.
+
+    Attributes:
+        low, high: microseconds; `high` counts bounded waits only.
+        unbounded: waits without an upper bound, each once, in text order.
+    """
+
+    low: float = 0.0
+    high: float = 0.0
+    unbounded: tuple[Wait, ...] = ()
+
+    def then(self, other: Time) -> Time:
+        """One after the other."""
+        return Time(self.low + other.low, self.high + other.high, _once(self.unbounded, other.unbounded))
+
+    def either(self, other: Time) -> Time:
+        """One or the other."""
+        return Time(min(self.low, other.low), max(self.high, other.high), _once(self.unbounded, other.unbounded))
+
+    def times(self, low: int, high: int) -> Time:
+        """So many times, one after the other."""
+        return Time(self.low * low, self.high * high, self.unbounded)
+
+
+NOTHING = Time()
+
+
+def loop_time(plan: migration.MigrationPlan) -> Time | None:
+    """How long each pass of what a plan's program repeats for ever waits; None for a program that runs once.
+
+    Args:
+        plan: the plan.
+    """
+    for unit in plan.program.units if plan.program is not None else ():
+        structure = main_structure(unit)
+        if structure is not None and structure.loop is not None and structure.loop.body is not None:
+            return LoopTimes(plan, unit).of(structure.loop.body)
+    return None
+
+
+class LoopTimes:
+    """Times of statements and expressions of one program.
+
+    Args:
+        plan: its plan.
+        unit: whose macros hold.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> None:
+        assert plan.program is not None
+        self._values = Values(plan.program, unit)
+        self._platform: Mapping[str, platform.ApiFunction] = {
+            str(use.name): use.function for use in plan.adapterUses if use.function is not None
+        }
+        self._functions: dict[int, Time] = {}
+
+    def of(self, element: Any) -> Time:
+        """The time of a statement or expression, nothing for None."""
+        if element is None:
+            return NOTHING
+        if isinstance(element, ccode.Block):
+            return self._sequence(element.statements)
+        if isinstance(element, ccode.If):
+            return self.of(element.condition).then(self.of(element.thenBranch).either(self.of(element.elseBranch)))
+        if isinstance(element, ccode.Switch):
+            return self.of(element.selector).then(
+                NOTHING.either(Time(0.0, self._inside(element.body).high, self._inside(element.body).unbounded))
+            )
+        if isinstance(element, ccode.Loop):
+            return self._loop(element)
+        if isinstance(element, ccode.ConditionalExpression):
+            return self.of(element.condition).then(self.of(element.whenTrue).either(self.of(element.whenFalse)))
+        if isinstance(element, ccode.Binary) and element.operator in ("&&", "||"):
+            return self.of(element.left).then(NOTHING.either(self.of(element.right)))
+        if isinstance(element, ccode.Call):
+            return self._inside(element).then(self._call(element))
+        return self._inside(element)
+
+    def _sequence(self, statements: Iterable[Any]) -> Time:
+        """Statements one after the other, as far as nothing leaves them; what may leave makes the rest optional."""
+        time, sure = NOTHING, True
+        for statement in statements:
+            own = self.of(statement)
+            time = time.then(own if sure else NOTHING.either(own))
+            if isinstance(statement, (ccode.Break, ccode.Continue, ccode.Return, ccode.Goto)):
+                break
+            leaves = any(isinstance(e, (ccode.Continue, ccode.Return, ccode.Goto, ccode.Break)) for e in all_contents(statement))
+            sure = sure and not (leaves and isinstance(statement, ccode.If))
+        return time
+
+    def _inside(self, element: Any) -> Time:
+        """What stands directly within an element, one after the other."""
+        time = NOTHING
+        for part in element.eContents if element is not None else ():
+            if isinstance(part, (ccode.Statement, ccode.Expression, ccode.Declaration)):
+                time = time.then(self.of(part))
+        return time
+
+    def _loop(self, loop: ccode.Loop) -> Time:
+        step = loop.step if isinstance(loop, ccode.For) else None
+        once = self.of(loop.condition).then(self.of(loop.body)).then(self.of(step))
+        first = self.of(loop.initial) if isinstance(loop, ccode.For) else NOTHING
+        if isinstance(loop, ccode.For) and (trips := self._trips(loop)) is not None:
+            early = any(isinstance(e, (ccode.Break, ccode.Return, ccode.Goto)) for e in all_contents(loop.body))
+            return first.then(once.times(0 if early else trips, trips))
+        if not once.high and not once.unbounded and not self._outside(loop):
+            return first
+        least = 1 if isinstance(loop, ccode.DoWhile) else 0
+        return first.then(Time(once.low * least, once.high, (Wait(_name(loop), int(loop.line)), *once.unbounded)))
+
+    def _outside(self, loop: ccode.Loop) -> bool:
+        """Whether a loop ends by what a function of the platform says."""
+        condition = [loop.condition, *all_contents(loop.condition)] if loop.condition is not None else []
+        return any(isinstance(e, ccode.Call) and str(e.calleeName) in self._platform for e in condition)
+
+    def _trips(self, loop: ccode.For) -> int | None:
+        """How often a loop with a counter and bounds that the text gives is carried out."""
+        condition = loop.condition
+        if not isinstance(condition, ccode.Binary) or not isinstance(condition.left, ccode.NameReference):
+            return None
+        inside = [e for e in all_contents(loop.body) if isinstance(e, ccode.NameReference)] if loop.body is not None else []
+        uses = (
+            [e for e in [*inside, *all_contents(loop.step)] if isinstance(e, ccode.NameReference)]
+            if loop.step is not None
+            else []
+        )
+        mine = next((e for e in uses if e.target is condition.left.target), None)
+        values = self._values.of(mine) if mine is not None else []
+        return len(values) if values and all(v.number is not None for v in values) else None
+
+    def _call(self, call: ccode.Call) -> Time:
+        callee = call.callee
+        if callee is not None and callee.body is not None:
+            known = self._functions.get(id(callee))
+            if known is None:
+                again = Wait(_call_name(call), int(call.line))
+                self._functions[id(callee)] = Time(unbounded=(again,))  # for a function that calls itself
+                known = self.of(callee.body)
+                if not known.high and known.unbounded == (again,):
+                    known = NOTHING
+                self._functions[id(callee)] = known
+            return known
+        function = self._platform.get(str(call.calleeName))
+        return self._platform_call(call, function) if function is not None and function.blocking else NOTHING
+
+    def _platform_call(self, call: ccode.Call, function: platform.ApiFunction) -> Time:
+        """The time that a function of the platform waits: what its argument asks for, or the longest that it takes."""
+        for argument, parameter in zip(call.arguments, function.parameters, strict=False):
+            factor = _UNITS.get(parameter.meaning, 1.0 / TICKS if parameter.meaning is platform.Meaning.ticks else 0.0)
+            if factor:
+                numbers = self._numbers(argument, ticks=parameter.meaning is platform.Meaning.ticks)
+                if numbers:
+                    return Time(max(0, min(numbers)) * factor, max(0, max(numbers)) * factor)
+                return Time(0.0, 0.0, (Wait(_call_name(call), int(call.line)),))
+        if function.longestMicroseconds:
+            return Time(0.0, float(function.longestMicroseconds))
+        return Time(0.0, 0.0, (Wait(_call_name(call), int(call.line)),))
+
+    def _numbers(self, argument: Any, *, ticks: bool) -> list[int]:
+        """The values of an argument, empty where the text does not give them all; a time from now on counts from now on."""
+        values = self._values.of(argument)
+        if all(v.number is not None for v in values):
+            return [v.number for v in values if v.number is not None]
+        if ticks and isinstance(argument, ccode.Binary) and str(argument.operator) == "+":
+            for side in (argument.right, argument.left):
+                if found := self._numbers(side, ticks=False):
+                    return found
+        return []
+
+
+def _once(first: Iterable[Wait], second: Iterable[Wait]) -> tuple[Wait, ...]:
+    return tuple(dict.fromkeys((*first, *second)))
+
+
+def _call_name(call: ccode.Call) -> str:
+    return str(call.calleeName)
+
+
+def _name(loop: ccode.Loop) -> str:
+    kind = {"While": "while", "DoWhile": "do", "For": "for"}.get(type(loop).__name__, "loop")
+    return f"the {kind} loop"
