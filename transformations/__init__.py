@@ -64,6 +64,8 @@ _CONTENT = {
     ("device", "registers"): "verification.devices.two_wire:Registers",
     ("device", "serial_line"): "verification.devices.serial_line:SerialLine",
     ("device", "feedback_servo"): "verification.devices.feedback_servo:FeedbackServo",
+    ("device", "lis3dh"): "verification.devices.lis3dh:Lis3dh",
+    ("device", "bme680"): "verification.devices.bme680:Bme680",
     ("device", "serial_registers"): "verification.devices.serial_registers:SerialRegisters",
     ("device", "sony_remote"): "verification.devices.infrared:SonyRemote",
     ("device", "two_pin_ranger"): "verification.devices.ranger:TwoPinRanger",

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from statistics import median
 
-from robosmi.verify.simulation import PinTrace
+from robosmi.verify.simulation import ConsoleByte, PinTrace
 
 LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
 """The kinds of events with what they say: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,).
@@ -91,16 +91,17 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0]) -> list[Activi
         pin: label of the pin.
         sight: one of `SIGHTS`.
     """
-    pulses = _pulses(trace, pin)
-    found: list[ActivityEvent] = []
-    number = 0
-    while number < len(pulses):
-        last = number
-        while last + 1 < len(pulses) and pulses[last + 1].begin - pulses[last].end < sight.pause_us:
-            last += 1
-        found += _run(pulses[number : last + 1], _until(trace), sight)
-        number = last + 1
-    return merged([IDLE, *found])
+    runs: list[list[_Pulse]] = []
+    for pulse in _pulses(trace, pin):
+        if runs and pulse.begin - runs[-1][-1].end < sight.pause_us:
+            runs[-1].append(pulse)
+        else:
+            runs.append([pulse])
+    drives_servo = any(_is_frames(run) for run in runs)
+    seen = [
+        run for run in runs if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0]))
+    ]  # a single frame moves nothing
+    return merged([IDLE, *(event for run in seen for event in _run(run, _until(trace), sight))])
 
 
 def _until(trace: PinTrace) -> float:
@@ -182,9 +183,7 @@ def _same_wave(one: _Pulse, other: _Pulse) -> bool:
 def _edges(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     """The events of high times that follow each other closely: a servo's frames, waves, a burst, or mere levels."""
     periods = [after.begin - before.begin for before, after in pairwise(pulses)]
-    widths = [pulse.end - pulse.begin for pulse in pulses]
-    frames = len(pulses) >= 2 and all(_SERVO_WIDTH_US[0] <= w <= _SERVO_WIDTH_US[1] for w in widths)
-    if frames and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]:
+    if _is_frames(pulses):
         return _frames(pulses, horizon_us, sight)
     if len(pulses) < _FEWEST:
         return [event for p in pulses for event in _levels(p, horizon_us)]
@@ -200,6 +199,17 @@ def _edges(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[Activi
             parts.append((steady, part))
         first += len(part)
     return [event for steady, part in _absorbed(parts) for event in _part(steady, part, horizon_us, sight)]
+
+
+def _is_servo_pulse(pulse: _Pulse) -> bool:
+    return pulse.hz == 0 and _SERVO_WIDTH_US[0] <= pulse.end - pulse.begin <= _SERVO_WIDTH_US[1]
+
+
+def _is_frames(pulses: Sequence[_Pulse]) -> bool:
+    """Whether pulses are frames of a servo, by their widths and their distance; the last one may be cut off."""
+    periods = [after.begin - before.begin for before, after in pairwise(pulses)]
+    whole = pulses[:-1] if len(pulses) > 2 and pulses[-1].end - pulses[-1].begin < _SERVO_WIDTH_US[0] else pulses
+    return bool(periods) and all(map(_is_servo_pulse, whole)) and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]
 
 
 def _absorbed(parts: list[tuple[bool, list[_Pulse]]]) -> list[tuple[bool, list[_Pulse]]]:
@@ -297,11 +307,22 @@ def console_lines(trace: PinTrace, measures: bool = False) -> list[ActivityEvent
         trace: what was seen.
         measures: whether the program measures, so that what it prints may be a measured number.
     """
+    return text_lines(trace, trace.console, measures)
+
+
+def text_lines(trace: PinTrace, data: Sequence[ConsoleByte], measures: bool = False) -> list[ActivityEvent]:
+    """Bytes that a program sent, on its console or to a device, as lines of text (see `console_lines`).
+
+    Args:
+        trace: of the run.
+        data: the bytes, by time.
+        measures: whether the program measures.
+    """
     kind = READING if measures else LINE
     found: list[ActivityEvent] = []
     line = bytearray()
     last = 0.0
-    for byte in trace.console:
+    for byte in data:
         if line and byte.at_us - last > _SILENCE_US:
             found.append(ActivityEvent(last, kind, (_text(line),)))
             line.clear()

@@ -1,68 +1,101 @@
 """Verify migrations of real programs and tabulate the verdicts.
 
-`ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus [COUNT] [SECONDS]`, the seconds being those of the search for scenarios.
-Programs are taken at even distances in the order of their names; without drawings, so that their ports are bound to pins of the
-target as long as there are any. A line for each: verdict, scenarios, branches, reason or first difference.
+`ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus [--only TEXT] [--budget SECONDS] [--table FILE]`, the seconds being those
+of the search for scenarios of each program. Which programs, and how their ports are wired, is in `verified_programs.toml`; ports
+that it does not name are bound to free pins of the target. A row for each: verdict, scenarios, simulated time, lines and branches
+reached, and the reason or the first difference. With `--table` the rows are written as a table of Markdown.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
-import sys
 import tempfile
+import tomllib
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import robosmi
-from robosmi.errors import RobosmiError, UsageError
+from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.verify import verify
+from robosmi.verify.verdict import Verdict
 from tests.corpus.migrate_corpus import programs
 
+CHOSEN = Path(__file__).parent / "verified_programs.toml"
+_DIGITAL = [f"D{n}" for n in (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13)]
+_ANALOG = [f"A{n}" for n in range(6)]
 
-def bound(files: list[Path], folder: Path) -> None:
-    """Migrate a program, with its ports on pins of the target that nothing else has."""
+
+def migrated(files: list[Path], wiring: Mapping[str, str], folder: Path) -> None:
+    """Migrate a program; ports that nobody wired are on pins of the target that nothing else has, as long as there are any."""
     made = robosmi.plan_migration(files)
-    free = [f"D{n}" for n in (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13)] + [f"A{n}" for n in range(6)]
-    bind: dict[str, str] = {}
+    bind = dict(wiring)
+    free = [pin for pin in (*_DIGITAL, *_ANALOG) if pin not in wiring.values()]
     for binding in made.plan.portBindings:
-        if not free:
-            break
+        names = {str(binding.name), *map(str, binding.names)}
         analog = str(binding.name).startswith("AD") or ".channel_" in str(binding.name)
-        pin = next((p for p in free if p.startswith("A") == analog), free[0])
+        pin = next((p for p in free if p.startswith("A") or not analog), None)
+        if names & wiring.keys() or pin is None:
+            continue
+        pin = next((p for p in free if p.startswith("A")), pin) if analog else pin
         free.remove(pin)
         bind[str(binding.name)] = pin
     robosmi.migrate(files, folder, bind=bind)
 
 
+def row(files: list[Path], entry: Mapping[str, Any], budget: float) -> tuple[str, list[str]]:
+    """The verdict on one program, and its row."""
+    with tempfile.TemporaryDirectory() as place:
+        out = Path(place) / "out"
+        try:
+            migrated(files, entry.get("bind", {}), out)
+            verdict = verify(out, budget_s=budget).verdict
+        except RobosmiError as error:
+            return "error", ["error", "", "", "", "", f"{type(error).__name__}: {error.message}"]
+    return verdict.verdict, cells(verdict)
+
+
+def cells(verdict: Verdict) -> list[str]:
+    """The columns of a row behind the program's name."""
+    reached = [f"{verdict.lines_pct:.0f}", f"{verdict.branches_pct:.0f}"] if verdict.counted else ["", ""]
+    why = list(verdict.all_reasons())
+    if (first := verdict.first_difference) is not None:
+        why.insert(0, f"'{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}")
+    return [verdict.verdict, str(len(verdict.scenarios)), f"{verdict.simulated_s:.1f}", *reached, "; ".join(why)]
+
+
+HEADINGS = ["program", "verdict", "scenarios", "s", "lines %", "branches %", "why"]
+
+
+def table(rows: list[list[str]]) -> str:
+    """Rows as a table of Markdown."""
+    lines = [HEADINGS, ["---"] * len(HEADINGS), *rows]
+    return "".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |\n" for line in lines)
+
+
 def main() -> None:
-    """Verify some programs of the corpus."""
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 40
-    budget = float(sys.argv[2]) if len(sys.argv) > 2 else 10.0
-    found = [list(files) for files in programs(Path(os.environ["ROBOSMI_CORPUS"]))]
-    chosen = found[:: max(1, len(found) // count)][: count + 5]
+    """Verify the chosen programs of the corpus."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--budget", type=float, default=20.0)
+    parser.add_argument("--table", type=Path)
+    asked = parser.parse_args()
+    corpus = Path(os.environ["ROBOSMI_CORPUS"])
+    units = {str(files[0].relative_to(corpus)): list(files) for files in programs(corpus)}
     verdicts: Counter[str] = Counter()
-    for files in chosen:
-        if sum(verdicts.values()) == count:
-            break
-        with tempfile.TemporaryDirectory() as place:
-            out = Path(place) / "out"
-            try:
-                try:
-                    bound(files, out)
-                except UsageError:
-                    robosmi.migrate(files, out)
-            except RobosmiError as error:
-                print(f"{files[0].name}: not migrated: {error.message}", flush=True)
-                continue
-            try:
-                verdict = verify(out, budget_s=budget).verdict
-            except RobosmiError as error:
-                verdicts["error"] += 1
-                print(f"{files[0].name}: ERROR {type(error).__name__}: {error.message}", flush=True)
-                continue
-            verdicts[verdict.verdict] += 1
-            print(f"{files[0].name}: {verdict.sentence()}", flush=True)
+    rows: list[list[str]] = []
+    for entry in tomllib.loads(CHOSEN.read_text())["program"]:
+        if asked.only not in entry["path"]:
+            continue
+        said, cells_of = row(units[entry["path"]], entry, asked.budget)
+        verdicts[said] += 1
+        rows.append([entry["path"], *cells_of])
+        print(" | ".join(rows[-1]), flush=True)
     print(dict(verdicts))
+    if asked.table is not None:
+        asked.table.write_text(table(rows))
 
 
 if __name__ == "__main__":

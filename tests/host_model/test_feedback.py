@@ -37,7 +37,9 @@ int main() {{ {statements} while (1) pause(10); }}
 def turned(trace: PinTrace, number: int) -> float:
     """How far a servo has turned, in degrees."""
     start = SERVOS[number].settings.get("degrees", 90.0)
-    return float(next(event.value for event in trace.device_events if event.device == number)) - float(start)
+    return float(
+        next(event.value for event in trace.device_events if event.device == number and event.what == "degrees")
+    ) - float(start)
 
 
 def test_servos_turn_to_angles_and_hold_them() -> None:

@@ -19,7 +19,8 @@ from robosmi.model.files import write_atomic
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, played
+from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
@@ -147,7 +148,7 @@ def simulate(
     horizon_us = 1e6 * seconds if seconds is not None else 1e3 * asked.horizon_ms if asked is not None else 1e6 * SECONDS
     plan_file = plan_beside(output)
     models = load_models(plan_file) if plan_file is not None else None
-    ports = bound_ports(models.plan) if models is not None else []
+    ports = bound_ports(models.plan, plan_file.parent) if models is not None and plan_file is not None else []
     with tempfile.TemporaryDirectory(prefix="robosmi-simulate-") as folder:
         report = compile_sketch(output, keep=Path(folder))
         if not report.ok or report.elf is None or report.hex is None:

@@ -27,7 +27,8 @@ from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.originals import original_program
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, played, reads_console, signals_of
+from robosmi.transformations.verification.played_devices import played, signals_of
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.host_model import load_host_model
@@ -109,7 +110,7 @@ def verify(
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
-    ports = bound_ports(plan)
+    ports = bound_ports(plan, plan_file.parent)
     given = [read_scenario(path) for path in scenarios]
     for scenario in given:
         signals_of(ports, scenario)  # before anything is compiled
@@ -243,9 +244,9 @@ def _cases(
     made = _Made()
     if given or seed is None:
         return cases, made
-    known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal) for _, runs in cases))
-    found = search(program, ports, reads_console(plan), seed, known, budget_s)
-    fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal) <= known]
+    known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))
+    found = search(program, ports, texts_understood(plan), reads_console(plan), seed, known, budget_s)
+    fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal, ports) <= known]
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts
     made.new = [scenario for scenario, _ in fresh]

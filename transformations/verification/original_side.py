@@ -6,22 +6,23 @@ What the runs of one scenario differ in tells how exact a comparison can be, and
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from robosmi.transformations.verification.port_devices import BoundPort, device_facts, played
-from robosmi.verify.activity import SIGHTS, ActivityEvent, activity, console_lines
+from robosmi.transformations.verification.played_devices import devices_at, played
+from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.verify.activity import IDLE, LINE, SIGHTS, ActivityEvent, activity, console_lines, text_lines
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import DeviceUse, PinTrace
+from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 
 CONSOLE_CHANNEL = "console"
 Place = tuple[str | int, ...]
-"""File and line of a line of the source, or file, line and number of a branch."""
+"""File and line of a line of the source, file, line and number of a branch, or `channel` and the name of a channel."""
 SETTLED = ("running", "finished")
 """Status of a run that came to its end by itself."""
 
@@ -76,8 +77,25 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         for port in ports
         if port.watched
     }
-    found[CONSOLE_CHANNEL] = [console_lines(trace, any(port.device in _MEASURED for port in ports))]
+    measures = any(port.device in _MEASURED for port in ports)
+    for number, device in enumerate(devices_at(ports, target)):
+        facts = device_facts().get(device.kind, {})
+        told = [ports[n] for n in device.ports if facts.get("tells_at") in (ports[n].pin.split() or [""])]
+        title = next((port.title for port in told if port.target), "")
+        if title:
+            title = f"{title} {facts.get('tells_as', '')}".rstrip()
+            found[title] = [_told(trace, number, facts, measures)]
+    found[CONSOLE_CHANNEL] = [console_lines(trace, measures)]
     return found
+
+
+def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool) -> list[ActivityEvent]:
+    """What a device was told: text where it takes bytes, else a line for each thing that it noted."""
+    seen = [event for event in trace.device_events if event.device == number]
+    if text := facts.get("tells_text"):
+        return text_lines(trace, [ConsoleByte(e.at_us, int(e.value)) for e in seen if e.what == text], measures)
+    wanted = facts.get("tells", ())
+    return [ActivityEvent(e.at_us, LINE, (f"{e.what} {e.value}",)) for e in seen if e.what in wanted]
 
 
 def compared(
@@ -108,12 +126,15 @@ def run_source(program: OriginalProgram, ports: Sequence[BoundPort], scenario: S
     return run_original(program, scenario.horizon_ms * 1000, played(ports, scenario, target=False), limit_s=limit_s)
 
 
-def places_reached(program: OriginalProgram, run: OriginalRun) -> frozenset[Place]:
-    """The lines and branches of the source that a run has reached."""
+def places_reached(program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
+    """The lines and branches of the source that a run has reached, and the channels on which it has done something."""
     if not run.counts:
         return frozenset()
     covered = coverage(program, [run.counts])
-    return frozenset([place for place, count in (*covered.lines.items(), *covered.branches.items()) if count])
+    reached: list[Place] = [place for place, count in (*covered.lines.items(), *covered.branches.items()) if count]
+    seen = channel_events(run.trace, ports, target=False)
+    reached += [("channel", name) for name, (events, *_) in seen.items() if any(event != IDLE for event in events)]
+    return frozenset(reached)
 
 
 def run_varied(
@@ -155,6 +176,8 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[D
         for name, value in settings.items():
             if _is_signal(value):
                 settings[name] = sorted(value, key=lambda point: float(point[0]))
+        for name, usual in facts.get(use.kind, {}).get("jitter", {}).items():
+            settings[name] = usual * (1 + chance.uniform(-percent, percent) / 100)
         made.append(replace(use, settings=settings))
     return made
 

@@ -1,33 +1,34 @@
 """Where the ports of a program are on both boards, and which simulated device stands at each: the binding of a verification.
 
 The ports, their pins on the target and the functions that use them are those of a stored plan. Which device a use means is data
-of the source platform (`devices.toml`), what devices show at rest data of simulation. Nothing is run here.
+of the source platform (`devices.toml`), what devices show at rest data of simulation. Devices at several ports are found by
+`wired_devices`; what a scenario makes of all of them is in `played_devices`. Nothing is run here.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from robosmi import resources
-from robosmi.errors import UsageError, did_you_mean
-from robosmi.metamodels import migration
+from robosmi import inputs, resources
+from robosmi.metamodels import ccode, migration
 from robosmi.project import read_data
+from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.pin_uses import pin_uses
-from robosmi.verify.scenario import POINTS, Points, Scenario
-from robosmi.verify.simulation import DeviceUse
+from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
+from robosmi.transformations.queries.port_flows import port_flows
+from robosmi.transformations.queries.ports import program_ports
+from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
 from robosmi.verify.tables import DataTable
 
-_REST = "simulation/devices.toml"
+_FACTS = "simulation/devices.toml"
+_MOST_TEXTS = 24
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
-CONSOLE, TYPING = "console", "typing"
-"""What scenarios call the console, and the device that types there."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,10 @@ class BoundPort:
         functions: the platform's functions that use it.
         device: kind of the device that plays it, or empty where the program's own doing is watched.
         line: whether it is a line of a bus or of a serial connection, which is neither played nor compared.
-        pin: what the device calls it.
+        pin: what the device calls it; several names, with spaces, where it is several of its pins.
+        group: the device's name where it has several ports: the first one's `source`; empty where it has this one alone.
+        settings: of the device, as far as the program says them.
+        shown: whether what the program does there is compared although a device is there.
     """
 
     name: str
@@ -55,11 +59,14 @@ class BoundPort:
     device: str = ""
     pin: str = ""
     line: bool = False
+    group: str = ""
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    shown: bool = False
 
     @property
     def watched(self) -> bool:
         """Whether what the program does there is compared."""
-        return bool(self.target) and not self.device and not self.line
+        return bool(self.target) and (self.shown or not self.device) and not self.line
 
     @property
     def title(self) -> str:
@@ -74,20 +81,23 @@ class BoundPort:
         }  # fmt: skip
 
 
-def bound_ports(plan: migration.MigrationPlan) -> list[BoundPort]:
+def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> list[BoundPort]:
     """The ports of a plan's program, in the order of the plan.
 
     Args:
         plan: a stored plan with its program and its source platform.
+        folder: where the program's files are stored, as the plan names them; without it uses of ports in the bodies of macros
+            and those that only the running program decides are not seen.
     """
     assert plan.program is not None
     assert plan.source is not None
+    seen = views(plan.program, ApiIndex.of(plan.source))
     uses: dict[int, dict[str, set[str]]] = {}
-    for use in pin_uses(views(plan.program, ApiIndex.of(plan.source))):
+    for use in _uses(plan, seen, folder):
         if use.pin is not None:
             uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
-    rules = _rules(str(plan.source.name))
-    lines = set(_table(str(plan.source.name)).table("lines").texts("functions", ()))
+    table = _table(str(plan.source.name))
+    rules, lines = table.tables("device", needed=False), set(table.table("lines").texts("functions", ()))
     found: dict[str, BoundPort] = {}
     for binding in plan.portBindings:
         channel = _CHANNEL.fullmatch(str(binding.name))
@@ -107,7 +117,47 @@ def bound_ports(plan: migration.MigrationPlan) -> list[BoundPort]:
             str(component.elementId) if component is not None else "", tuple(used), device, called, line,
         )  # fmt: skip
         found.setdefault(source, port)
+    _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
     return list(found.values())
+
+
+def _uses(plan: migration.MigrationPlan, seen: Sequence[CodeView], folder: Path | None) -> list[PinUse]:
+    """What the program does with its ports."""
+    if folder is None:
+        return pin_uses(seen)
+    assert plan.program is not None
+    try:
+        sources = {str(u.path): inputs.read_bytes(folder / str(u.path), inputs.SOURCE) for u in plan.program.units}
+    except OSError:
+        return pin_uses(seen)  # who needs the files says that they are not there
+    ports = program_ports(seen, port_flows(seen, sources)).ports
+    return [use if use.pin == port.pin else replace(use, pin=port.pin) for port in ports for use in port.uses]
+
+
+def _roles(plan: migration.MigrationPlan) -> dict[str, int]:
+    """The conventional ports of a plan: name of the role -> number."""
+    return {str(name): int(b.sourcePin) for b in plan.portBindings for name in (b.name, *b.names) if b.sourcePin >= 0}
+
+
+def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> None:
+    """Put devices with several ports at these; one on the bus is at its address, as on a port of its own."""
+    for device in devices:
+        if not device.pins:
+            place = f"I2C {device.settings['address']:#04x}"
+            ports[place] = BoundPort(place, place, place, device=device.kind, settings=device.settings)
+            continue
+        at = {called: f"P{number}" for called, number in device.pins.items()}
+        if not set(at.values()) <= ports.keys():
+            continue
+        group = next(iter(at.values()))
+        closed = any(not set(device.closed_by).isdisjoint(ports[source].functions) for source in at.values())
+        shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
+        for source in dict.fromkeys(at.values()):
+            called = [name for name, place in at.items() if place == source]
+            ports[source] = replace(
+                ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,
+                shown=not set(called).isdisjoint(shown),
+            )  # fmt: skip
 
 
 def reads_console(plan: migration.MigrationPlan) -> bool:
@@ -118,14 +168,24 @@ def reads_console(plan: migration.MigrationPlan) -> bool:
 
 
 @cache
-def _rules(platform: str) -> tuple[DataTable, ...]:
-    return tuple(_table(platform).tables("device", needed=False))
-
-
-@cache
 def _table(platform: str) -> DataTable:
     path = resources.find("platform_repo", f"{platform}/devices.toml")
     return DataTable(path, read_data(path))
+
+
+def texts_understood(plan: migration.MigrationPlan) -> list[str]:
+    """Texts that a plan's program may understand: the characters in its code, and the texts that it compares with, as lines."""
+    assert plan.program is not None
+    assert plan.source is not None
+    compares = _table(str(plan.source.name)).table("console").texts("compares", ())
+    letters: dict[str, None] = {}
+    words: dict[str, None] = {}
+    for element in (e for unit in plan.program.units for e in all_contents(unit)):
+        if isinstance(element, ccode.CharacterLiteral):
+            letters.setdefault(chr(int(element.value) & 0xFF))
+        elif isinstance(element, ccode.Call) and element.calleeName in compares:
+            words |= {str(a.text).strip('"') + "\r": None for a in element.arguments if isinstance(a, ccode.StringLiteral)}
+    return [*(letter for letter in letters if letter.isprintable()), *words][:_MOST_TEXTS]
 
 
 def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool) -> tuple[str, str]:
@@ -134,86 +194,17 @@ def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: b
     for rule in rules:
         if rule.flag("channels", False) != channel:
             continue
-        wanted = set(rule.texts("ways", ()))
-        if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways):
+        wanted, beside = set(rule.texts("ways", ())), set(rule.texts("beside", ()))
+        if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways and beside <= used.keys()):
             return rule.text("kind"), rule.text("pin")
     return "", ""
 
 
-# ---- devices of a scenario
-
-
 def device_facts() -> Mapping[str, Any]:
-    """What devices show at rest and in generated scenarios, by kind."""
-    return _facts(resources.find("platform_repo", _REST))
+    """What is known of devices by kind: what they show at rest and in generated scenarios, and what they tell."""
+    return _facts(resources.find("platform_repo", _FACTS))
 
 
 @cache
 def _facts(path: Path) -> Mapping[str, Any]:
     return read_data(path)
-
-
-def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) -> list[DeviceUse]:
-    """The devices of a scenario at the pins of one of the boards; an input without a signal shows what it shows at rest.
-
-    Args:
-        ports: the ports.
-        scenario: what happens; None for nothing.
-        target: whether the pins are those of the target.
-
-    Raises:
-        UsageError: a signal is of no component, port or pin of the program.
-    """
-    ports = list(ports)
-    signals = signals_of(ports, scenario)
-    made: list[DeviceUse] = []
-    for number, port in enumerate(ports):
-        place = port.target if target else port.source
-        kind = port.device
-        if not place or not kind:
-            continue
-        given = dict(signals.get(number, {}))
-        rest = device_facts().get(kind, {}).get("rest", {})
-        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in rest.items()}
-        for name, points in given.items():
-            before = settings.get(name, []) if points[0][0] > 0 else []  # at rest until its first point
-            settings[name] = [*before, *(list(point) for point in points)]
-        settings = settings or {POINTS: []}  # a device that does nothing at rest
-        made.append(DeviceUse(kind, {port.pin: place}, settings))
-    if CONSOLE in (scenario.signals if scenario is not None else {}):
-        assert scenario is not None
-        made.append(DeviceUse(TYPING, {}, {POINTS: [list(point) for point in scenario.signals[CONSOLE][POINTS]]}))
-    return made
-
-
-def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[int, Mapping[str, Points]]:
-    """The signals of a scenario by the number of their port.
-
-    Raises:
-        UsageError: a signal is of no component, port or pin of the program, or of one that the program does not read.
-    """
-    found: dict[int, Mapping[str, Points]] = {}
-    for name, settings in (scenario.signals if scenario is not None else {}).items():
-        if name == CONSOLE:
-            if set(settings) != {POINTS}:
-                raise UsageError("what is typed on the console is one list of points", fix='write console = [[100, "text"]]')
-            continue
-        fitting = [n for n, port in enumerate(ports) if name in _names(port)]
-        inputs = [n for n in fitting if ports[n].device]
-        if not inputs:
-            known = sorted({each for port in ports if port.device for each in _names(port)[:2] if each})
-            why = (
-                "which the program does not read" if fitting else f"which is no component, port or pin{did_you_mean(name, known)}"
-            )
-            raise UsageError(f"the scenario has a signal of '{name}', {why}", fix=f"use one of: {', '.join([*known, CONSOLE])}")
-        if len(inputs) > 1:
-            raise UsageError(
-                f"the scenario has a signal of '{name}', which has {len(inputs)} ports",
-                fix=f"use one of: {', '.join(ports[n].name for n in inputs)}",
-            )
-        found[inputs[0]] = settings
-    return found
-
-
-def _names(port: BoundPort) -> tuple[str, ...]:
-    return (port.component, port.name, f"#{port.identity}" if port.identity else "", port.source, port.target)

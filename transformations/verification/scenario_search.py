@@ -14,7 +14,8 @@ from time import monotonic
 from typing import Any
 
 from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
-from robosmi.transformations.verification.port_devices import CONSOLE, TYPING, BoundPort, device_facts
+from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
+from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
@@ -24,6 +25,8 @@ _APART_MS = 250.0
 _MOST = 8
 _PATIENCE = 40
 _PROBE_MS = 600.0
+_TEXT_MS = 900.0
+"""When a text is sent that is the only thing that happens: libraries for serial lines take up to half a second to begin."""
 
 
 @dataclass
@@ -46,6 +49,7 @@ class FoundScenarios:
 def search(
     program: OriginalProgram,
     ports: Sequence[BoundPort],
+    texts: Sequence[str],
     types: bool,
     seed: int,
     known: frozenset[Place] = frozenset(),
@@ -56,16 +60,17 @@ def search(
     Args:
         program: the original.
         ports: its ports.
+        texts: what it may understand, of what is typed or sent to it.
         types: whether it reads what is typed.
         seed: of all that is random.
         known: what other scenarios reach of the source.
         budget_s: seconds of this machine's time, after which the search ends wherever it is.
     """
     made = _Search(program, ports, set(known), monotonic() + budget_s)
-    made.horizon = _horizon(program, ports)
-    inputs = _inputs(ports, types)
+    made.horizon = _horizon(program, ports, monotonic() + budget_s / 4)
+    inputs = _inputs(ports, texts, types)
     made.try_signals({})
-    for each in (i for i in inputs if i.name != CONSOLE):
+    for each in inputs:
         for value in each.values:
             made.try_signals(_constant(each, value))
         made.seek_borders(each)
@@ -92,12 +97,12 @@ class _Search:
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]]) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches."""
         found = self.found
-        if monotonic() >= self.until:
+        if found.tried and monotonic() >= self.until:
             return frozenset()
         found.tried += 1
         scenario = Scenario(f"generated {found.tried}", self.horizon, signals, "generated")
         run = run_source(self.program, self.ports, scenario)
-        places = places_reached(self.program, run)
+        places = places_reached(self.program, run, self.ports)
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
             return places
@@ -133,20 +138,22 @@ class _Search:
     def _probe(self, each: _Input, value: float) -> frozenset[Place]:
         """What a short run reaches in which an input shows one value."""
         scenario = Scenario("probe", min(self.horizon, _PROBE_MS), _constant(each, value))
-        return places_reached(self.program, run_source(self.program, self.ports, scenario))
+        return places_reached(self.program, run_source(self.program, self.ports, scenario), self.ports)
 
 
 def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
-    """Signals in which one input shows one value all the time."""
-    return {each.name: {each.setting: ((0.0, value),)}}
+    """Signals in which one input shows one value all the time; a text comes once, when the program has begun."""
+    return {each.name: {each.setting: ((_TEXT_MS if isinstance(value, str) else 0.0, value),)}}
 
 
-def _horizon(program: OriginalProgram, ports: Sequence[BoundPort]) -> float:
+def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float) -> float:
     """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again."""
     before: frozenset[Place] | None = None
     for horizon in _HORIZONS_MS:
+        if before is not None and monotonic() >= until:
+            return horizon
         run = run_source(program, ports, Scenario("rest", horizon))
-        places = places_reached(program, run)
+        places = places_reached(program, run, ports)
         if places == before or run.status == "finished":
             return horizon
         before = places
@@ -163,16 +170,17 @@ class _Input:
     hold_ms: float
 
 
-def _inputs(ports: Sequence[BoundPort], types: bool) -> list[_Input]:
+def _inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool) -> list[_Input]:
     facts = device_facts()
     made = []
     for port in ports:
-        if port.target and port.device:
+        if port.target and port.device and port.group in ("", port.source):
             known = facts.get(port.device, {})
             for setting, values in known.get("values", {}).items():
-                made.append(_Input(port.name, setting, tuple(None if v == "none" else v for v in values), known["hold_ms"]))
+                shown = [*texts, *values] if known.get("takes_text") else [None if v == "none" else v for v in values]
+                made.append(_Input(port.name, setting, tuple(shown), known["hold_ms"]))
     if types:
-        made.append(_Input(CONSOLE, POINTS, tuple(facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"]))
+        made.append(_Input(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"]))
     return made
 
 

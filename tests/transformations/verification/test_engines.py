@@ -8,6 +8,7 @@ import subprocess
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from time import monotonic, sleep
 
 import pytest
 
@@ -118,12 +119,20 @@ def test_a_run_that_takes_too_long_is_ended_with_everything_that_it_started(
     monkeypatch.setenv("ROBOSMI_STARTED_BY", str(tmp_path))
     with pytest.raises(VerificationError, match=r"did not end within 1\.5 s"):
         simulate(job, engine, limit_s=1.5)
-    started = []
+    until = monotonic() + 5  # the system takes a moment to take down what was killed
+    while (left := started_by(tmp_path)) and monotonic() < until:
+        sleep(0.05)
+    assert left == []
+
+
+def started_by(folder: Path) -> list[str]:
+    """The processes that have the folder's mark in their environment."""
+    found = []
     for process in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):
-            if f"ROBOSMI_STARTED_BY={tmp_path}".encode() in (process / "environ").read_bytes():
-                started.append(process.name)
-    assert started == []
+            if f"ROBOSMI_STARTED_BY={folder}".encode() in (process / "environ").read_bytes():
+                found.append(process.name)
+    return found
 
 
 def test_a_program_that_is_missing_is_an_error(job_of: Run, engine: str) -> None:

@@ -8,7 +8,8 @@ import pytest
 
 import robosmi
 from robosmi.errors import UsageError
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, device_facts, played, signals_of
+from robosmi.transformations.verification.played_devices import played, signals_of
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, device_facts
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import DeviceUse
 

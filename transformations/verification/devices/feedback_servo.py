@@ -16,9 +16,11 @@ class FeedbackServo(PulseDriven):
 
     Settings: `degrees`, where it stands at first, counted counter-clockwise; `neutral_us` and `dead_us`, the width at which it
     stands and how far a pulse must be from there to turn it; `degrees_per_s_per_us`, its speed for each microsecond beyond;
-    longer pulses turn it counter-clockwise. Without pulses for 50 ms it stands. Where it has got to is noted as `degrees` at
-    the end.
+    longer pulses turn it counter-clockwise. Without pulses for 50 ms it stands. Each 30 degrees of its way are noted
+    as `at`, where it has got to as `degrees` at the end.
     """
+
+    mark = 30.0
 
     pin_names = ("servo", "feedback")
     setting_names: ClassVar[Mapping[str, Any]] = {
@@ -43,6 +45,7 @@ class FeedbackServo(PulseDriven):
             self._speed = 0.0
         self._degrees += self._speed * (self.bench.now - self._told) / 1e6
         self._told = self.bench.now
+        self.moved_to(self._degrees)
         duty = _MOST_DUTY - self._degrees % 360 / 360 * (_MOST_DUTY - _LEAST_DUTY)
         self.bench.set_level(self.pins["feedback"], 1)
         self.bench.at(self.bench.now + duty * _CYCLE_US, lambda: self.bench.set_level(self.pins["feedback"], 0))

@@ -10,38 +10,41 @@ from robosmi.verify.bench import Device, Level
 
 
 class SerialLine(Device):
-    """The other end. Settings: `baud`; `points`: [milliseconds, text] that it sends.
+    """The other end. Settings: `baud`; `mode`, whose bit 0 inverts the line where it sends, and bit 1 the one where it listens;
+    `points`: [milliseconds, text] that it sends.
 
     Pins, seen from the program: `receive`, where it listens, and `transmit`, where it sends. Each byte read is noted as
     `byte`; one whose stop bit is low as `framing`.
     """
 
     optional_pin_names = ("receive", "transmit")
-    setting_names: ClassVar[Mapping[str, Any]] = {"baud": 9600, "points": ()}
+    setting_names: ClassVar[Mapping[str, Any]] = {"baud": 9600, "mode": 0, "points": ()}
 
     def start(self) -> None:
         """Idle high, and send at each point."""
         self._bit_us = 1e6 / self.settings["baud"]
         self._reading = False
+        self._one_sent, self._one_read = (0 if self.settings["mode"] & bit else 1 for bit in (1, 2))
         if "receive" in self.pins:
-            self.bench.set_level(self.pins["receive"], 1)
+            self.bench.set_level(self.pins["receive"], self._one_sent)
         for at_ms, text in self.settings["points"]:
             for number, byte in enumerate(text.encode()):
                 self._send(at_ms * 1000 + number * 10 * self._bit_us, byte)
 
     def _send(self, at_us: float, byte: int) -> None:
         for number, level in enumerate((0, *(byte >> bit & 1 for bit in range(8)), 1)):
-            self.bench.at(at_us + number * self._bit_us, partial(self.bench.set_level, self.pins["receive"], level))
+            shown = self._one_sent if level else 1 - self._one_sent
+            self.bench.at(at_us + number * self._bit_us, partial(self.bench.set_level, self.pins["receive"], shown))
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Begin to read at a start bit."""
-        if pin == self.pins.get("transmit") and level == 0 and not self._reading:
+        if pin == self.pins.get("transmit") and level == 1 - self._one_read and not self._reading:
             self._reading, self._byte = True, 0
             for number in range(9):
                 self.bench.at(self.bench.now + (1.5 + number) * self._bit_us, partial(self._sample, number))
 
     def _sample(self, number: int) -> None:
-        high = self.bench.driven[self.pins["transmit"]] != 0
+        high = self.bench.driven[self.pins["transmit"]] != 1 - self._one_read
         if number < 8:
             self._byte |= high << number
         else:

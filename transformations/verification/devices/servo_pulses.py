@@ -5,6 +5,9 @@ from __future__ import annotations
 from robosmi.verify.bench import Device, Level
 
 _LONGEST_GAP_US = 50_000
+_FIRST_MARK = 0.72
+"""Where the first mark is, as a part of the distance of two: programs seldom head for a place that is so near to one."""
+_NEAR = 0.25
 
 
 class PulseDriven(Device):
@@ -12,11 +15,13 @@ class PulseDriven(Device):
 
     pin_names: tuple[str, ...] = ("servo",)
     reacts_to = ()
+    mark: float
 
     def start(self) -> None:
         """Have seen no pulse yet."""
         self._begun: float | None = None
         self._last_pulse = 0.0
+        self._passed: int | None = None
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Take a pulse of the program when it ends."""
@@ -30,6 +35,18 @@ class PulseDriven(Device):
 
     def pulse(self, width_us: float) -> None:
         """React to a pulse of that width."""
+
+    def moved_to(self, position: float) -> None:
+        """Note as `at` each mark of the way that is passed: so far on both ways, whatever the last tick is.
+
+        Args:
+            position: where the device is now, in its own unit, marks being `mark` apart.
+        """
+        first, passed = self.mark * _FIRST_MARK, round((position - self.mark * _FIRST_MARK) / self.mark)
+        at = first + passed * self.mark
+        if passed != self._passed and abs(position - at) < self.mark * _NEAR:
+            self._passed = passed
+            self.note("at", round(at))
 
     @property
     def left_alone(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any, ClassVar
 
 from robosmi.verify.bench import Bench, Device
@@ -82,7 +83,22 @@ class Eeprom(_Memory):
 
 
 class Registers(_Memory):
-    """A device of 256 registers of a byte each, such as a sensor; `content` holds what it has measured."""
+    """A device of 256 registers of a byte each, such as a sensor.
+
+    Settings: `content`, the bytes from register 0 on; `points`, [milliseconds, what it measures from then on]: bytes from
+    register 0 on, or a number that gives each register a byte of its own. A byte written is noted as `written`, with its
+    register.
+    """
 
     cells = 256
-    setting_names: ClassVar[Mapping[str, Any]] = {"address": ..., "content": ()}
+    setting_names: ClassVar[Mapping[str, Any]] = {"address": ..., "content": (), "points": ()}
+
+    def start(self) -> None:
+        """Begin to measure."""
+        for at_ms, measured in self.settings["points"]:
+            self.bench.at(at_ms * 1000, partial(self._measure, measured))
+
+    def _measure(self, measured: int | list[int]) -> None:
+        bytes_of = measured if isinstance(measured, list) else [(37 * n + measured) & 0xFF for n in range(self.cells)]
+        content = bytes(bytes_of)
+        self.memory[: len(content)] = content

@@ -15,8 +15,11 @@ class Wheel(PulseDriven):
 
     Settings: `neutral_us`, the width at which it stands; `ticks_per_s_per_us`, its speed in ticks a second for each
     microsecond beyond (negative where it is mounted the other way round); `ticks_per_s_limit`, the speed that it cannot
-    exceed. Each tick is one change of the encoder's level. Without pulses for 50 ms it stands.
+    exceed. Each tick is one change of the encoder's level. Without pulses for 50 ms it stands. It notes as `at` each 16th tick of
+    its way, forwards and backwards.
     """
+
+    mark = 16.0
 
     optional_pin_names = ("encoder",)
     setting_names: ClassVar[Mapping[str, Any]] = {"neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0}
@@ -24,7 +27,7 @@ class Wheel(PulseDriven):
     def start(self) -> None:
         """Stand still."""
         super().start()
-        self._speed = self._way = 0.0
+        self._speed = self._way = self._place = 0.0
         self._level = 0
         if "encoder" in self.pins:
             self.bench.set_level(self.pins["encoder"], 0)
@@ -41,6 +44,8 @@ class Wheel(PulseDriven):
             self._speed = 0.0
         before = int(self._way)
         self._way += abs(self._speed) * _STEP_US / 1e6
+        self._place += self._speed * _STEP_US / 1e6
+        self.moved_to(self._place)
         if int(self._way) != before and "encoder" in self.pins:
             self._level = 1 - self._level
             self.bench.set_level(self.pins["encoder"], self._level)

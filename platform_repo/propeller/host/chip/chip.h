@@ -15,6 +15,7 @@ struct counter {
 
 struct cog {
   int used;
+  int of_program;                      /* it runs code of the user, whose costs varied runs change */
   host_time now;
   unsigned registers[HOST_REGISTERS];  /* what the program reads and writes */
   unsigned out, dir;                   /* what of it has taken effect */

@@ -3,7 +3,7 @@
 #include <propeller.h>
 #include "dht22.h"
 
-enum { EDGES = 42, LISTENING_TICKS = 40 * HOST_TICKS_PER_MS, ONE_TICKS = HOST_HZ / 9800 };
+enum { EDGES = 42, LISTENING_TURNS = 20000, SENT_TICKS = 7 * HOST_TICKS_PER_MS, ONE_TICKS = HOST_HZ / 9800 };
 static int last_read[32], last_celsius, last_humidity;
 static unsigned hasty;
 
@@ -31,10 +31,11 @@ char dht22_read(int dht_pin) {
   DIRA |= mask;
   host_sleep_until(host_now() + HOST_HZ / 55);
   DIRA &= ~mask;
-  host_time end = host_now() + LISTENING_TICKS;
+  host_time end = host_now() + SENT_TICKS;
   while (host_wait_pins(mask, 0, 1, end) && host_wait_pins(mask, mask, 1, end))
     if (count < EDGES) edge[count++] = (unsigned)host_now();
   if (end > host_now()) host_spend(end - host_now());
+  host_turns(LISTENING_TURNS);
   int humidity = bits(edge, 2, 18), raw = bits(edge, 18, 34), sum = bits(edge, 34, 42);
   int celsius = raw & 0x8000 ? -(raw & 0x7FFF) : raw;
   last_humidity = humidity;

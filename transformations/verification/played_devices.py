@@ -1,0 +1,127 @@
+"""What a scenario makes of the devices at a program's ports: which are connected to either board, and what each of them shows.
+
+Which device stands at a port is told by `port_devices`. Nothing is run here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.errors import UsageError, did_you_mean
+from robosmi.plugins import content
+from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.verify.scenario import POINTS, Points, Scenario
+from robosmi.verify.simulation import DeviceUse
+
+CONSOLE, TYPING = "console", "typing"
+"""What scenarios call the console, and the device that types there."""
+
+
+@dataclass(frozen=True)
+class PlayedDevice:
+    """A device at some ports.
+
+    Attributes:
+        kind: of the device.
+        ports: the numbers of its ports among those of the program.
+        pins: what the device calls a pin -> label of the board's pin.
+        settings: as the program says them.
+    """
+
+    kind: str
+    ports: tuple[int, ...]
+    pins: Mapping[str, str]
+    settings: Mapping[str, Any]
+
+
+def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
+    """The devices at the pins of one of the boards, in the order in which they are connected.
+
+    A device one of whose pins is not wired there is left out, unless it can do without.
+
+    Args:
+        ports: the ports.
+        target: whether the pins are those of the target.
+    """
+    groups: dict[str, list[int]] = {}
+    for number, port in enumerate(ports):
+        if port.device:
+            groups.setdefault(port.group or port.source or port.name, []).append(number)
+    found = []
+    for numbers in groups.values():
+        first = ports[numbers[0]]
+        at = [(ports[n].pin.split(), ports[n].target if target else ports[n].source) for n in numbers]
+        places = {called: place for names, place in at for called in names}
+        wired = {called: place for called, place in places.items() if place}
+        on_bus = not first.pin
+        if (wired or on_bus) and set(content("device", first.device).pin_names) <= wired.keys():
+            found.append(PlayedDevice(first.device, tuple(numbers), wired, first.settings))
+    return found
+
+
+def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) -> list[DeviceUse]:
+    """The devices of a scenario at the pins of one of the boards; an input without a signal shows what it shows at rest.
+
+    Args:
+        ports: the ports.
+        scenario: what happens; None for nothing.
+        target: whether the pins are those of the target.
+
+    Raises:
+        UsageError: a signal is of no component, port or pin of the program.
+    """
+    ports = list(ports)
+    signals = signals_of(ports, scenario)
+    made: list[DeviceUse] = []
+    for device in devices_at(ports, target):
+        given = next((signals[n] for n in device.ports if n in signals), {})
+        rest = device_facts().get(device.kind, {}).get("rest", {})
+        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in rest.items()}
+        for name, points in given.items():
+            before = settings.get(name, []) if points[0][0] > 0 else []  # at rest until its first point
+            settings[name] = [*before, *(list(point) for point in points)]
+        known = content("device", device.kind).setting_names
+        if not settings and known.get(POINTS, None) is ...:
+            settings = {POINTS: []}  # a device that does nothing at rest
+        fixed = device_facts().get(device.kind, {}).get("fixed", {})
+        made.append(DeviceUse(device.kind, device.pins, {**fixed, **device.settings, **settings}))
+    if CONSOLE in (scenario.signals if scenario is not None else {}):
+        assert scenario is not None
+        made.append(DeviceUse(TYPING, {}, {POINTS: [list(point) for point in scenario.signals[CONSOLE][POINTS]]}))
+    return made
+
+
+def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[int, Mapping[str, Points]]:
+    """The signals of a scenario by the number of their port, the first one where the device has several.
+
+    Raises:
+        UsageError: a signal is of no component, port or pin of the program, or of one that the program does not read.
+    """
+    found: dict[int, Mapping[str, Points]] = {}
+    for name, settings in (scenario.signals if scenario is not None else {}).items():
+        if name == CONSOLE:
+            if set(settings) != {POINTS}:
+                raise UsageError("what is typed on the console is one list of points", fix='write console = [[100, "text"]]')
+            continue
+        fitting = [n for n, port in enumerate(ports) if name in _names(port)]
+        inputs = [n for n in fitting if ports[n].device]
+        if not inputs:
+            known = sorted({each for port in ports if port.device for each in _names(port)[:2] if each})
+            why = (
+                "which the program does not read" if fitting else f"which is no component, port or pin{did_you_mean(name, known)}"
+            )
+            raise UsageError(f"the scenario has a signal of '{name}', {why}", fix=f"use one of: {', '.join([*known, CONSOLE])}")
+        if len({ports[n].group or n for n in inputs}) > 1:
+            raise UsageError(
+                f"the scenario has a signal of '{name}', which has {len(inputs)} ports",
+                fix=f"use one of: {', '.join(ports[n].name for n in inputs)}",
+            )
+        group = ports[inputs[0]].group
+        found[next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]] = settings
+    return found
+
+
+def _names(port: BoundPort) -> tuple[str, ...]:
+    return (port.component, port.name, f"#{port.identity}" if port.identity else "", port.source, port.target)

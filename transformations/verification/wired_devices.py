@@ -1,0 +1,120 @@
+"""Devices at several ports of a program, or whose settings stand in its calls: serial lines, keypads, servos with feedback.
+
+Which calls and conventional ports mean such a device is data of the source platform (`[[wired]]` in `devices.toml`). Devices at a
+single port, which the functions that use it tell, are found by `port_devices`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.pin_uses import pin_number, pin_values
+from robosmi.transformations.queries.values import Values
+from robosmi.verify.tables import DataTable
+
+
+@dataclass(frozen=True)
+class WiredDevice:
+    """A device as a program says that it is connected.
+
+    Attributes:
+        kind: of the device.
+        pins: what the device calls a pin -> number of the port on the source board; empty for a device on a bus.
+        settings: its settings that the call says.
+        closed_by: functions that control the device by what it tells, so that what the program does at its pins hangs on the last
+            microsecond; what the device does is compared instead.
+    """
+
+    kind: str
+    pins: Mapping[str, int]
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    closed_by: tuple[str, ...] = ()
+
+
+def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: Mapping[str, int]) -> list[WiredDevice]:
+    """The devices of a program, in the order of the rules; no port is at two of them.
+
+    Args:
+        views: a view of each of its units.
+        rules: the tables `[[wired]]` of its platform.
+        roles: name of a conventional port -> its number.
+    """
+    found: list[WiredDevice] = []
+    taken: set[object] = set()
+    for rule in rules:
+        parts = rule.table("parts") if "parts" in rule.values else None
+        apart, addresses = set(rule.values.get("apart", ())), rule.values.get("addresses")
+        for device in _of_parts(views, rule.text("kind"), parts, roles) if parts is not None else _of_calls(views, rule):
+            places: set[object] = set(device.pins.values())
+            if rule.flag("bus", False):
+                address = device.settings.get("address")
+                places = {("bus", address)} if address is not None and address in (addresses or [address]) else set()
+            if places and not places & (taken | apart):
+                found.append(replace(device, closed_by=rule.texts("closed_by", ())))
+                taken |= places
+    return found
+
+
+def _of_calls(views: Sequence[CodeView], rule: DataTable) -> Iterator[WiredDevice]:
+    """A device for each call that connects one."""
+    pins = rule.table("pins").values if "pins" in rule.values else {}
+    said = rule.table("settings").values if "settings" in rule.values else {}
+    for view, call in _calls(views, rule.texts("calls")):
+        values = Values(view.program, view.unit)
+        connected: dict[str, int] = {}
+        for name, position in pins.items():
+            numbers = _ports(view, call, int(position), values)
+            if name.endswith("*"):
+                connected |= {f"{name[:-1]}{n}": number for n, number in enumerate(numbers) if number >= 0}
+            elif len(numbers) == 1 and numbers[0] >= 0:
+                connected[name] = numbers[0]
+        settings = {
+            name: number for name, position in said.items() if (number := _number(call, int(position), values)) is not None
+        }
+        yield WiredDevice(rule.text("kind"), connected, settings)
+
+
+def _of_parts(views: Sequence[CodeView], kind: str, parts: DataTable, roles: Mapping[str, int]) -> Iterator[WiredDevice]:
+    """The device whose pins several calls say, or conventions: the first place that tells a pin counts."""
+    pins: dict[str, int] = {}
+    for name in parts.values:
+        for place in parts.texts(name):
+            function, _, position = place.partition(" ")
+            numbers = [roles[place]] if place in roles else []
+            for view, call in _calls(views, (function,)) if position else ():
+                numbers += _ports(view, call, int(position), Values(view.program, view.unit))
+            if numbers:
+                pins[name] = numbers[0]
+                break
+    if len(pins) == len(parts.values):
+        yield WiredDevice(kind, pins)
+
+
+def _calls(views: Sequence[CodeView], names: Sequence[str]) -> Iterator[tuple[CodeView, ccode.Call]]:
+    for view in views:
+        for function in view.functions_of("platform", "posix"):
+            if function.name in names:
+                yield from ((view, call) for call in function.calls)
+
+
+def _ports(view: CodeView, call: ccode.Call, position: int, values: Values) -> list[int]:
+    """The ports that an argument says; none where the text does not say all of them."""
+    arguments = list(call.arguments)
+    function = next((f for f in view.called().values() if call in f.calls), None)
+    facts = view.api.pins(function.name, function.header) if function is not None else None
+    parameter = next((p for p in facts.parameters if p.position == position), None) if facts is not None else None
+    if parameter is None or position >= len(arguments):
+        return []
+    numbers = [value.number for value in pin_values(parameter, arguments, arguments[position], values)]
+    return [] if None in numbers else [pin_number(number) for number in numbers if number is not None]
+
+
+def _number(call: ccode.Call, position: int, values: Values) -> int | None:
+    """The number that an argument always has, None where it has several or the text does not say it."""
+    arguments = list(call.arguments)
+    found = values.of(arguments[position]) if position < len(arguments) else []
+    return found[0].number if len(found) == 1 else None
