@@ -41,7 +41,7 @@ def test_a_right_migration_has_no_difference_and_wrong_ones_have(case: Path, tmp
     [sketch] = tmp_path.glob("*/*.ino")
     text = sketch.read_text()
     for old, new in facts["wrong"]:
-        changed = re.sub(re.escape(old).replace(r"\ ", r"\s*"), lambda _, new=new: new, text)
+        changed = re.sub(re.escape(old).replace(r"\ ", r"\s*"), new.replace("\\", r"\\"), text)
         assert changed != text, f"{old} is not in the sketch"
         sketch.write_text(changed)
         wrong = judged(tmp_path, case)
