@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pytest
 
 from robosmi.verify.simulation import DeviceUse
@@ -64,3 +66,84 @@ void loop() {}
     assert [event.value for event in trace.device_events] == [ord("A")]
     assert trace.levels("D11")[-1][1] == "z"
     assert trace.levels("D1")[-1][1] == 0
+
+
+ECHOES = """
+fdserial *line, *other;
+uint8_t kept[100], count, sent;
+void setup() { Serial.begin(115200); BEGIN line = fdserial_open(10, 11, 0, BAUD); other = fdserial_open(12, 255, 0, BAUD); }
+void loop() { int32_t byte; while ((byte = fdserial_rxCheck(line)) >= 0) { Serial.write(byte); kept[count++] = byte; }
+  while ((byte = fdserial_rxCheck(other)) >= 0) { Serial.write(byte + 32); }
+  if (millis() > 2700 && sent < count) fdserial_txChar(line, kept[sent++] ^ 1); GO_ON }
+"""
+
+
+def both_lines_are_understood(
+    uno: Uno, baud: int, begin: str, go_on: str, used: Sequence[str], beside: Sequence[DeviceUse]
+) -> None:
+    """Two lines receive texts at the same time, and what one of them got is sent back, changed, beside something else."""
+    program = ECHOES.replace("BEGIN", begin).replace("GO_ON", go_on).replace("BAUD", str(baud))
+    said, heard = "The quick brown fox jumps over the lazy dog", "0123456789@ABCDEFGHIJKLMNOPQRSTUVWXYZ!?"
+    begun = 2300
+    lines = [
+        DeviceUse(
+            "serial_line", {"receive": "D10", "transmit": "D11"}, {"baud": baud, "points": [[begun, said], [begun + 300, said]]}
+        ),
+        DeviceUse("serial_line", {"receive": "D12"}, {"baud": baud, "points": [[begun + 0.3, heard], [begun + 301.7, heard]]}),
+    ]
+    trace = uno.run(program, [*ALL, *used], begun + 550, [*lines, *beside])
+    assert len(trace.text) == 2 * len(said + heard)
+    for part in (trace.text[: len(said + heard)], trace.text[len(said + heard) :]):
+        assert sorted(part) == sorted(said + "".join(chr(ord(each) + 32) for each in heard))
+    sent = [(event.what, event.value) for event in trace.device_events if event.device == 0]
+    assert sent == [("byte", ord(each) ^ 1) for each in said * 2]
+
+
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
+def lines_are_understood_beside_servos_with_feedback(uno: Uno) -> None:
+    used = [f"servo360.h/servo360_{name}" for name in ("connect", "speed")]
+    begin = "servo360_connect(5, A0); servo360_connect(6, A1); servo360_speed(5, 180); servo360_speed(6, -90);"
+    servos = [
+        DeviceUse("feedback_servo", {"servo": "D5", "feedback": "A0"}, {}),
+        DeviceUse("feedback_servo", {"servo": "D6", "feedback": "A1"}, {"degrees": 10.0}),
+    ]
+    both_lines_are_understood(uno, 9600, begin, "", used, servos)
+
+
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
+def lines_are_understood_beside_servos_that_move(uno: Uno) -> None:
+    begin = "servo_set(5, 1500); servo_set(6, 1200); servo_setramp(6, 4);"
+    go_on = "servo_set(6, millis() & 512 ? 1000 : 2000);"
+    both_lines_are_understood(uno, 19200, begin, go_on, ["servo.h/servo_set", "servo.h/servo_setramp"], [])
+
+
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_rxCheck", "fdserial.h/fdserial_txChar")
+def fast_lines_are_understood(uno: Uno) -> None:
+    program = """
+fdserial *line;
+void setup() { line = fdserial_open(10, 11, 0, 57600); Serial.begin(115200); }
+void loop() { int32_t byte; while ((byte = fdserial_rxCheck(line)) >= 0) Serial.write(byte);
+  if (millis() > 600) { for (char c = 0; c < 100; c++) fdserial_txChar(line, c * 7); delay(1000); } }
+"""
+    said = "The quick brown fox jumps over the lazy dog"
+    pins = {"receive": "D10", "transmit": "D11"}
+    points = [[510, said], [530.3, said], [550.7, said]]
+    trace = uno.run(program, ALL, 640, [DeviceUse("serial_line", pins, {"baud": 57600, "points": points})])
+    assert trace.text == said * 3
+    assert [(event.what, event.value) for event in trace.device_events] == [("byte", each * 7 & 255) for each in range(100)]
+
+
+@proves("fdserial.h/fdserial_open", "fdserial.h/fdserial_txChar", "fdserial.h/fdserial_rxCheck")
+def modes_invert_the_lines_and_leave_the_high_level_to_a_resistor(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); fdserial *line = fdserial_open(10, 10, FDSERIAL_MODE_OPENDRAIN_TX, 9600);
+  fdserial_txChar(line, 'U'); delay(2); Serial.println(fdserial_rxCheck(line));
+  fdserial_open(255, 8, FDSERIAL_MODE_INVERT_TX, 2400); fdserial_open(255, 9, FDSERIAL_MODE_NONE, 2400); }
+void loop() {}
+"""
+    modes = [f"fdserial.h/FDSERIAL_MODE_{name}" for name in ("OPENDRAIN_TX", "INVERT_TX", "NONE")]
+    trace = uno.run(program, [*ALL, *modes], 1520)
+    assert trace.text.split() == ["85"]  # one pin both ways hears itself
+    assert {level for _, level in trace.levels("D10")} <= {"z", 0, "p"}
+    assert trace.levels("D8")[-1][1] == 0
+    assert trace.levels("D9")[-1][1] == 1

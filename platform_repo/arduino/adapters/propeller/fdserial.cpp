@@ -1,6 +1,7 @@
 //# header fdserial.h
 // Serial lines at any pins. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/TextDevices/libfdserial (fdserial.h, fdserial.c,
-// fdserial_utils.c). The library has a cog for each; here SoftwareSerial is one, and Serial is used at the pins of the console.
+// fdserial_utils.c). The library has a cog for each; here pin-change interrupts receive, the program itself sends, and Serial is used at
+// the pins of the console.
 
 //# type fdserial
 //#   needs: simpletext.h/text_t
@@ -40,29 +41,144 @@ typedef text_t fdserial;
 #define FDSERIAL_MODE_ECHO_RX_TO_TX 32
 
 //# helper SerialLine
-//#   include: <SoftwareSerial.h>
-//#   taken: PCINT0_vect PCINT1_vect PCINT2_vect
-//#   stack: 20
-struct SerialLine : SoftwareSerial {
-  int16_t sends;  // pin, -1 without one
-  SerialLine(uint8_t receives, uint8_t sends_at, int16_t sends, bool inverted)
-      : SoftwareSerial(receives, sends_at, inverted), sends(sends) {}
-  virtual ~SerialLine() {
-    if (sends >= 0) pinMode(sends, INPUT);
+//#   needs: simpletools.h/Io simpletools.h/PinWatch simpletools.h/TimedInput
+//#   include: <util/delay_basic.h>
+//#   fidelity: up to 19,200 baud a byte is put together from the times of its edges, so that other interrupts go on, and several lines
+//#   fidelity: receive at the same time; faster, a byte is received and sent with interrupts off
+struct SerialLine : Stream, PinWatch {
+  Io receives, sends;
+  bool inverts_rx, inverts_tx, open_drain, fast;
+  uint16_t cycles, bit_us;             // of a bit
+  volatile uint8_t head = 0, tail = 0;
+  uint8_t bytes[64];
+  volatile uint8_t cells = 0;          // of the byte that comes: 0 none, else the start bit and those known
+  uint8_t coming;
+  uint32_t begun;                      // micros of its start bit
+
+  SerialLine(int32_t rxpin, int32_t txpin, uint8_t mode, uint32_t baudrate)
+      : receives(rxpin), sends(txpin), inverts_rx(mode & 1), inverts_tx(mode & 2), open_drain(mode & 4), fast(baudrate > 19200) {
+    cycles = (F_CPU + baudrate / 2) / baudrate;
+    bit_us = (1000000UL + baudrate / 2) / baudrate;
+    if (receives.wired()) {
+      receives.drive(false);
+      if (!inverts_rx) receives.put(receives.out, true);  // a line that is not wired rests
+    }
+    if (sends.wired()) show(true);
   }
+  virtual ~SerialLine() {
+    end_watch(*this);
+    receives.drive(false);
+    sends.drive(false);
+  }
+  void show(bool mark) const {  // the line's level: 1 at rest
+    bool level = mark != inverts_tx;
+    if (!open_drain) {
+      sends.put(sends.out, level);
+      sends.put(sends.direction, true);
+    } else if (mark) {
+      sends.put(sends.direction, false);
+      sends.put(sends.out, !inverts_tx);  // a pull-up
+    } else {
+      sends.put(sends.out, level);
+      sends.put(sends.direction, true);
+    }
+  }
+  void keep(uint8_t byte) {
+    uint8_t next = (head + 1) & 63;
+    if (next == tail) return;
+    bytes[head] = byte;
+    head = next;
+  }
+  void fill(uint16_t us, bool mark) {  // the line was at that level until so many microseconds after the start bit began
+    for (; cells && us > (uint16_t)(cells * bit_us + bit_us / 2); cells++) {
+      if (cells == 9) {
+        keep(coming);
+        cells = 0;
+        return;
+      }
+      coming = coming >> 1 | (mark ? 0x80 : 0);
+    }
+  }
+  static void fast_edge(PinWatch &watch) {  // right behind the beginning of a start bit, with interrupts off
+    SerialLine &line = static_cast<SerialLine &>(watch);
+    uint8_t rests = line.inverts_rx ? 0 : line.mask, byte = 0;
+    if (line.level == rests) return;
+    uint16_t bit = line.cycles / 4;
+    _delay_loop_2(bit + bit / 2 - 38);
+    for (uint8_t number = 0; number < 8; number++) {
+      byte >>= 1;
+      if ((*line.in & line.mask) == rests) byte |= 0x80;
+      _delay_loop_2(bit - 5);
+    }
+    line.level = *line.in & line.mask;
+    line.keep(byte);
+  }
+  static void edge(PinWatch &watch) {
+    SerialLine &line = static_cast<SerialLine &>(watch);
+    bool mark = (line.level != 0) != line.inverts_rx;
+    uint32_t now = micros(), passed = now - line.begun;
+    if (line.cells == 1 && passed < line.bit_us / 2) line.cells = 0;  // no start bit
+    if (line.cells) line.fill(passed > 60000 ? 60000 : passed, !mark);
+    if (line.cells || mark) return;
+    line.begun = now;
+    line.cells = 1;
+  }
+  virtual int available() {
+    uint8_t old = SREG;
+    cli();
+    uint32_t passed = micros() - begun;
+    if (cells && passed > bit_us * 9U + bit_us / 2U) fill(60000, (level != 0) != inverts_rx);  // its last bits were like the stop bit
+    uint8_t count = (head - tail) & 63;
+    SREG = old;
+    return count;
+  }
+  virtual int peek() { return available() ? bytes[tail] : -1; }
+  virtual int read() {
+    if (!available()) return -1;
+    uint8_t byte = bytes[tail];
+    tail = (tail + 1) & 63;
+    return byte;
+  }
+  virtual void flush() {}
+  virtual size_t write(uint8_t byte) {
+    if (!sends.wired()) return 1;
+    if (frames_due) frames_due();
+    frames_wait = 50;
+    uint16_t bits = byte << 1 | 0x200, until = 0;
+    uint8_t old = SREG;
+    cli();
+    uint32_t start = micros();
+    for (uint8_t left = 10; left; left--, bits >>= 1) {
+      show(bits & 1);
+      if (fast) {
+        _delay_loop_2(cycles / 4 - 27);
+        continue;
+      }
+      SREG = old;  // other interrupts have their time behind an edge, so that none runs when the next one is due
+      uint16_t quiet = until + bit_us - 32;
+      while (micros() - start < quiet) {}
+      cli();
+      until += bit_us;
+      while (micros() - start < until) {}
+    }
+    frames_wait = 0;
+    SREG = old;
+    return 1;
+  }
+  using Print::write;
 };
 
 //# adapter fdserial_open
 //#   for: fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate)
-//#   kind: oneToMany
-//#   needs: fdserial SerialLine simpletext.h/text_t
+//#   kind: semantic
+//#   needs: fdserial SerialLine simpletext.h/text_t simpletools.h/watch_pin
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
-//#   fidelity: 64 bytes are kept, as there; it waits half a second, as there; of the mode, inversion of both lines and echo are obeyed
-//#   limit: up to 57,600 baud away from the console; what arrives while something is sent gets lost
-//#   limit: interrupts are off while a byte is sent or received, so that servos tremble
-//#   limit: of several lines only the one opened last receives
-//#   limit: one pin both ways, and open drain, are not served
+//#   fidelity: 63 bytes are kept, as there; it waits half a second, as there; the modes for inversion and open drain are obeyed
+//#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
+//#   limit: a byte is sent while the program waits, and what arrives meanwhile may get lost
+//#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
+//#   limit: FDSERIAL_MODE_IGNORE_TX_ECHO and FDSERIAL_MODE_RX_ONLY change nothing
 inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   fdserial *line = new fdserial();
   line->terminalEcho = mode >> 4 & 1;
@@ -74,9 +190,8 @@ inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32
   } else {
     bool receives = rxpin >= 0 && rxpin < NUM_DIGITAL_PINS, sends = txpin >= 0 && txpin < NUM_DIGITAL_PINS;
     if (receives || sends) {
-      uint8_t rx = receives ? rxpin : txpin, tx = sends ? txpin : rxpin;
-      SerialLine *port = new SerialLine(rx, tx, sends ? tx : -1, (mode & 3) == 3);
-      port->begin(baudrate);
+      SerialLine *port = new SerialLine(rxpin, txpin, mode, baudrate);
+      if (receives) watch_pin(*port, rxpin, port->fast ? SerialLine::fast_edge : SerialLine::edge);
       line->port = port;
     }
   }

@@ -228,9 +228,10 @@ struct Servo360 : PinWatch {
 static Servo360 *servos360[4];
 
 //# helper feedback360_edge
-//#   needs: Servo360 simpletools.h/PinWatch
+//#   needs: Servo360 simpletools.h/PinWatch simpletools.h/edge_stamp
 //#   fidelity: an edge is known to 1 us unless another interrupt runs; the median of three cycles counts
-inline void feedback360_edge(PinWatch &watch, uint16_t now) {  // short: the signal is high for 32 us at the least
+inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high for 32 us at the least
+  uint16_t now = edge_stamp();
   Servo360 &servo = static_cast<Servo360 &>(watch);
   if (!watch.level) {
     servo.fall = now;

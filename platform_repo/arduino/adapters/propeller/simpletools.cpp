@@ -359,16 +359,7 @@ inline uint32_t edge_cycles() {  // the time in cycles, as of the call
   return cycles - turns * 6u;
 }
 
-//# helper PinWatch
-//#   fidelity: one handler of pin-change interrupts for all that waits for them; an edge is known to 6 cycles unless another interrupt runs
-struct PinWatch {
-  volatile uint8_t *in;  // the pin's register and bit
-  uint8_t mask, level;
-  void (*changed)(PinWatch &watch, uint16_t cycles);
-  PinWatch *next;
-};
-static PinWatch *pin_watches;
-
+//# helper edge_stamp
 extern volatile unsigned long timer0_overflow_count;  // of the core
 
 inline uint16_t edge_stamp() {  // as edge_cycles, of 16 bits and faster; interrupts are off
@@ -383,13 +374,22 @@ inline uint16_t edge_stamp() {  // as edge_cycles, of 16 bits and faster; interr
   return (uint16_t)((periods << 8 | tick) << 6) - turns * 6u;
 }
 
+//# helper PinWatch
+//#   fidelity: one handler of pin-change interrupts for all that waits for them
+struct PinWatch {
+  volatile uint8_t *in;  // the pin's register and bit
+  uint8_t mask, level;
+  void (*changed)(PinWatch &watch);
+  PinWatch *next;
+};
+static PinWatch *pin_watches;
+
 inline void pins_changed() {
-  uint16_t now = edge_stamp();
   for (PinWatch *watch = pin_watches; watch; watch = watch->next) {
     uint8_t level = *watch->in & watch->mask;
     if (level == watch->level) continue;
     watch->level = level;
-    watch->changed(*watch, now);
+    watch->changed(*watch);
   }
 }
 
@@ -404,7 +404,7 @@ inline void end_watch(PinWatch &watch) {
   SREG = old;
 }
 
-inline bool begin_watch(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch, uint16_t cycles)) {
+inline bool begin_watch(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {
   if (!digitalPinToPCICR(pin)) return false;
   uint8_t old = SREG;
   cli();
@@ -424,7 +424,7 @@ inline bool begin_watch(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &
 //#   needs: PinWatch
 //#   vector: PCINT0_vect PCINT1_vect PCINT2_vect
 //#   stack: 44
-inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch, uint16_t cycles)) {  // false: no such interrupt
+inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
   return begin_watch(watch, pin, changed);
 }
 
@@ -437,7 +437,7 @@ ISR(PCINT2_vect) { pins_changed(); }
 //#   vector: PCINT0_vect
 //#   stack: 44
 //#   mcu: atmega32u4
-inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch, uint16_t cycles)) {  // false: no such interrupt
+inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
   return begin_watch(watch, pin, changed);
 }
 
