@@ -1,14 +1,16 @@
 """Headers of the program's own that lie beside it: they are read with it, stored with it and carried over with it.
 
 Found are those that a source file, or such a header, includes and that no platform provides; where they are looked for is
-what a C compiler does: beside the including file, then in the folders given.
+what a C compiler does: beside the including file, then in the folders given. A header that lies there under the name of one of
+the platform's is the program's own where its sources define most of the functions that the platform's declares, as those of a
+library do; else it is a copy of the platform's.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from robosmi import inputs
@@ -30,23 +32,55 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
     found = list(paths)
     seen = {os.path.realpath(path) for path in paths}
     names = {path.name for path in paths}
+    defined: set[str] | None = None
     for path in found:  # grows while it is walked
         for name in _included(path):
-            if api.header_kind(name) is not None or not name.lower().endswith(HEADERS):
+            if not name.lower().endswith(HEADERS):
                 continue
             place = next((p for p in (folder / name for folder in (path.parent, *include_dirs)) if p.is_file()), None)
             if place is not None and os.path.realpath(place) not in seen and place.name not in names:
+                if api.header_kind(name) is not None:
+                    defined = _defined(paths) if defined is None else defined
+                    if not _written(api.functions_of(name), defined):
+                        continue
                 seen.add(os.path.realpath(place))
                 names.add(place.name)
                 found.append(place)
     return found
 
 
-def _included(path: Path) -> list[str]:
-    """The names in a file's include directives; none for a file that cannot be read, which its reader reports."""
+def _written(functions: Collection[str], defined: Collection[str]) -> bool:
+    """Whether most of a header's functions are defined."""
+    return 2 * sum(name in defined for name in functions) > len(functions)
+
+
+def _defined(paths: Sequence[Path]) -> set[str]:
+    """The names of the functions that source files define: what stands before a list in parentheses and a body."""
+    found: set[str] = set()
+    for path in paths:
+        depth, name, before = 0, "", ""
+        for kind, _, _, text in tokens(_read(path)):
+            if kind in ("comment", "directive"):
+                continue
+            if text == "(" and depth == 0:
+                name = before
+            elif text == "{" and depth == 0 and before == ")":
+                found.add(name)
+            depth += (text in "({") - (text in ")}") if kind == "punct" else 0
+            before = text
+    return found
+
+
+def _read(path: Path) -> bytes:
+    """The bytes of a file; none of one that cannot be read, which its reader reports."""
     try:
-        data = inputs.read_bytes(path, inputs.SOURCE)
+        return inputs.read_bytes(path, inputs.SOURCE)
     except OSError:
-        return []
+        return b""
+
+
+def _included(path: Path) -> list[str]:
+    """The names in a file's include directives."""
+    data = _read(path)
     directives = (text for kind, _, _, text in tokens(data) if kind == "directive") if b"include" in data else ()
     return [match[1].replace("\\", "/") for match in map(_INCLUDE.match, directives) if match]

@@ -50,7 +50,19 @@ def called_functions(
             else:
                 known.calls += [c for c in function.calls if c not in known.calls]
                 known.callee = known.callee or function.callee
+    for name, prototype in own_prototypes(views).items():
+        if name not in found and name not in own and any(name in _handed_on(view) for view in views):
+            found[name] = CalledFunction(name, callee=prototype)
     return dict(sorted(found.items()))
+
+
+def _handed_on(view: CodeView) -> set[str]:
+    """Names that a unit uses as values, and those called in bodies of its macros."""
+    named = {str(r.name) for r in view.of_kind(ccode.NameReference)}
+    return named.union(*(_CALLED.findall(str(macro.body or "")) for macro in view.unit.macros))
+
+
+_CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")
 
 
 def _own_names(views: Iterable[CodeView]) -> set[str]:
@@ -66,7 +78,9 @@ def _referenced(view: CodeView) -> Iterable[CalledFunction]:
             isinstance(reference.target, ccode.Function) and not reference.target.definition
         ):
             entry = view.resolve(reference.name)
-            if entry is not None and entry.callable and reference.name not in view.called():
+            if reference.name in view.called():
+                continue
+            if entry is not None and entry.callable:
                 yield CalledFunction(reference.name, entry=entry, header=entry.header)
     for macro in view.unit.macros:  # another name for a function
         other = macro.body.strip()

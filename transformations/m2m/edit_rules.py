@@ -6,6 +6,7 @@ Which rule applies is decided in the plan; what leaves main for file scope is in
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable
 from typing import Any
@@ -63,9 +64,10 @@ def _value_and_go_on(element: Any, choice: str, text: SourceText) -> list[Replac
     return [*_void_value(element, choice, text), (element.value.endOffset, element.value.endOffset, f", {choice}()")]
 
 
-def name_place(variable: ccode.Variable, data: bytes) -> int:
+def name_place(variable: ccode.Variable | ccode.Parameter, data: bytes) -> int:
     """Offset of a variable's name in its declaration."""
-    end = variable.initializer.startOffset if variable.initializer is not None else variable.endOffset
+    initial = variable.initializer if isinstance(variable, ccode.Variable) else None
+    end = initial.startOffset if initial is not None else variable.endOffset
     found = [m.start() for m in re.finditer(rb"\b%s\b" % re.escape(variable.name.encode()), data[variable.startOffset : end])]
     return variable.startOffset + (found[-1] if found else 0)
 
@@ -82,6 +84,41 @@ def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacem
 
 def _rename(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     return [(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
+
+
+def _rename_tag(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """The name behind `struct`, `union` or `enum` alone; a type of the same name keeps its own."""
+    names = list(name_tokens(text.data))
+    pairs = itertools.pairwise(names)
+    return [(start, end, choice) for (_, _, before), (start, end, name) in pairs if name == element.name and before in _TAGGED]
+
+
+def _qualify_type(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """A member of its type's name: the type is said to be the one at file scope."""
+    found = re.compile(rb"\b%s\b" % re.escape(element.name.encode())).search(text.data, element.startOffset, element.endOffset)
+    return [(found.start(), found.start(), "::")] if found else []
+
+
+def _open_size(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """The first size of an array that is a parameter goes: it says nothing."""
+    found = re.compile(rb"\[([^\]]*)\]").search(text.data, name_place(element, text.data), element.endOffset)
+    return [(found.start(1), found.end(1), "")] if found else []
+
+
+def _branch_out(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """What a condition encloses goes, up to the next directive that belongs to it."""
+    depth, start = 0, text.line_end(element.endOffset)
+    for directive in text.unit.conditionals:
+        if directive.startOffset <= element.startOffset:
+            continue
+        if depth == 0 and directive.directive not in ("if", "ifdef", "ifndef"):
+            return [(start, text.line_start(directive.startOffset), "")]
+        depth += directive.directive in ("if", "ifdef", "ifndef")
+        depth -= directive.directive == "endif"
+    return []
+
+
+_TAGGED = frozenset({"struct", "union", "enum"})
 
 
 def undefine(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -134,6 +171,12 @@ def _compound(element: Any, choice: str, text: SourceText) -> list[Replacement]:
 
 def _insert(words: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
     return lambda element, choice, text: [(element.startOffset, element.startOffset, words)]
+
+
+def _share_one(variable: Any, choice: str, text: SourceText) -> list[Replacement]:
+    """One of several names of a declaration; its sizes stand behind the name."""
+    place = variable.endOffset
+    return [(place, place, " __attribute__((weak))")]
 
 
 def _behind_return(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -202,6 +245,10 @@ RULES: dict[str, EditRule] = {
     "value-and-end-of-main": _value_and_go_on,
     "main-prototype": _out,
     "rename": _rename,
+    "rename-tag": _rename_tag,
+    "qualify-type": _qualify_type,
+    "linkage-of-c": _branch_out,
+    "open-size": _open_size,
     "convert": _convert,
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,
@@ -210,6 +257,7 @@ RULES: dict[str, EditRule] = {
     "implicit-int": _implicit_int,
     "declare-only": _insert("extern "),
     "share": _insert("__attribute__((weak)) "),
+    "share-one": _share_one,
     "replace": _replace,
     "compound-of-enumeration": _compound,
     "return-with-value": _behind_return,
@@ -223,5 +271,5 @@ RULES: dict[str, EditRule] = {
 }
 """Rule of a disposition -> the changes of text that it asks for."""
 
-EVERYWHERE = frozenset({"rename"})
+EVERYWHERE = frozenset({"rename", "rename-tag"})
 """Rules that change every unit of the program, not only their element's."""

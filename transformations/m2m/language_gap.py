@@ -2,30 +2,28 @@
 
 A table of rules over the code model. Each finds elements and says which rule of `edit_rules` changes their text; what no
 simple edit mends is a finding with its place. Which way a value is converted is read off `queries.expression_type`;
-declarations in the manner of old C are in `old_c`.
+declarations in the manner of old C are in `old_c`, variables that several declarations or files share in `shared_names`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
-from robosmi.transformations.m2m import old_c
+from robosmi.transformations.m2m import old_c, shared_names
 from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
     FunctionType,
     ValueType,
-    declared_with_others,
     expectations,
     of_use,
     type_of,
 )
-from robosmi.transformations.queries.own_headers import included
-from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.queries.signature_text import function_type
 
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
@@ -41,11 +39,24 @@ def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], 
     """
     if view.unit.language != "C":
         return []
+    functions = {**_library(view), **functions}
     found: dict[tuple[int, int, str], Change] = {}
-    for rule in RULES if cplusplus else (_extern,):
+    for rule in RULES if cplusplus else shared_names.IN_C:
         for change in rule(view, data, functions):
             found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
     return list(found.values())
+
+
+def _library(view: CodeView) -> dict[str, FunctionType]:
+    """What the functions of the standard library that a unit calls take and give, as their header says."""
+    made: dict[str, FunctionType] = {}
+    for call in view.calls:
+        entry = view.resolve(call.calleeName) if call.calleeName and call.calleeName not in made else None
+        if entry is None or entry.kind != "function" or view.api.kind_of(entry) != "standard" or not entry.detail:
+            continue
+        if (call.callee is None or not call.callee.definition) and "(*" not in entry.parameters:
+            made[str(call.calleeName)] = function_type(view.api.signature(call.calleeName, entry))
+    return made
 
 
 def _conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -61,6 +72,8 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     if wanted.function:
         return _function_pointer(value, wanted)
     if isinstance(value, ccode.StringLiteral):
+        if wanted.array:
+            return ""
         if wanted.depth == 1 and wanted.base == "char" and not wanted.constant:
             return "a text is constant in C++"
         return "a text is no such pointer in C++" if wanted.depth == 1 and wanted.base not in ("char", "void") else ""
@@ -126,13 +139,13 @@ def _fits(value: ccode.Expression, wanted: ValueType) -> bool:
 
 
 def _pointers(given: ValueType, wanted: ValueType) -> str:
+    lost = "a pointer to a constant is no such pointer in C++" if given.constant and not wanted.constant else ""
+    lost = lost or ("a pointer to what may change is no such pointer in C++" if given.changing and not wanted.changing else "")
     if wanted.base == "void" and wanted.depth == 1:
-        return "a pointer to a constant is no such pointer in C++" if given.constant and not wanted.constant else ""
+        return lost
     if given.base == "void":
         return "C++ does not convert void * on its own"
-    if (given.base, given.depth) != (wanted.base, wanted.depth):
-        return "the pointers are of different types"
-    return "a pointer to a constant is no such pointer in C++" if given.constant and not wanted.constant else ""
+    return "the pointers are of different types" if (given.base, given.depth) != (wanted.base, wanted.depth) else lost
 
 
 def _function_pointer(value: ccode.Expression, wanted: ValueType) -> str:
@@ -197,94 +210,44 @@ def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, Fu
     return re.sub(r"\b(?:static|const|volatile|register)\b\s*", "", kind.spelling) if plain and kind is not None else ""
 
 
-def _shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A variable that a header declares without extern: one for all files in C, one for each in C++."""
-    unit = view.unit
-    units = [u for u in unit.program.units if not is_header(u)] if is_header(unit) and unit.program is not None else []
-    defined = {
-        d.name
-        for u in units
-        for d in u.declarations
-        if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and d.name
-    }
-    for variable in unit.declarations if units else ():
-        if not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified" or variable.initialised:
-            continue
-        if variable.name in defined:
-            yield Change(variable, "declare-only", "", "a file of the program defines it")
-        elif len(units) > 1 and not (variable.valueType is not None and variable.valueType.constant):
-            yield Change(variable, "share", "", "all files that include the header share it")
+def _tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Tags and types, which have names of their own in C: where C++ cannot tell one name's two meanings apart."""
+    units = view.program.units
+    typedefs = {d.name: d for u in units for d in u.declarations if isinstance(d, ccode.Typedef) and d.aliased is not None}
+    words = {word for u in units for d in u.declarations for word in (str(d.name),)}
+    for record in view.of_kind(ccode.Record):
+        typedef = typedefs.get(record.name) if record.name else None
+        if typedef is not None and typedef.aliased is not None and not _same(typedef.aliased, record):
+            yield Change(record, "rename-tag", _fresh(f"{record.name}_", words), "the name is another type's, too")
+        for member in record.fields:
+            use = member.valueType
+            if use is not None and use.declaration is not None and use.spelling.split()[:1] == [member.name]:
+                yield Change(member, "qualify-type", "", "the member has the name of its type")
 
 
-def _constants_of_others(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A constant that other files use: in C++ it belongs to its own file alone, unless it is said to be extern."""
-    unit = view.unit
-    if is_header(unit) or unit.program is None:
-        return
-    seen = {id(u) for u in (unit, *included(unit))}
-    wanted: dict[str, bool] = {}
-    for other in unit.program.units:
-        for declared in other.declarations:
-            if isinstance(declared, ccode.Variable) and declared.storage.name == "externStorage":
-                wanted[declared.name] = wanted.get(declared.name, False) or id(other) in seen
-    for variable in unit.declarations:
-        use = variable.valueType if isinstance(variable, ccode.Variable) else None
-        if use is None or not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified":
-            continue
-        if use.constant and not use.pointerDepth and wanted.get(variable.name) is False:
-            yield Change(variable, "declare-only", "", "another file uses the constant")
+def _same(aliased: ccode.TypeUse, record: ccode.Record) -> bool:
+    """Whether a typedef is only another way to write a record's tag."""
+    return not aliased.pointerDepth and not aliased.arrayDims and aliased.spelling.split()[1:] == [record.name]
 
 
-def _tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Globals that are declared twice: all but one become mere declarations."""
-    by_name: dict[str, list[ccode.Variable]] = {}
-    for declaration in view.unit.declarations:
-        if (
-            isinstance(declaration, ccode.Variable)
-            and declaration.storage.name in ("unspecified", "staticStorage")
-            and declaration.name
-        ):
-            by_name.setdefault(declaration.name, []).append(declaration)
-    for variables in by_name.values():
-        kept = next((v for v in variables if v.initialised), variables[0])
-        for variable in variables if len(variables) > 1 else ():
-            if variable is not kept and not declared_with_others(variable):
-                rule = "declare-only" if variable.storage.name == "unspecified" else "take-out"
-                yield Change(variable, rule, "", "the variable is declared a second time")
+def _fresh(wanted: str, taken: Collection[str]) -> str:
+    while wanted in taken:
+        wanted += "_"
+    return wanted
 
 
-def _extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Variables that the program declares and defines nowhere: their declaration becomes the definition."""
-    program = view.unit.program
-    defined = (
-        {
-            d.name
-            for u in program.units
-            for d in u.declarations
-            if isinstance(d, ccode.Variable) and d.storage.name != "externStorage"
-        }
-        if program is not None
-        else set()
-    )
-    seen: set[str] = set()
-    for declaration in view.unit.declarations:
-        if not isinstance(declaration, ccode.Variable) or declaration.name in defined or declaration.name in seen:
-            continue
-        if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
-            seen.add(declaration.name)
-            yield Change(declaration, "define-extern", declaration.name, "the program defines it nowhere")
-
-
-RULES: tuple[Rule, ...] = (_enumerations, _conversions, *old_c.RULES, _tentative, _shared, _extern, _constants_of_others)
+RULES: tuple[Rule, ...] = (_tags, _enumerations, _conversions, *old_c.RULES, *shared_names.RULES)
 TEXT_RULES = frozenset(
     {
         "empty-parentheses",
         "parameters-behind",
+        "rename-tag",
         "implicit-int",
         "return-at-end",
         "declare-only",
         "define-extern",
         "share",
+        "share-one",
         "zero-value",
     }
 )

@@ -23,7 +23,10 @@ _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|in
 
 def empty_lists(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """`f()` says nothing of its parameters in C and that there are none in C++."""
-    defined = {d.name: d for d in view.unit.declarations if isinstance(d, ccode.Function) and d.definition}
+    units = view.program.units
+    others = (d for u in units if u is not view.unit for d in u.declarations if isinstance(d, ccode.Function) and d.definition)
+    defined = {d.name: d for d in others if d.storage.name != "staticStorage"}
+    defined |= {d.name: d for d in view.unit.declarations if isinstance(d, ccode.Function) and d.definition}
     for function in view.of_kind(ccode.Function):
         if function.parameters or function.variadic or function.name == "main" or not re.search(r"\(\s*\)$", function.signature):
             continue
@@ -180,5 +183,16 @@ def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, Function
         yield Change(variable, "zero-value", "{}" if use.arrayDims else nothing(use.spelling), "a constant has a value in C++")
 
 
-RULES = (empty_lists, parameters_behind, implicit_int, missing_returns, returns, jumped_over, zero_constants)
+def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """An array as a parameter whose size is another parameter, or no constant otherwise."""
+    for parameter in view.of_kind(ccode.Parameter):
+        sizes = parameter.valueType.arrayDims if parameter.valueType is not None else ""
+        function = ancestor_of_kind(parameter, ccode.Function)
+        first = (sizes or "").partition("]")[0].strip("[ ")
+        names = {p.name for p in function.parameters} if function is not None else set()
+        if names & set(re.findall(r"[A-Za-z_]\w*", first)) or first.startswith(("static ", "*")):
+            yield Change(parameter, "open-size", "", "C++ wants a constant there")
+
+
+RULES = (empty_lists, parameters_behind, implicit_int, missing_returns, returns, jumped_over, zero_constants, sizes_of_parameters)
 """The rules, by which of them comes first in a function's text."""

@@ -17,6 +17,7 @@ from robosmi.transformations.knowledge.target_platform import PLAIN_C, TargetFac
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
+from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import declare, type_names
 
@@ -36,6 +37,9 @@ _NO_TYPES = ARITHMETIC | {
     "va_list",
 }
 
+_PREDEFINED = frozenset({"__LINE__", "__FILE__", "__DATE__", "__TIME__", "__func__", "__FUNCTION__", "__COUNTER__"})
+"""What every compiler has and none lists among its macros."""
+
 
 def used_symbols(
     views: Sequence[CodeView], adapted: Iterable[str], target: TargetFacts, names: TargetNames
@@ -48,9 +52,13 @@ def used_symbols(
         target: the target.
         names: its names.
     """
-    there = _own(views) | set(adapted) | names.same | names.keywords | names.absent
-    found: dict[str, list[ccode.NameReference]] = {s.name: [] for view in views for s in view.symbols() if s.name not in there}
+    outside = set(adapted) | _PREDEFINED | names.same | names.keywords | names.absent
+    own = {id(view.unit): _own(views) - _macros_of_others(view, views) | outside for view in views}
+    found: dict[str, list[ccode.NameReference]] = {
+        s.name: [] for view in views for s in view.symbols() if s.name not in own[id(view.unit)]
+    }
     for view in views:
+        there = own[id(view.unit)]
         for use in view.unit.macroUses:
             entry = view.resolve(use.name)
             known = use.name in there or use.name in names.macros or use.name in STANDARD_NAMES or use.functionLike
@@ -67,7 +75,7 @@ def used_symbols(
             entry = view.resolve(reference.name)
             if (entry is None or entry.header not in target.standard_headers) and reference.name not in STANDARD_NAMES:
                 found.setdefault(reference.name, []).append(reference)
-    for name in size_names(views) - there - names.macros - STANDARD_NAMES.keys():
+    for name in size_names(views) - _own(views) - outside - names.macros - STANDARD_NAMES.keys():
         if not any((entry := view.resolve(name)) is not None and entry.header in target.standard_headers for view in views):
             found.setdefault(name, [])
     return dict(sorted(found.items()))
@@ -88,6 +96,15 @@ def _own(views: Sequence[CodeView]) -> set[str]:
         for kind in (ccode.Record, ccode.Enumeration, ccode.EnumerationLiteral):
             own.update(d.name for d in view.of_kind(kind) if ancestor_of_kind(d, ccode.Function) is None)
     return own - {""}
+
+
+def _macros_of_others(view: CodeView, views: Sequence[CodeView]) -> set[str]:
+    """Macros of the platform that a file uses and that only another file defines for itself, too."""
+    seen = {id(u) for u in (view.unit, *included(view.unit))}
+    macros = {m.name for u in (view.unit, *included(view.unit)) for m in u.macros}
+    others = {m.name for v in views if id(v.unit) not in seen for m in v.unit.macros} - macros
+    used = {str(r.name) for r in view.of_kind(ccode.NameReference) if isinstance(r.target, ccode.ExternalSymbol)}
+    return {name for name in used & others if view.kind(name) == "platform"}
 
 
 def implied_headers(views: Iterable[CodeView], target: TargetFacts, names: TargetNames) -> list[migration.SymbolUse]:
@@ -159,7 +176,8 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     base, bracket, _ = spelled.partition("[")
     kind = for_target(Signature(name, base.strip()), target.widths).returns
     if not mutable:
-        # Constants of unknown value must differ, or a switch over them would not compile; none is 0, for arrays have such sizes.
+        # Constants of unknown value must differ, or a switch over them would not compile, one over their sums with small numbers
+        # neither; none is 0, for arrays have such sizes.
         bare = kind.removeprefix("const ")
         if target.language == PLAIN_C and set(bare.split()) <= ARITHMETIC - {"float", "double"}:
             return f"enum {{ {name} = {number} }};"  # a constant of C is no constant expression

@@ -174,7 +174,8 @@ def _symbols(
     several = sum(not is_header(v.unit) for v in views) > 1
     sizes = size_names(views)
     values = []
-    for number, (name, uses) in enumerate(used.items(), 1):
+    for place, (name, uses) in enumerate(used.items()):
+        number = 3 * place + 1  # so that what a switch adds to a constant is no other one
         symbol = known.get(name)
         header = ancestor_of_kind(symbol, platform.Header) if symbol is not None else None
         if (piece := choice.declare(name, header.name if header is not None else "", VALUES)) is not None:

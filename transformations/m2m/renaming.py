@@ -7,6 +7,7 @@ merely hides a name stays.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -68,12 +69,30 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
     return list(found.values())
 
 
+def _in_c_alone(macro: ccode.Macro, unit: ccode.SourceUnit) -> bool:
+    """Whether a macro is defined only where the text is not compiled as C++."""
+    conditions: list[str] = []
+    for directive in unit.conditionals:
+        if directive.startOffset > macro.startOffset:
+            break
+        if directive.directive in ("if", "ifdef", "ifndef"):
+            conditions.append(f"{directive.directive} {directive.condition or ''}")
+        elif directive.directive == "endif" and conditions:
+            conditions.pop()
+        elif conditions:  # another branch
+            conditions[-1] = ""
+    return any(_C_ALONE.match(condition) for condition in conditions)
+
+
+_C_ALONE = re.compile(r"ifndef\s+__cplusplus\b|if\s+!\s*defined\s*\(?\s*__cplusplus\b")
+
+
 def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro, bool]]:
     """Every declaration and macro of the program with whether it is visible outside of a function."""
     for view in views:
         if view.unit.language != "C":
             continue
-        yield from ((macro, True) for macro in view.unit.macros)
+        yield from ((macro, True) for macro in view.unit.macros if not _in_c_alone(macro, view.unit))
         top = {id(d) for d in view.unit.declarations}
         for declaration in view.of_kind(ccode.Declaration):
             literal = isinstance(declaration, ccode.EnumerationLiteral) and id(declaration.eContainer()) in top

@@ -15,10 +15,12 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
-from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, unit_of
+from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, undeclared_variables, unit_of
 from robosmi.transformations.queries.plan import keeps_main, target_of
+from robosmi.transformations.queries.signature_text import declare
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 from robosmi.transformations.queries.text_changes import decision_of
+from robosmi.transformations.queries.width_types import retyped
 
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
@@ -55,7 +57,7 @@ def program_text(
 
     Returns:
         `origin`, `includes`, `libraries`, `interrupts` for its head; `types` (its code up to the first function, where something
-        must stand behind that), `adapters`, `prototypes` and the headers of their types that must, `code` (all the rest).
+        must stand behind that), `adapters`, `variables` of other files, `prototypes` and the headers of their types that must, `code` (all the rest).
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
@@ -70,7 +72,8 @@ def program_text(
     late = [a for a in with_own_types if _called_in(a, unit)]
     first = min((f.startOffset for f in functions), default=len(source.data))
     first = source.line_start(first) if source.blank(source.line_start(first), first) else first
-    start = first if ahead or late else 0
+    variables = undeclared_variables(unit)
+    start = first if ahead or late or variables else 0
     return {
         "origin": unit.path.rpartition("/")[2],
         "interrupts": handles_interrupts(plan, unit),
@@ -79,6 +82,7 @@ def program_text(
         "types": _retained([], source.unit, source.pieces(0, start, _elements(unit))),
         "adapters": adapters(plan, late),
         "prototype_headers": headers_of_types(elsewhere, unit),
+        "variables": [{"variable": v, "head": _declared(v, plan)} for v in variables],
         "prototypes": [{"function": f, "head": _prototype(f, texts[unit_of(f)], plan)} for f in ahead],
         "code": _code(plan, source, start, main),
     }
@@ -177,6 +181,14 @@ def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: S
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)
     return first < function.startOffset and all(p.startOffset > first for p in prototypes)
+
+
+def _declared(variable: ccode.Variable, plan: migration.MigrationPlan) -> str:
+    """The declaration of a variable that another file defines."""
+    use = variable.valueType
+    spelled = f"{use.spelling} {use.arrayDims or ''}".strip() if use is not None else "int"
+    wide = retyped(spelled) if plan.widths is migration.Widths.fix else spelled
+    return f"extern {declare(wide, str(variable.name))}"
 
 
 def _prototype(function: ccode.Function, source: SourceText, plan: migration.MigrationPlan) -> str:

@@ -48,7 +48,8 @@ class ValueType:
         base: without qualifiers, stars and dimensions; typedefs of the program resolved.
         depth: levels of pointers and arrays.
         constant: what is pointed to must not be changed.
-        array: it is an array, not a pointer.
+        changing: what is pointed to may change on its own (`volatile`).
+        dimensions: how many of the levels are arrays.
         declaration: of the base, where the program has it.
     """
 
@@ -56,8 +57,14 @@ class ValueType:
     base: str
     depth: int
     constant: bool = False
-    array: bool = False
+    dimensions: int = 0
+    changing: bool = False
     declaration: ccode.Declaration | None = None
+
+    @property
+    def array(self) -> bool:
+        """True for an array, which is no pointer."""
+        return self.dimensions > 0
 
     @property
     def function(self) -> bool:
@@ -84,10 +91,12 @@ def parse(spelling: str, dimensions: str = "") -> ValueType:
     if "(*" in spelling:
         return ValueType(spelling, spelling, 1)
     head, _, inner = spelling.partition("[")
-    levels = head.count("*") + ("[" + inner).count("[") * bool(inner) + dimensions.count("[")
+    sizes = ("[" + inner).count("[") * bool(inner) + dimensions.count("[")
+    levels = head.count("*") + sizes
     base = " ".join(_QUALIFIERS.sub(" ", head.replace("*", " ")).split())
     shown = head.strip() + "*" * (levels - head.count("*"))
-    return ValueType(shown, base, levels, bool(re.search(r"\bconst\b", head.partition("*")[0])), bool(inner or dimensions))
+    first = head.partition("*")[0].split()
+    return ValueType(shown, base, levels, "const" in first, sizes, "volatile" in first)
 
 
 def of_use(use: ccode.TypeUse | None) -> ValueType | None:
@@ -100,7 +109,8 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
         inner = of_use(declaration.aliased)
         if inner is not None:
             meant = inner.declaration or _unnamed(declaration)
-            return replace(made, base=inner.base, depth=made.depth + inner.depth, declaration=meant)
+            sizes = made.dimensions + (inner.dimensions if made.depth == made.dimensions else 0)
+            return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
     return replace(made, declaration=declaration)
 
 
@@ -116,7 +126,8 @@ def element_type(kind: ValueType | None) -> ValueType | None:
     """What an element of an array, or what a pointer points to, is."""
     if kind is None or kind.depth == 0 or kind.function:
         return None
-    return replace(kind, spelling=kind.spelling.removesuffix("*").strip(), depth=kind.depth - 1, array=False)
+    spelling, sizes = kind.spelling.removesuffix("*").strip(), max(kind.dimensions - 1, 0)
+    return replace(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes)
 
 
 def type_of(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> ValueType | None:
@@ -208,4 +219,13 @@ def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[t
             yield from _initial(element, element_type(kind))
     elif kind is not None and isinstance(kind.declaration, ccode.Record):
         for element, field in zip(expression.elements, kind.declaration.fields, strict=False):
-            yield from _initial(element, of_use(field.valueType))
+            wanted = of_use(field.valueType)
+            if _without_braces(element, wanted):
+                return
+            yield from _initial(element, wanted)
+
+
+def _without_braces(element: ccode.Expression, wanted: ValueType | None) -> bool:
+    """Whether the values of an array stand in the list around it, so that what follows is no longer one for each field."""
+    text = isinstance(element, (ccode.InitializerList, ccode.StringLiteral))
+    return wanted is not None and wanted.array and not text

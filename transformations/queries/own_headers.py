@@ -60,6 +60,25 @@ def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
     return list(found.values())
 
 
+def undeclared_variables(unit: ccode.SourceUnit) -> list[ccode.Variable]:
+    """The variables of other files that a unit uses and that only a header of the platform declares to it; by first uses."""
+    seen = (unit, *included(unit))
+    declared = {d.name for u in seen for d in u.declarations} | {m.name for u in seen for m in u.macros}
+    units = [u for u in (unit.program.units if unit.program is not None else ()) if u is not unit and not is_header(u)]
+    shared = {
+        str(d.name): d
+        for u in units
+        for d in u.declarations
+        if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and d.name not in declared
+    }
+    found: dict[str, ccode.Variable] = {}
+    for use in sorted(all_of_kind(unit, ccode.NameReference), key=lambda r: int(r.startOffset)) if shared else ():
+        outside = isinstance(use.target, ccode.ExternalSymbol) or use.target is shared.get(str(use.name))
+        if outside and use.name in shared:
+            found.setdefault(str(use.name), shared[str(use.name)])
+    return list(found.values())
+
+
 def headers_of_types(functions: Iterable[ccode.Function], unit: ccode.SourceUnit) -> list[str]:
     """File names of the program's own headers that declare types of these functions and that a unit does not include."""
     seen = {id(header) for header in included(unit)}

@@ -201,6 +201,8 @@ def _cast(context: UnitContext, node: Node) -> ccode.Expression | None:
 
 def _parenthesised_type(context: UnitContext, node: Node) -> ccode.TypeUse | None:
     i = context.token_at(node.start)
+    if context.expansions_at(node.start):  # it stands in the body of a macro, whose use is all that is here
+        return types.read_type(context, context.lib.getCursorType(node.cursor))
     if i < len(context.tokens) and context.tokens[i][3] != "(":
         i += 1  # sizeof
     if i >= len(context.tokens) or context.tokens[i][3] != "(":

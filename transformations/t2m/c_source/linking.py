@@ -13,12 +13,14 @@ from typing import Any
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
+from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.macros import header_of
 
 _STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]
 FUNCTION_KINDS = (8, 21)
+_TAGS = frozenset({"struct", "union", "enum", "class"})
 
 
 class Linker:
@@ -33,7 +35,8 @@ class Linker:
         self.contexts = contexts
         self.externals: dict[tuple[str, str], ccode.Declaration] = {}
         self.own_functions: list[dict[str, ccode.Function]] = [_functions(d) for d in declarations]
-        self.own_types: list[dict[str, ccode.Declaration]] = [_types(c) for c in contexts]
+        self.own_types = [_types(c) for c in contexts]
+        self._header_values = _values_of_headers(contexts, declarations)
         self._uses: dict[str, str] = {}
         self._sites: dict[str, list[CallSite]] = {}
         self._headers: dict[str, tuple[str, str]] = {}
@@ -130,11 +133,15 @@ class Linker:
             if isinstance(element, ccode.Function) and not element.definition:
                 element = self._own(number, name) or element
             if element is None:
-                element = self._own(number, name)
+                element = self._own(number, name) or self._of_header(name)
             if element is None:
                 element = self._external_symbol(context, reference, cursor)
             if element is not None:
                 connect(reference, "target", element)
+
+    def _of_header(self, name: str) -> ccode.Declaration | None:
+        """The variable or enumerator of that name that a header among the units declares; a definition in another unit first."""
+        return self._header_values.get(name)
 
     def _external_symbol(self, context: UnitContext, reference: ccode.NameReference, cursor: Any) -> ccode.Declaration | None:
         name = str(reference.name)
@@ -158,13 +165,23 @@ class Linker:
     def _link_types(self, number: int, context: UnitContext) -> None:
         headers: dict[str, str] | None = None
         for use, name in context.type_uses:
-            own = self.own_types[number].get(name)
+            own = self._own_type(number, name, use, context.source.language)
             if own is None and name not in KEYWORDS and name not in TYPE_WORDS:
                 if headers is None:
                     headers = _type_headers(context)
                 own = self._symbol(name, headers.get(name, ""), "typeUse")
             if own is not None:
                 connect(use, "declaration", own)
+
+    def _own_type(self, number: int, name: str, use: ccode.TypeUse, language: str) -> ccode.Declaration | None:
+        """The type that a unit, or else a header among the units, declares under that name: by a tag or by a typedef."""
+        tag = not _TAGS.isdisjoint(use.spelling.split())
+        headers = (t for t, c in zip(self.own_types, self.contexts, strict=True) if c.source.path.lower().endswith(HEADERS))
+        for types in (self.own_types[number], *headers):
+            found = types.get((name, tag)) or (types.get((name, True)) if language == "C++" else None)
+            if found is not None:
+                return found
+        return None
 
 
 def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Function]:
@@ -175,9 +192,30 @@ def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Fun
     return found
 
 
-def _types(context: UnitContext) -> dict[str, ccode.Declaration]:
+def _values_of_headers(
+    contexts: Iterable[UnitContext], declarations: Iterable[Iterable[ccode.Declaration]]
+) -> dict[str, ccode.Declaration]:
+    """Variables and enumerators that headers among the units declare, by name; a variable's definition before others."""
+    found: dict[str, ccode.Declaration] = {}
+    defined: dict[str, ccode.Declaration] = {}
+    for context, declared in zip(contexts, declarations, strict=True):
+        header = context.source.path.lower().endswith(HEADERS)
+        for each in declared:
+            if isinstance(each, ccode.Variable) and each.name:
+                if header:
+                    found.setdefault(each.name, each)
+                elif each.storage.name == "unspecified":
+                    defined.setdefault(each.name, each)
+            elif header and isinstance(each, ccode.Enumeration):
+                found.update((str(literal.name), literal) for literal in each.literals)
+    return {name: defined.get(name, each) for name, each in found.items()}
+
+
+def _types(context: UnitContext) -> dict[tuple[str, bool], ccode.Declaration]:
+    """The types that a unit declares, by name and whether that is a tag."""
     kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
-    return {str(d.name): d for d in context.declared.values() if isinstance(d, kinds) and d.name}
+    found = (d for d in context.declared.values() if isinstance(d, kinds) and d.name)
+    return {(str(d.name), not isinstance(d, ccode.Typedef)): d for d in found}
 
 
 def _type_headers(context: UnitContext) -> dict[str, str]:

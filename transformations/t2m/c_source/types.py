@@ -208,6 +208,12 @@ def written_type(context: UnitContext, start: int, end: int, kind: Any) -> ccode
     return _type_use(context, kind, text, spec.base, dims, text.count("*"), spec.constant)
 
 
+def read_type(context: UnitContext, kind: Any) -> ccode.TypeUse:
+    """A type that is not written where it is used, given by the parser's type."""
+    text: str = context.lib.text(context.lib.getTypeSpelling(kind))
+    return _type_use(context, kind, text, "", "", text.count("*"), text.startswith("const "))
+
+
 def _type_use(context: UnitContext, kind: Any, spelling: str, base: str, dims: str, depth: int, constant: bool) -> ccode.TypeUse:
     canonical, bits, signed, pointer = resolve(context, kind)
     if base in context.parsed.prelude.types:

@@ -142,7 +142,7 @@ inline int32_t printf_text(TextOut out, const char *format, const TextArgument *
       continue;
     } else {
       bool negative_too = conversion == 'd' || conversion == 'i';
-      if (half == 1) value = negative_too ? (int16_t)value : (uint16_t)value;
+      if (half == 1) value = negative_too ? (int32_t)(int16_t)value : (int32_t)(uint16_t)value;
       if (half == 2) value = negative_too ? (int8_t)value : (uint8_t)value;
       uint8_t base = conversion == 'o' ? 8 : conversion == 'p' || (conversion | 32) == 'x' ? 16 : 10;
       sign = !negative_too ? 0 : value < 0 ? '-' : plus;

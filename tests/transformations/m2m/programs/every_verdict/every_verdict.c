@@ -16,7 +16,7 @@ int speed = TICKS, interrupts = 1;
 int helper(int turns)
 {
   char *name = "wheel";
-  return turns * wheels + spin(1) + lift(2) + sqrt(4) + *name;
+  return turns * wheels + spin(1) + lift(2) + sqrt(4) + *name + SPOKES;
 }
 
 int main()

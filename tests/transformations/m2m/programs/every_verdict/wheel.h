@@ -1,3 +1,4 @@
 #include <math.h>
+#define SPOKES 8
 extern int wheels;
 int spin(int times);

@@ -7,7 +7,7 @@
 #define CH_UP 16
 #define VOL_UP 18
 
-const int32_t MAX_LINE = 3;  // TODO: complete symbol
+const int32_t MAX_LINE = 7;  // TODO: complete symbol
 
 // void high(int pin)  [simpletools.h]
 // called in line 9

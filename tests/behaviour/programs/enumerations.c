@@ -1,0 +1,34 @@
+#include <stdio.h>
+enum colour { RED, GREEN = 5, BLUE };
+enum level { BELOW = -1, ZERO, ABOVE = 40000, TOP = 100000 };
+typedef enum { STOP, GO = 70000, LEFT = GO + 5 } command_t;
+enum { LIMIT = 1 << 16, MASK = LIMIT - 1 };
+static int points[BLUE + 1] = { 1, 2, 3, 4, 5, 60000, 7 };
+const char *name(enum colour c) { switch (c) { case RED: return "red"; case GREEN: return "green"; case BLUE: return "blue"; } return "?"; }
+enum level next(enum level l) { return l + 1; }
+int main()
+{
+  enum colour c = GREEN;
+  enum level l = ABOVE;
+  command_t k = LEFT;
+  int i;
+  c++;
+  printf("%d %s\n", c, name(c));
+  c = c - 1;
+  c |= 2;
+  printf("%d\n", c);
+  l = l + TOP;
+  printf("%d %d %d\n", l, next(BELOW), BELOW - 1);
+  k -= 1;
+  printf("%d %d\n", k, k == LEFT - 1);
+  for (c = RED; c <= BLUE; c++) printf("%d ", points[c]);
+  printf("\n%d %d\n", LIMIT, MASK);
+  i = GO;
+  switch (k) { case STOP: i = 1; break; case GO + 4: i += 2; break; default: i = 3; }
+  printf("%d %d\n", i, (int)sizeof(enum level));
+  l = BELOW;
+  printf("%d %d\n", l < 0, l < ABOVE);
+  c = RED;
+  printf("%d\n", c - 1 < 0);
+  return 0;
+}

@@ -1,0 +1,153 @@
+"""Variables that several declarations or files of a program share: one for all of them in C, a definition each in C++.
+
+C joins the declarations of a variable that has no initial value (C11 6.9.2, and common storage of older compilers across
+files). Each rule finds declarations and says which rule of `edit_rules` changes their text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.m2m.text_change import Change, Rule
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others
+from robosmi.transformations.queries.own_headers import included
+from robosmi.transformations.queries.source_text import is_header
+
+
+def shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A variable that a header declares without extern: one for all files in C, one for each in C++."""
+    unit = view.unit
+    units = [u for u in unit.program.units if not is_header(u)] if is_header(unit) and unit.program is not None else []
+    defined = {
+        d.name
+        for u in units
+        for d in u.declarations
+        if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and d.name
+    }
+    for variable in unit.declarations if units else ():
+        if not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified" or variable.initialised:
+            continue
+        if variable.name in defined:
+            yield Change(variable, "declare-only", "", "a file of the program defines it")
+        elif len(units) > 1 and not (variable.valueType is not None and variable.valueType.constant):
+            yield Change(variable, "share", "", "all files that include the header share it")
+
+
+def constants_of_others(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A constant that other files use: in C++ it belongs to its own file alone, unless it is said to be extern."""
+    unit = view.unit
+    if is_header(unit) or unit.program is None:
+        return
+    seen = {id(u) for u in (unit, *included(unit))}
+    wanted: dict[str, bool] = {}
+    for other in unit.program.units:
+        for declared in other.declarations:
+            if isinstance(declared, ccode.Variable) and declared.storage.name == "externStorage":
+                wanted[declared.name] = wanted.get(declared.name, False) or id(other) in seen
+    for variable in unit.declarations:
+        use = variable.valueType if isinstance(variable, ccode.Variable) else None
+        if use is None or not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified":
+            continue
+        if use.constant and not use.pointerDepth and wanted.get(variable.name) is False:
+            yield Change(variable, "declare-only", "", "another file uses the constant")
+
+
+def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Globals that are declared twice: all but one become mere declarations."""
+    by_name: dict[str, list[ccode.Variable]] = {}
+    for declaration in view.unit.declarations:
+        if (
+            isinstance(declaration, ccode.Variable)
+            and declaration.storage.name in ("unspecified", "staticStorage")
+            and declaration.name
+        ):
+            by_name.setdefault(declaration.name, []).append(declaration)
+    for variables in by_name.values():
+        kept = next((v for v in variables if v.initialised), variables[0])
+        for variable in variables if len(variables) > 1 else ():
+            if variable is not kept and not declared_with_others(variable):
+                rule = "declare-only" if variable.storage.name == "unspecified" else "take-out"
+                yield Change(variable, rule, "", "the variable is declared a second time")
+
+
+def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Variables that the program declares and defines nowhere: their declaration becomes the definition."""
+    program = view.unit.program
+    defined = (
+        {
+            d.name
+            for u in program.units
+            for d in u.declarations
+            if isinstance(d, ccode.Variable) and d.storage.name != "externStorage"
+        }
+        if program is not None
+        else set()
+    )
+    seen: set[str] = set()
+    for declaration in view.unit.declarations:
+        if not isinstance(declaration, ccode.Variable) or declaration.name in defined or declaration.name in seen:
+            continue
+        if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
+            seen.add(declaration.name)
+            yield Change(declaration, "define-extern", declaration.name, "the program defines it nowhere")
+
+
+def common(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A variable that several files define without a value: the one with a value, else the first, is the definition."""
+    unit = view.unit
+    units = [u for u in unit.program.units if not is_header(u)] if unit.program is not None and not is_header(unit) else []
+    for variable in unit.declarations if len(units) > 1 else ():
+        if not _common(variable) or not isinstance(variable, ccode.Variable):
+            continue
+        others = [d for u in units if u is not unit for d in u.declarations if d.name == variable.name and _plain(d)]
+        kept = next((u for u in units for d in u.declarations if d.name == variable.name and _common(d)), unit)
+        if any(not _common(d) for d in others) or kept is not unit:
+            rule = "share-one" if declared_with_others(variable) else "declare-only"
+            yield Change(variable, rule, variable.name, "another file of the program defines it")
+
+
+def linkage(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`extern "C"` for compilers of C++: all files of the sketch are C++, and some declare the functions without it."""
+    for opening, closing in _branches(view.unit):
+        body = data[opening.endOffset : closing.startOffset]
+        if _FOR_CPLUSPLUS.fullmatch(opening.condition or "") and _LINKAGE.fullmatch(_COMMENTS.sub(b"", body)):
+            yield Change(opening, "linkage-of-c", "", "all files of the program are C++ in the sketch")
+
+
+_FOR_CPLUSPLUS = re.compile(r"__cplusplus|defined\s*\(?\s*__cplusplus\s*\)?")
+_LINKAGE = re.compile(rb'\s*(?:#?\s*extern\s*"C"\s*\{?|\})\s*')
+_COMMENTS = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
+
+
+def _branches(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.PreprocessorConditional, ccode.PreprocessorConditional]]:
+    """The first branch of each condition: its directive and the next one that belongs to it."""
+    opened: list[ccode.PreprocessorConditional | None] = []
+    for directive in unit.conditionals:
+        if directive.directive in ("if", "ifdef", "ifndef"):
+            opened.append(directive if directive.directive != "ifndef" else None)
+            continue
+        first = opened.pop() if opened else None
+        if first is not None:
+            yield first, directive
+        if directive.directive != "endif":
+            opened.append(None)
+
+
+def _plain(declaration: ccode.Declaration) -> bool:
+    """Whether it is a variable that other files see, and no mere declaration."""
+    return isinstance(declaration, ccode.Variable) and declaration.storage.name == "unspecified" and bool(declaration.name)
+
+
+def _common(declaration: ccode.Declaration) -> bool:
+    """Whether it is such a variable without a value, and no constant."""
+    if not isinstance(declaration, ccode.Variable) or not _plain(declaration) or declaration.initialised:
+        return False
+    return not (declaration.valueType is not None and declaration.valueType.constant)
+
+
+RULES: tuple[Rule, ...] = (tentative, common, shared, extern, constants_of_others, linkage)
+IN_C: tuple[Rule, ...] = (extern, common)
+"""Of these the ones that C wants, too: nothing is common to files there by default any more."""
