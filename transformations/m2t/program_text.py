@@ -57,7 +57,8 @@ def program_text(
 
     Returns:
         `origin`, `includes`, `libraries`, `interrupts` for its head; `types` (its code up to the first function, where something
-        must stand behind that), `adapters`, `variables` of other files, `prototypes` and the headers of their types that must, `code` (all the rest).
+        must stand behind that), `adapters`, `variables` of other files, `prototypes` and the headers of their types that must,
+        `code` (all the rest).
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
