@@ -65,7 +65,7 @@ class Recording:
         self._wrapped.clear()
 
     def _wrapper(self, original: Callable[..., Any], only_given: bool) -> Callable[..., Any]:
-        def changing(holder: Any, *given: Any, **features: Any) -> Any:
+        def changing(holder: Any, /, *given: Any, **features: Any) -> Any:
             if threading.get_ident() == self._thread:
                 given = tuple(list(x) if isinstance(x, Iterator) else x for x in given)
                 self._keep_holder(holder, only_given)

@@ -156,7 +156,7 @@ class Model(ABC):
 
     # Change
 
-    def create(self, kind: Any, **features: Any) -> Any:
+    def create(self, kind: Any, /, **features: Any) -> Any:
         """A new element of this model.
 
         Args:
@@ -273,7 +273,7 @@ class TypeHandle:
         """Whether the value is an element of this model and of this type or a subtype."""
         return isinstance(value, class_of(self.kind)) and bool(self.model.owns(value))
 
-    def __call__(self, **features: Any) -> Any:
+    def __call__(self, /, **features: Any) -> Any:
         """A new element of this type in the model; see `Model.create`."""
         return self.model.create(self.kind, **features)
 

@@ -46,7 +46,7 @@ def make_packages(packages: list[Package]) -> list[Any]:
 class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
     """The class of dynamic classes: refuses elements of abstract ones, and orders supertypes that Python's own rule refuses."""
 
-    def __call__(cls, *args: Any, **features: Any) -> Any:
+    def __call__(cls, /, *args: Any, **features: Any) -> Any:
         """A new element."""
         if cls.eClass.abstract or cls.eClass.interface:
             raise ModelError(f"{cls.__name__} is abstract: it has no instances of its own", fix="create one of a subclass")

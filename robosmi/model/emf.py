@@ -220,7 +220,7 @@ class EmfModel(TypedModel):
         self._roots[id(root)] = root
         self._watch.changed = True
 
-    def create(self, kind: Any, **features: Any) -> Any:
+    def create(self, kind: Any, /, **features: Any) -> Any:
         """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
 
         Raises:

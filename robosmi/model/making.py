@@ -10,7 +10,7 @@ from robosmi.model.features import all_features
 from robosmi.model.structure import walk
 
 
-def new(kind: Any, **features: Any) -> Any:
+def new(kind: Any, /, **features: Any) -> Any:
     """A new element of a class or EClass, in no model.
 
     Raises:

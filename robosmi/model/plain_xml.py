@@ -305,7 +305,7 @@ class XmlModel(Model):
 
     # Change
 
-    def create(self, kind: Any, **features: Any) -> Any:
+    def create(self, kind: Any, /, **features: Any) -> Any:
         """A new element `t_tag`, in the namespace of the root; put it somewhere with `appendChild`. See `Model.create`."""
         from lxml import etree
 

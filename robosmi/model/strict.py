@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         eResource: Any
         eContents: Sequence[Element]
 
-        def __init__(self, **features: Any) -> None: ...
+        def __init__(self, /, **features: Any) -> None: ...
         def eContainer(self) -> Element | None: ...
         def eContainmentFeature(self) -> Any: ...
         def eAllContents(self) -> Iterator[Element]: ...
@@ -62,7 +62,7 @@ class Element(_Base):
 
     if not TYPE_CHECKING:
 
-        def __new__(cls, *args: Any, **features: Any) -> Any:
+        def __new__(cls, /, *args: Any, **features: Any) -> Any:
             """As pyecore's, without its process-wide set of all instances and without ballast (`lean`)."""
             if "_inverse_rels" not in cls.__dict__:
                 prepare(cls)
@@ -98,7 +98,7 @@ class Element(_Base):
             """The resource of the root container."""
             return resource_of(self)
 
-    def __init__(self, **features: Any) -> None:
+    def __init__(self, /, **features: Any) -> None:
         initialise(self, features)
 
     if not TYPE_CHECKING:  # to a type checker an element has its features and no others

@@ -59,7 +59,7 @@ else:
 
         _concrete = False
 
-        def __call__(cls, *given: Any, **features: Any) -> Any:
+        def __call__(cls, /, *given: Any, **features: Any) -> Any:
             """A new element."""
             if "_concrete" in cls.__dict__:
                 if cls.__init__ is _INIT and cls.__new__ is Element.__new__ and not given:

@@ -150,7 +150,7 @@ class TableModel(Model):
         """Whether the row is in one of the tables."""
         return isinstance(element, Row) and element._table is not None and self._tables.get(element._table.name) is element._table
 
-    def create(self, kind: Any, **features: Any) -> Any:
+    def create(self, kind: Any, /, **features: Any) -> Any:
         """A new row at the end of its table; columns that are not given are empty. See `Model.create`."""
         wanted = self.type_named(kind) if isinstance(kind, str) else self._class_of(kind)
         table = next((t for t in self._tables.values() if t.kind is wanted), None)

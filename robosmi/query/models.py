@@ -114,7 +114,7 @@ class ModelView(Model):
         """Whether the element is in this model."""
         return self.model.owns(element)
 
-    def create(self, kind: Any, **features: Any) -> Any:
+    def create(self, kind: Any, /, **features: Any) -> Any:
         """A new element of this model (EOL `new T(name = "x")`, `T.createInstance()`); see `Model.create`."""
         return self.model.create(self.type_named(kind) if isinstance(kind, str) else kind, **features)
 
@@ -127,7 +127,7 @@ class ModelView(Model):
         self.model.save(path)
 
 
-def create(kind: Any, **features: Any) -> Any:
+def create(kind: Any, /, **features: Any) -> Any:
     """A new element of a class or EClass, in no model.
 
     Raises:

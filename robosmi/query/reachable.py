@@ -48,7 +48,7 @@ _GROWING = frozenset(
 class LookedAt(models.ModelView):
     """A model that a query of a stranger looks at: nothing creates, deletes or stores."""
 
-    def create(self, kind: Any, **features: Any) -> Any:
+    def create(self, kind: Any, /, **features: Any) -> Any:
         """Refuse to make an element."""
         self._looked("make an element")
 

@@ -69,20 +69,28 @@ class MigrateRule:
 class Flock:
     """A migration.
 
-    Args: original: the model as it was, of EMF. migrated: the model to fill, of the new metamodel; usually empty. keep_order:
-        whether references with an opposite keep their order. The engine copies both sides one after the other, which changes
-            the order of the first; this is its behaviour and the default.
+    Args:
+        original: the model as it was, of EMF.
+        migrated: the model to fill, of the new metamodel; usually empty.
+        keep_order: whether references with an opposite keep their order. The engine copies both sides one after the other, which
+            changes the order of the first; this is its behaviour and the default.
+        lenient: whether a rule about a type, package or feature that the original metamodel does not have is only a warning, as in
+            the engine; by default it is an error, since a misspelt name would lose the rule without a word.
 
-    Attributes: pre: blocks that run first; `@f.pre` adds one. post: blocks that run last. warnings: what the last run found
-        odd, in the engine's words.
+    Attributes:
+        pre: blocks that run first; `@f.pre` adds one.
+        post: blocks that run last.
+        warnings: what the last run found odd, in the engine's words.
 
-    Raises: UsageError: one of the models is none of EMF.
+    Raises:
+        UsageError: one of the models is none of EMF.
     """
 
-    def __init__(self, original: Any, migrated: Any, *, keep_order: bool = False) -> None:
+    def __init__(self, original: Any, migrated: Any, *, keep_order: bool = False, lenient: bool = False) -> None:
         self.original = _emf(original)
         self.migrated = _emf(migrated)
         self.keep_order = keep_order
+        self.lenient = lenient
         self.pre = RuleBlocks()
         self.post = RuleBlocks()
         self.warnings: list[str] = []
@@ -168,7 +176,8 @@ class Flock:
             The migrated model.
 
         Raises:
-            RuleError: a guard or rule raises, or a type to retype to does not exist or is abstract.
+            RuleError: a guard or rule raises, a rule names what the original metamodel does not have (unless `lenient`), or a type to
+                retype to does not exist or is abstract.
         """
         self.warnings, self._equivalents = [], {}
         with run_over([self.original, self.migrated]):
@@ -197,16 +206,12 @@ class Flock:
             self._apply(original, fitting)
 
     def _check(self) -> None:
-        """Warnings about what the original metamodel does not have, and errors about what the new one has not."""
+        """Hold the declarations against both metamodels, before anything is made."""
         for mapping in self._mappings:
             if mapping.package:
-                if not self._has_package(mapping.original):
-                    self.warnings.append(
-                        f"Rule defined for migrating members of {mapping.original}, but no package {mapping.original} was found "
-                        "in the original metamodel."
-                    )
+                self._check_package(mapping)
                 continue
-            self._check_type(mapping.original)
+            self._check_type(mapping.what, mapping.original)
             if mapping.evolved is not None and not self._instantiable(mapping.evolved):
                 names = [n for n in self.migrated.type_names() if self._instantiable(n)]
                 raise RuleError(
@@ -215,21 +220,45 @@ class Flock:
                     fix=f"use one of: {', '.join(names)}",
                 )
         for rule in self._rules:
-            kind = self._check_type(rule.original)
+            what = f"migrate {rule.original}"
+            kind = self._check_type(what, rule.original)
+            known = feature_names(kind) if kind is not None else ()
             for name in rule.ignoring if kind is not None else ():
-                if name not in feature_names(kind):
-                    self.warnings.append(
+                if name not in known:
+                    self._unknown(
                         f"The {name} property should be ignored, but there is no {name} property defined for {rule.original} "
-                        "in the original metamodel."
-                    )
+                        "in the original metamodel.",
+                        f"{what}: the original type has no feature '{name}' to ignore", name, known,
+                    )  # fmt: skip
 
-    def _check_type(self, name: str) -> Any:
+    def _check_type(self, what: str, name: str) -> Any:
         kind = self.original.find_type(name)
         if kind is None:
-            self.warnings.append(
-                f"Rule defined for migrating instances of {name}, but no type {name} was found in the original metamodel."
-            )
+            self._unknown(
+                f"Rule defined for migrating instances of {name}, but no type {name} was found in the original metamodel.",
+                f"{what}: the original metamodel has no type '{name}'", name, self.original.type_names(),
+            )  # fmt: skip
         return kind
+
+    def _check_package(self, mapping: Mapping) -> None:
+        if not self._has_package(mapping.original):
+            self._unknown(
+                f"Rule defined for migrating members of {mapping.original}, but no package {mapping.original} was found "
+                "in the original metamodel.",
+                f"{mapping.what}: the original metamodel has no package '{mapping.original}'",
+                mapping.original, [str(package.name) for package in self.original.packages],
+            )  # fmt: skip
+
+    def _unknown(self, warning: str, message: str, name: str, known: Iterable[str]) -> None:
+        """Warn of a name that the original metamodel does not have, in the engine's words, or refuse it."""
+        if self.lenient:
+            self.warnings.append(warning)
+            return
+        names = list(known)
+        raise RuleError(
+            f"{message}{did_you_mean(name, names)}",
+            fix=f"use one of: {', '.join(names)}; lenient=True passes over it with a warning, as the engine does",
+        )
 
     def _has_package(self, name: str) -> bool:
         packages = self.original.packages

@@ -46,7 +46,7 @@ class Fail:
 
     __slots__ = ("extras", "fixes", "message")
 
-    def __init__(self, message: str | None = None, *fixes: Fix, **extras: Any) -> None:
+    def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: Any) -> None:
         self.message = message
         self.fixes = fixes
         self.extras = extras

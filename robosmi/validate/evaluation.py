@@ -38,6 +38,20 @@ class _State:
         self.results: dict[Any, bool] = {}
         self.depended_on = False
 
+    def verdict(self, element: Any) -> Any:
+        """What the check says of an element.
+
+        Raises:
+            UsageError: it says a text. `return holds or "message"` would satisfy the constraint, since a text is true.
+        """
+        verdict = self.check(element)
+        if isinstance(verdict, str):
+            raise UsageError(
+                f"it gives the text {verdict!r}, which does not say whether the constraint holds",
+                fix='write `return holds or Fail("message")`; compare a text that is to be there, `return b.name != ""`',
+            )
+        return verdict
+
     def answer(self, element: Any) -> bool | None:
         """What is remembered of an element; None if it must be evaluated."""
         if not self.depended_on:
@@ -117,10 +131,10 @@ class Evaluation:
                             continue
                         if state.answer(element) is not None:
                             continue  # its failure was reported when it was asked for
-                        verdict = state.check(element)
+                        verdict = state.verdict(element)
                         state.results[element] = bool(verdict)
                     else:
-                        verdict = state.check(element)
+                        verdict = state.verdict(element)
                 except RuleError:
                     raise  # of a constraint that was asked for
                 except (Exception, SystemExit) as error:
@@ -205,7 +219,7 @@ class Evaluation:
         if state.guard is not None and not state.guard(element):
             state.asked()
             return False
-        verdict = state.check(element)
+        verdict = state.verdict(element)
         state.results[element] = bool(verdict)
         if not verdict:
             self._report(state, element, verdict)

@@ -111,8 +111,27 @@ def test_types_are_given_as_handles_too() -> None:
     assert len(target.Shelf.all) == 4
 
 
-def test_what_the_old_metamodel_does_not_have_is_a_warning() -> None:
-    f = Flock(library("Old"), new("copy"))
+@pytest.mark.parametrize(
+    ("declare", "said"),
+    [
+        (lambda f: f.migrate("Bok"), "migrate Bok: the original metamodel has no type 'Bok' .did you mean 'Book'"),
+        (lambda f: f.delete("Secton"), "delete Secton: .* no type 'Secton' .did you mean 'Section'"),
+        (lambda f: f.retype("Bok", "Book"), "retype Bok to Book: .* no type 'Bok'"),
+        (lambda f: f.migrate("Book", ignoring=["prise"]), "migrate Book: .* no feature 'prise' .* .did you mean 'price'"),
+        (lambda f: f.delete_package("libary"), "delete package libary: .* no package 'libary' .did you mean 'library'"),
+    ],
+)
+def test_a_rule_about_what_the_old_metamodel_does_not_have_is_refused(declare: Any, said: str) -> None:
+    target = new("copy")
+    f = Flock(library("Old"), target)
+    declare(f)
+    with pytest.raises(RuleError, match=said):
+        f.run()
+    assert list(target.all_contents()) == []
+
+
+def test_a_lenient_migration_warns_of_what_the_old_metamodel_does_not_have() -> None:
+    f = Flock(library("Old"), new("copy"), lenient=True)
     f.migrate("Bok")
     f.migrate("Book", ignoring=["pages"])
     f.delete("Section", strict=True, when=lambda o: False)

@@ -32,6 +32,23 @@ def messages_of(v: EVL) -> list[str]:
     return messages(v)
 
 
+@pytest.mark.parametrize("ask", [False, True])
+def test_a_check_that_gives_a_text_is_refused(ask: bool) -> None:
+    """`return holds or "message"` is true for every element: the constraint would never fail."""
+    L = library()
+    v = EVL(L)
+    book = v.context(L.Book)
+
+    @book.constraint(lazy=ask)
+    def Dear(b: Any) -> Any:
+        return b.price < 0 or f"{b.name} costs {b.price}"
+
+    if ask:
+        book.constraint(name="Asks")(lambda b: v.satisfies(b, "Dear"))
+    with pytest.raises(RuleError, match=r"the check of Dear fails for .*: it gives the text 'Propellers costs .*\n.*Fail\("):
+        v.run()
+
+
 def test_constraints_without_a_model_run_over_any() -> None:
     v = EVL()
 

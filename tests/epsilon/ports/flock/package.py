@@ -8,7 +8,7 @@ from robosmi.transform import Flock
 
 
 def port(Old: Any, New: Any) -> Flock:
-    f = Flock(Old, New)
+    f = Flock(Old, New, lenient=True)
     f.retype("Comic", "library2::Book")
     f.retype_package("library", "library2")
     f.delete_package("other")
