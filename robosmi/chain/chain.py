@@ -30,12 +30,14 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.chain.graph import Dependencies, graph_of, in_order, missing
 from robosmi.chain.run import ChainResult, ChainRun, Progress
-from robosmi.chain.steps import CALL, GIVEN, Step, relative
+from robosmi.chain.steps import CALL, GIVEN, KINDS, Step, relative
 from robosmi.diagnostics import Location, Severity
-from robosmi.errors import SourceError, did_you_mean
+from robosmi.errors import RuleError, SourceError, did_you_mean
 
 if TYPE_CHECKING:
     import networkx as nx  # longer to import than most chains take
+
+    from robosmi.chain.languages import Choice  # all languages
 
 Names = str | Sequence[str]
 Paths = str | Path | Sequence[str | Path]
@@ -259,6 +261,7 @@ class Chain:
         Raises:
             SourceError: the chain has a circle, a model that no step makes, a file that is not there, or a trace of a model
                 without a file.
+            RuleError: a function does not take the models of its step.
         """
         graph = self.dependencies()
         ordered = in_order(self.steps, graph, self.place)
@@ -270,6 +273,7 @@ class Chain:
             )
         files = {step.makes: step.file for step in ordered}
         for step in ordered:
+            _check_parameters(step)
             for model in (*step.models, step.makes) if step.trace is not None else ():
                 if files[model] is None:
                     raise SourceError(
@@ -279,13 +283,17 @@ class Chain:
                     )
         return ordered
 
-    def run(self, *, dry_run: bool = False, keep: bool = True, force: bool = False, **values: Any) -> ChainResult:
+    def run(
+        self, *, dry_run: bool = False, keep: bool = True, force: bool = False, fix: Choice | None = None, **values: Any
+    ) -> ChainResult:
         """Do the steps whose inputs have changed since they were done last, or whose outputs are gone.
 
         Args:
             dry_run: write nothing; the result says what would be written.
             keep: keep what persons changed in generated files outside of regions too.
-            force: do every step.
+            force: do every step; a stored model that a person changed is made anew, and theirs is kept beside it.
+            fix: perform this fix of every finding of a validation ("first", "last", or a function from a finding to one of its
+                fixes), and store the loaded models that it changes. A model that another step makes is left as it is.
             values: those that are given from outside.
 
         Raises:
@@ -293,22 +301,54 @@ class Chain:
             RuleError: a rule or template is wrong, or raises.
             StoppedError: what a person changed would be lost.
         """
-        return self.start(dry_run=dry_run, keep=keep, force=force, **values).run()
+        return self.start(dry_run=dry_run, keep=keep, force=force, fix=fix, **values).run()
 
     def start(
-        self, *, dry_run: bool = False, keep: bool = True, force: bool = False, progress: Progress | None = None, **values: Any
+        self,
+        *,
+        dry_run: bool = False,
+        keep: bool = True,
+        force: bool = False,
+        fix: Choice | None = None,
+        progress: Progress | None = None,
+        **values: Any,
     ) -> ChainRun:
         """A run in which nothing is done yet: to be asked for values, told others, and asked again.
 
         Args:
-            dry_run, keep, force, values: as for `run`.
+            dry_run, keep, force, fix, values: as for `run`.
             progress: told of each step before it is done, and with its result afterwards.
 
         Raises:
             SourceError: the chain is wrong, or a value is given that the chain does not know.
         """  # fmt: skip
         run = ChainRun(
-            self.check(), self.dependencies(), self.folder, self.name, dry_run=dry_run, keep=keep, force=force, progress=progress
-        )
+            self.check(), self.dependencies(), self.folder, self.name,
+            dry_run=dry_run, keep=keep, force=force, fix=fix, progress=progress,
+        )  # fmt: skip
         run.give(**values)
         return run
+
+
+def _check_parameters(step: Step) -> None:
+    """Hold the parameters of a function of models against what it will be called with: the language, then the models by name.
+
+    Raises:
+        RuleError: it does not take these.
+    """
+    if step.kind not in KINDS or step.function is None:
+        return
+    try:
+        signature = inspect.signature(step.function)
+    except (TypeError, ValueError):  # some callables of C have none
+        return
+    names = step.given_models()
+    try:
+        signature.bind(None, **dict.fromkeys(names))
+    except TypeError as error:
+        code = getattr(inspect.unwrap(step.function), "__code__", None)
+        raise RuleError(
+            f"the function of the step '{step.name}' does not fit: {error}",
+            location=Location(relative(Path(code.co_filename), Path.cwd()), code.co_firstlineno) if code is not None else None,
+            fix=f"give it these parameters: {', '.join(['the language', *names])}; nothing was done",
+        ) from None

@@ -7,15 +7,14 @@ A function gets the language's object first, then the models by their names: `co
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RuleError
 from robosmi.generate import Gen
 from robosmi.model import save_model
 from robosmi.model.driver import Model
@@ -23,20 +22,34 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.opening import open_model
 from robosmi.query import ModelView
-from robosmi.query.erl import place_of, technology
+from robosmi.query.erl import owner_of, technology
 from robosmi.transform import ETL, Flock
 from robosmi.validate import EVL
+from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
+
+Choice = str | Callable[[Unsatisfied], OfferedFix | None]
+"""Which fix of a finding is performed: "first", "last", or a function that chooses one (None for none)."""
 
 
 @dataclass
 class Doing:
-    """What a step needs while it is done: the models and their files, where paths are relative to, the options of the run."""
+    """What a step needs while it is done.
+
+    Attributes:
+        folder: what paths are relative to.
+        models: its models by name.
+        files: the files of those that have one.
+        made: names of those that another step makes; the rest was loaded from what a person wrote.
+        dry_run, keep, fix: the options of the run.
+    """
 
     folder: Path
     models: Mapping[str, Model]
     files: Mapping[str, Path | None]
+    made: frozenset[str]
     dry_run: bool
     keep: bool
+    fix: Choice | None = None
 
 
 def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
@@ -48,11 +61,64 @@ def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
 
 def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
     """Check constraints; the step fails when a finding is worse than it may be."""
+    result = StepResult(step, "done")
+    found = _validated(step, doing)
+    said: list[Finding] = []
+    if doing.fix is not None and not doing.dry_run:
+        said = _mend(result, found, doing, doing.fix)
+        found = _validated(step, doing) if result.fixed else found
+    result.findings = [*said, *(_located(finding, doing.files) for finding in found.findings())]
+    result.state = "failed" if any(finding.severity > step.greatest for finding in result.findings) else "done"
+    return result, None
+
+
+def _validated(step: Step, doing: Doing) -> Validation:
     v = EVL(*doing.models.values())
     call(step, v, doing.models)
-    findings = [_located(finding, doing.files) for finding in v.run().findings()]
-    failed = any(finding.severity > step.greatest for finding in findings)
-    return StepResult(step, "failed" if failed else "done", findings=findings), None
+    return v.run()
+
+
+def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> list[Finding]:
+    """Perform fixes on elements of models that were loaded, and store the models that changed.
+
+    Returns:
+        What could not be mended, and why.
+    """
+    loaded = {name: model for name, model in doing.models.items() if name not in doing.made and not model.read_only}
+    before = {name: _stored(model) for name, model in loaded.items()}
+    made = [model for name, model in doing.models.items() if name in doing.made]
+    left = [u for u in found.unsatisfied if u.fixes and owner_of(u.element, made) is not None]
+
+    def choose(unsatisfied: Unsatisfied) -> OfferedFix | None:
+        fixes = unsatisfied.fixes if unsatisfied not in left else []
+        return fix(unsatisfied) if callable(fix) and fixes else fixes[0 if fix == "first" else -1] if fixes else None
+
+    found.apply(choose)
+    said = []
+    for u in left:
+        message = f"the fix '{u.fixes[0].title}' was not performed: another step makes the model"
+        said.append(Finding("RS532", Severity.info, message, element=found.place(u), fix="correct the rules of that step"))
+    for applied in found.fixed:
+        title = f"{found.place(applied.of) or applied.of.name}: {applied.title}"
+        if applied.error is None:
+            result.fixed.append(title)
+        else:
+            said.append(Finding("RS533", Severity.warning, f"the fix was undone: {applied.error.message}", applied.error.location,
+                                fix=applied.error.fix))  # fmt: skip
+    for name, model in loaded.items():
+        if _stored(model) != before[name]:
+            model.save()
+            result.saved.append(name)
+            result.written.append(relative(Path(str(model.path)), doing.folder))
+    return said
+
+
+def _stored(model: Model) -> bytes:
+    """What the model's file would hold."""
+    with TemporaryDirectory() as folder:
+        copy = Path(folder) / Path(str(model.path)).name
+        model.save(copy)
+        return copy.read_bytes()
 
 
 def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
@@ -109,19 +175,6 @@ DOES: dict[str, Callable[[Step, Doing], tuple[StepResult, Model | None]]] = {
 
 
 def call(step: Step, language: Any, models: Mapping[str, Model]) -> None:
-    """Call the user's function: the language's object, then the models by name.
-
-    Raises:
-        RuleError: it does not take these.
-    """
+    """Call the user's function: the language's object, then the models by name."""
     assert step.function is not None
-    try:
-        inspect.signature(step.function).bind(language, **models)
-    except TypeError as error:
-        takes = ", ".join(["the language", *models])
-        raise RuleError(
-            f"the function of the step '{step.name}' does not fit: {error}",
-            location=place_of(step.function),
-            fix=f"give it these parameters: {takes}",
-        ) from None
     step.function(language, **models)

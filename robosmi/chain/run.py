@@ -11,16 +11,20 @@ import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import robosmi
 from robosmi.chain.graph import Dependencies
 from robosmi.chain.results import described, unlike
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
-from robosmi.diagnostics import Finding, Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
+from robosmi.model.files import write_atomic
 from robosmi.plugins import raised_by, unloadable
+
+if TYPE_CHECKING:
+    from robosmi.chain.languages import Choice, Doing  # all languages
 
 Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
@@ -57,6 +61,7 @@ class ChainResult:
         for r in self.steps:
             wrote = f"  {len(r.written)} written" if r.written else ""
             wrote += f"  {len(r.removed)} removed" if r.removed else ""
+            wrote += f"  {len(r.fixed)} fixed" if r.fixed else ""
             wrote += f"  {len(r.findings)} findings" if r.findings else ""
             lines.append(f"{r.state:11} {r.step.kind:9} {r.step.name:{wide}} {r.seconds * 1000:8.1f} ms{wrote}")
         return "\n".join(lines)
@@ -72,7 +77,8 @@ class ChainRun:
         name: the chain's name, under which its state is kept.
         dry_run: write nothing.
         keep: keep what persons changed in generated files outside of regions too.
-        force: do every step.
+        force: do every step; a stored model that a person changed is made anew, and theirs is kept beside it as `NAME.orig`.
+        fix: perform this fix of every finding of a validation, and store the models that it changes; see `Validation.apply`.
         progress: told of each step that is done.
     """
 
@@ -86,11 +92,12 @@ class ChainRun:
         dry_run: bool = False,
         keep: bool = True,
         force: bool = False,
+        fix: Choice | None = None,
         progress: Progress | None = None,
     ) -> None:
         self.ordered, self.graph, self.folder = ordered, graph, folder if folder is not None else Path()
         self.name = name
-        self.dry_run, self.keep, self.force, self.progress = dry_run, keep, force, progress
+        self.dry_run, self.keep, self.force, self.fix, self.progress = dry_run, keep, force, fix, progress
         self.state = State(folder / ".robosmi" / "chains" / f"{name}.json" if folder is not None else None)
         self.makers = {step.makes: step for step in ordered if step.makes}
         self.models: dict[str, Any] = {}
@@ -173,17 +180,22 @@ class ChainRun:
         if step.kind != CALL or self.state.path is not None:
             self.content[step.makes] = inputs
         known = self.state.steps.get(step.name)
-        if known is not None and not self.force and known.inputs == inputs and self.intact(step, known):
+        mending = self.fix is not None and step.kind == "validate" and known is not None and bool(known.findings)
+        if known is not None and not (self.force or mending) and known.inputs == inputs and self.intact(step, known):
             result = StepResult(step, "up to date", findings=[finding_from(f) for f in known.findings], outputs=known.outputs)
             result.state = "failed" if known.failed else result.state
         else:
-            self.guard(step, known)
+            kept = self.guard(step, known)
             if known is not None and known.outputs and not self.dry_run:
                 known.outputs = {}
                 self.state.save()  # who is killed now must not find his own file changed
             if self.progress is not None:
                 self.progress(step, None)
             result = self._done(step)
+            result.findings[:0] = kept
+            if result.saved:
+                self._stored(result.saved)
+                inputs = self.inputs(step)
             if self.progress is not None:
                 self.progress(step, result)
             self.remember(step, inputs, result)
@@ -211,16 +223,39 @@ class ChainRun:
             return True  # nothing but a model in memory, which is made when it is needed
         return all(digest_of(self.folder / name) == value for name, value in known.outputs.items())
 
-    def guard(self, step: Step, known: StepState | None) -> None:
-        """A model that was changed by hand since a step wrote it is not written over."""
+    def _stored(self, names: Iterable[str]) -> None:
+        """Note that loaded models were stored anew, so that what was read is what is there now."""
+        for name in names:
+            maker = self.makers[name]
+            self.content[name] = self.inputs(maker)
+            if (known := self.state.steps.get(maker.name)) is not None:
+                known.inputs = self.content[name]
+
+    def guard(self, step: Step, known: StepState | None) -> list[Finding]:
+        """A model that was changed by hand since a step wrote it is not written over, or under `force` kept beside the new one.
+
+        Raises:
+            StoppedError: it would be lost.
+        """
+        said = []
         for path in step.stored() if known is not None else []:
             name = relative(path, self.folder)
             if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
+                if self.force:
+                    from robosmi.generate.places import free_name
+
+                    kept = free_name(self.folder, f"{name}.orig")
+                    if not self.dry_run:
+                        write_atomic(self.folder / kept, path.read_bytes())
+                    message = f"'{name}' was changed since the step '{step.name}' made it; what it held is in '{kept}'"
+                    said.append(Finding("RS531", Severity.info, message, Location(str(path)), fix="take over what is wanted"))
+                    continue
                 raise StoppedError(
                     f"'{name}' was changed since the step '{step.name}' made it: writing would lose that",
                     location=Location(str(path)),
-                    fix="move it away, or let another step read it",
+                    fix="move it away, let another step read it, or run with --force, which keeps it beside the new one",
                 )
+        return said
 
     def _done(self, step: Step) -> StepResult:
         """Do a step; that its code ends the program is an error of the step, whatever exit code it names."""
@@ -242,15 +277,21 @@ class ChainRun:
             else:
                 self.models[step.makes] = made
             return StepResult(step, "done")
-        from robosmi.chain.languages import DOES, Doing  # all languages at once, which a chain of functions does not need
+        from robosmi.chain.languages import DOES  # all languages at once, which a chain of functions does not need
 
         files = {name: self.makers[name].file for name in step.models}
-        result, made = DOES[step.kind](step, Doing(self.folder, models, files, self.dry_run, self.keep))
+        result, made = DOES[step.kind](step, self._doing(models, files))
         if made is not None:
             self.models[step.makes] = made
         if self.dry_run and result.state == "done":
             result.state = "would run"
         return result
+
+    def _doing(self, models: dict[str, Any], files: dict[str, Path | None]) -> Doing:
+        from robosmi.chain.languages import Doing
+
+        made = frozenset(name for name in models if self.makers[name].kind != "load")
+        return Doing(self.folder, models, files, made, self.dry_run, self.keep, self.fix)
 
     def _called(self, step: Step, models: dict[str, Any]) -> Any:
         """What a step of values makes.

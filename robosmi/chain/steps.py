@@ -17,6 +17,9 @@ from robosmi.diagnostics import Finding, Severity
 KINDS = ("load", "validate", "transform", "migrate", "generate")
 """The kinds that read and make models and files."""
 
+FILLING = ("transform", "migrate")
+"""Those of them whose function fills a new model."""
+
 CALL, GIVEN = "call", "given"
 """The kinds over values in memory: a function of values that makes a value, and a value that is given from outside."""
 
@@ -60,6 +63,10 @@ class Step:
     greatest: Severity = Severity.warning
     instead_of: Callable[..., Any] | None = None
 
+    def given_models(self) -> tuple[str, ...]:
+        """The names under which its function gets models: those that it reads, and the one that it fills."""
+        return (*self.models, self.makes) if self.kind in FILLING else self.models
+
     def inputs(self) -> list[Path]:
         """The files and folders that it reads, but for those of its models."""
         own = [self.file] if self.kind == "load" and self.file is not None else []
@@ -87,6 +94,8 @@ class StepResult:
         removed: files that it removed.
         diff: what it changed in text files, a unified diff.
         outputs: every file that it made, changed or not -> its digest.
+        fixed: the fixes that a validation performed, each with the element that it was for.
+        saved: names of the models that were stored anew because of them.
     """
 
     step: Step
@@ -97,12 +106,14 @@ class StepResult:
     removed: list[str] = field(default_factory=list)
     diff: str = ""
     outputs: dict[str, str] = field(default_factory=dict)
+    fixed: list[str] = field(default_factory=list)
+    saved: list[str] = field(default_factory=list)
 
     def to_json(self) -> dict[str, Any]:
         """The step in the contract's result of `run`."""
         return {
             "name": self.step.name, "kind": self.step.kind, "state": self.state, "seconds": round(self.seconds, 6),
-            "written": self.written, "removed": self.removed, "findings": len(self.findings),
+            "written": self.written, "removed": self.removed, "findings": len(self.findings), "fixed": self.fixed,
         }  # fmt: skip
 
 

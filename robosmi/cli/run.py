@@ -12,7 +12,16 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("chain", metavar="CHAIN.toml", type=Path, help="the chain")
     parser.add_argument("--dry-run", action="store_true", help="write nothing; show what would change")
-    parser.add_argument("--force", action="store_true", help="do every step, whatever has changed")
+    parser.add_argument(
+        "--force", action="store_true", help="do every step, whatever has changed; a model changed by hand is kept as NAME.orig"
+    )
+    parser.add_argument(
+        "--fix",
+        nargs="?",
+        const="first",
+        choices=("first", "last"),
+        help="perform the first (or last) fix of every finding of a validation, and store the models that it changes",
+    )
     parser.add_argument(
         "--no-keep",
         dest="keep",
@@ -27,7 +36,7 @@ def run(arguments: argparse.Namespace) -> Report:
 
     report = Report("run")
     chain = read_chain(arguments.chain)
-    done = chain.run(dry_run=arguments.dry_run, keep=arguments.keep, force=arguments.force)
+    done = chain.run(dry_run=arguments.dry_run, keep=arguments.keep, force=arguments.force, fix=arguments.fix)
     report.result = {
         "steps": [step.to_json() for step in done.steps],
         "written": not arguments.dry_run,

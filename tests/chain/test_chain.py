@@ -136,6 +136,26 @@ def test_a_model_that_a_person_changed_is_not_written_over(site: Path) -> None:
     assert (site / "build" / "site.xmi").read_bytes() == before
 
 
+def test_force_makes_a_model_anew_that_a_person_changed_and_keeps_theirs_beside_it(site: Path) -> None:
+    run(site)
+    made = site / "build" / "site.xmi"
+    replace(made, "Ants", "Bugs")
+    theirs = made.read_bytes()
+    before = tree(site)
+    run(site, dry_run=True, force=True)
+    assert tree(site) == before
+    result = run(site, force=True)
+    assert "Ants" in made.read_text()
+    assert (site / "build" / "site.xmi.orig").read_bytes() == theirs
+    assert [(f.rule, f.severity.name) for f in result["to_site"].findings] == [("RS531", "info")]
+    assert "site.xmi.orig" in result["to_site"].findings[0].message
+    replace(made, "Ants", "Wasps")
+    run(site, force=True)
+    assert "Wasps" in (site / "build" / "site.xmi.orig.2").read_text()
+    assert (site / "build" / "site.xmi.orig").read_bytes() == theirs
+    assert done(run(site)) == []
+
+
 def test_a_dry_run_writes_nothing_and_shows_what_would_change(site: Path) -> None:
     before = tree(site)
     result = run(site, dry_run=True)
@@ -167,6 +187,87 @@ def test_a_failed_validation_stops_the_steps_that_use_its_models(site: Path) -> 
     assert [r.state for r in run(site).steps] == ["up to date", "up to date", "failed", "not run", "not run"]
     replace(site / "chain.toml", 'validate = "rules.py:constraints"', 'validate = "rules.py:constraints"\nstop_at = "never"')
     assert (run(site)["pages"].state) == "done"
+
+
+FIXABLE = """
+    @book.constraint
+    def HasAuthor(b: Any) -> Any:
+        write = lambda: b.authors.append(library.Author.all[0])
+        return len(b.authors) > 0 or Fail(f"{b.name} has no author", Fix("take the first author", write))
+"""
+
+
+def _without_author(site: Path, fix: str = FIXABLE) -> None:
+    """The chain with a book that has no author, and a fix for that."""
+    text = (site / "rules.py").read_text()
+    start, stop = text.index("    @book.constraint"), text.index("    @book.critique")
+    (site / "rules.py").write_text(text[:start] + fix.strip("\n") + "\n\n" + text[stop:])
+    replace(site / "rules.py", "import EVL, Fail", "import EVL, Fail, Fix")
+    model = EmfModel.load(site / "library.xmi", site / "library.ecore")
+    next(b for b in model.all_contents() if getattr(b, "name", "") == "Ants").authors.clear()
+    model.save()
+
+
+def test_a_run_performs_fixes_and_stores_the_models_that_they_change(site: Path) -> None:
+    _without_author(site)
+    assert run(site)["constraints"].state == "failed"
+    before = tree(site)
+    assert run(site, dry_run=True, fix="first")["constraints"].state == "failed"
+    assert tree(site) == before
+    result = run(site, fix="first")
+    assert result["constraints"].fixed == ["library!Book //@sections.1/@items.0: take the first author"]
+    assert result["constraints"].written == ["library.xmi"]
+    assert [r.state for r in result.steps if r.step.kind != "load"] == ["done", "done", "done"]
+    assert len(EmfModel.load(site / "library.xmi", site / "library.ecore").element("//@sections.1/@items.0").authors) == 1
+    judge([site / "library.ecore"], site / "library.xmi")
+    before = tree(site)
+    assert done(run(site, fix="first")) == []
+    assert tree(site) == before
+
+
+def test_a_function_chooses_the_fix(site: Path) -> None:
+    _without_author(site)
+    assert run(site, fix=lambda unsatisfied: None)["constraints"].state == "failed"
+    assert run(site, fix=lambda unsatisfied: unsatisfied.fixes[-1])["constraints"].state == "done"
+
+
+def test_a_fix_that_fails_is_undone_and_said(site: Path) -> None:
+    author = "b.authors.append(library.Author.all[0])"
+    _without_author(site, FIXABLE.replace(author, f"({author}, [][0])"))
+    before = (site / "library.xmi").read_bytes()
+    result = run(site, fix="first")["constraints"]
+    assert result.state == "failed"
+    assert result.findings[0].rule == "RS533"
+    assert "IndexError" in result.findings[0].message
+    assert result.fixed == []
+    assert (site / "library.xmi").read_bytes() == before
+
+
+def test_a_fix_of_a_model_that_a_step_makes_is_not_performed(site: Path) -> None:
+    with (site / "rules.py").open("a") as file:
+        file.write(
+            "\n\ndef titles(v: EVL, site: Any) -> None:\n"
+            '    """Titles are loud."""\n'
+            '    v.context(site.Page).constraint(name="Loud", fixes=[Fix("shout", lambda p: setattr(p, "title", p.title.upper()))])'
+            "(lambda p: p.title.isupper())\n"
+        )
+    replace(site / "rules.py", "import EVL, Fail", "import EVL, Fail, Fix")
+    replace(
+        site / "chain.toml", "[[step]]\ngenerate", '[[step]]\nvalidate = "rules.py:titles"\nmodels = "site"\n\n[[step]]\ngenerate'
+    )
+    result = run(site, fix="first")["titles"]
+    assert result.state == "failed"
+    assert result.fixed == []
+    assert {f.rule for f in result.findings} == {"RS532", "Loud"}
+
+
+def test_the_command_performs_fixes(site: Path) -> None:
+    _without_author(site)
+    assert command("run", site / "chain.toml", "--json").code == 1
+    outcome = command("run", site / "chain.toml", "--fix", "--json")
+    steps = {s["name"]: s for s in outcome.result["steps"]}
+    assert len(steps["constraints"]["fixed"]) == 1
+    assert steps["pages"]["state"] == "done"
 
 
 def test_findings_say_the_file_of_the_model(site: Path) -> None:
@@ -280,7 +381,7 @@ def test_a_chain_in_python_and_its_graph(site: Path) -> None:
 
 def test_steps_are_done_in_the_order_of_what_they_need(site: Path) -> None:
     c = Chain(site, "turned")
-    c.transform(shout, models="b", makes="c", metamodel="site.ecore", file="c.xmi", step="second")
+    c.transform(louder, models="b", makes="c", metamodel="site.ecore", file="c.xmi", step="second")
     c.transform(shout, models="a", makes="b", metamodel="site.ecore", file="b.xmi", step="first")
     c.load("a", "build/site.xmi", metamodel="site.ecore")
     run(site)
@@ -377,12 +478,26 @@ def test_a_model_that_cannot_be_read(site: Path) -> None:
     assert "'long ago' is no whole number" in wrong(site, RobosmiError).message
 
 
-def test_a_function_that_does_not_fit(site: Path) -> None:
-    replace(site / "rules.py", "def pages(g: Gen, site: Any)", "def pages(g: Gen, sight: Any)")
-    with pytest.raises(RuleError, match="the function of the step 'pages' does not fit") as raised:
-        run(site)
-    assert raised.value.location is not None
-    assert raised.value.location.path.endswith("rules.py")
+@pytest.mark.parametrize(
+    ("old", "new", "step"),
+    [
+        ("def pages(g: Gen, site: Any)", "def pages(g: Gen, sight: Any)", "pages"),
+        (
+            "def to_site(t: ETL, library: Any, prices: Any, site: Any)",
+            "def to_site(t: ETL, library: Any, prices: Any)",
+            "to_site",
+        ),
+        ("def constraints(v: EVL, library: Any)", "def constraints(v: EVL, library: Any, prices: Any)", "constraints"),
+    ],
+)
+def test_a_function_that_does_not_take_its_models_is_refused_before_the_first_step(
+    old: str, new: str, step: str, site: Path
+) -> None:
+    replace(site / "rules.py", old, new)
+    error = wrong(site, RuleError)
+    assert error.message.startswith(f"the function of the step '{step}' does not fit")
+    assert error.location is not None
+    assert error.location.path.endswith("rules.py")
 
 
 def test_a_damaged_state_is_said(site: Path) -> None:
