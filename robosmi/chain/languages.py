@@ -19,8 +19,7 @@ from robosmi.generate import Gen
 from robosmi.model import save_model
 from robosmi.model.driver import Model
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.opening import open_model
+from robosmi.model.session import Session
 from robosmi.query import ModelView
 from robosmi.query.erl import owner_of, technology
 from robosmi.transform import ETL, Flock
@@ -40,6 +39,7 @@ class Doing:
         models: its models by name.
         files: the files of those that have one.
         made: names of those that another step makes; the rest was loaded from what a person wrote.
+        session: in which metamodels are the same for all steps.
         dry_run, keep, fix: the options of the run.
     """
 
@@ -47,6 +47,7 @@ class Doing:
     models: Mapping[str, Model]
     files: Mapping[str, Path | None]
     made: frozenset[str]
+    session: Session
     dry_run: bool
     keep: bool
     fix: Choice | None = None
@@ -55,8 +56,7 @@ class Doing:
 def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     """Read a model."""
     assert step.file is not None
-    options = {"metamodel": Metamodel.load(*step.metamodel)} if step.metamodel else {}
-    return StepResult(step, "done"), ModelView(open_model(step.file, step.driver, step.makes, **options))
+    return StepResult(step, "done"), ModelView(doing.session.open(step.file, step.driver, step.makes, metamodel=step.metamodel))
 
 
 def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
@@ -129,7 +129,7 @@ def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
 
 def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     """Make a model of others, by ETL or Flock, and save it where it has a file."""
-    made = ModelView(EmfModel((), Metamodel.load(*step.metamodel), step.makes))
+    made = ModelView(EmfModel((), doing.session.metamodel(*step.metamodel), step.makes))
     models = {**doing.models, step.makes: made}
     module: ETL | Flock = ETL(*models.values()) if step.kind == "transform" else Flock(*list(models.values())[-2:])
     call(step, module, models)

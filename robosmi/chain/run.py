@@ -25,6 +25,7 @@ from robosmi.plugins import raised_by, unloadable
 
 if TYPE_CHECKING:
     from robosmi.chain.languages import Choice, Doing  # all languages
+    from robosmi.model.session import Session
 
 Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
@@ -104,6 +105,7 @@ class ChainRun:
         self.content: dict[str, str] = {}
         self.stopped: set[str] = set()
         self._told = 0
+        self._session: Session | None = None
 
     # Values
 
@@ -149,6 +151,7 @@ class ChainRun:
         """
         begun = time.perf_counter()
         self.stopped.clear()
+        self._renew()
         results = []
         known = {step.name for step in self.ordered}
         wanted = None if goals is None else self.graph.needed(f"model {name}" for name in goals)
@@ -291,7 +294,22 @@ class ChainRun:
         from robosmi.chain.languages import Doing
 
         made = frozenset(name for name in models if self.makers[name].kind != "load")
-        return Doing(self.folder, models, files, made, self.dry_run, self.keep, self.fix)
+        return Doing(self.folder, models, files, made, self.session, self.dry_run, self.keep, self.fix)
+
+    @property
+    def session(self) -> Session:
+        """In which metamodels are the same for all steps of the run."""
+        if self._session is None:
+            from robosmi.model.session import Session
+
+            self._session = Session()
+        return self._session
+
+    def _renew(self) -> None:
+        """Forget the models of a run that is kept when a metamodel has changed: their classes are those of the old one."""
+        if self._session is not None and self._session.changed() is not None:
+            self._session = None
+            self.models = {name: made for name, made in self.models.items() if self.makers[name].kind in (CALL, GIVEN)}
 
     def _called(self, step: Step, models: dict[str, Any]) -> Any:
         """What a step of values makes.

@@ -7,7 +7,7 @@ from typing import Any
 from pyecore.ecore import EObject
 
 from robosmi.errors import ModelError
-from robosmi.model.driver import name_of, type_of
+from robosmi.model.driver import is_element, name_of, type_of
 from robosmi.model.fragments import own_id
 
 
@@ -26,8 +26,10 @@ def region_id(element: Any, *purpose: str) -> str:
         For example `City/Stories/Ants body`.
 
     Raises:
-        ModelError: it has no id, and it or a container has no name.
+        ModelError: it is no element, or it has no id, and it or a container has no name.
     """
+    if not is_element(element):
+        raise ModelError(f"{element!r} is no element of a model", fix="give the element that the region belongs to")
     own = _own_id(element)
     return " ".join([own if own is not None else _names(element), *purpose])
 

@@ -17,10 +17,18 @@ if TYPE_CHECKING:
     from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model
     from robosmi.model.repository import Repository
+    from robosmi.model.session import Session
 
-__all__ = ["EmfModel", "Metamodel", "Model", "Repository", "load_model", "open_model", "save_model"]
+__all__ = ["EmfModel", "Metamodel", "Model", "Repository", "Session", "load_model", "open_model", "save_model"]
 
-_PLACES = {"EmfModel": "emf", "Metamodel": "metamodel", "Model": "driver", "Repository": "repository", "open_model": "opening"}
+_PLACES = {
+    "EmfModel": "emf",
+    "Metamodel": "metamodel",
+    "Model": "driver",
+    "Repository": "repository",
+    "Session": "session",
+    "open_model": "opening",
+}
 
 
 def __getattr__(name: str) -> Any:

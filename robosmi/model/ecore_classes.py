@@ -18,6 +18,7 @@ from robosmi.errors import ModelError
 from robosmi.model.datatypes import default, literal_text
 from robosmi.model.ecore_description import XML_TYPES, Class, Classifier, DataType, Enumeration, Feature, Package
 from robosmi.model.ecore_details import Details
+from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.ordering import post_order
 from robosmi.model.python_names import MEMBER, python_name
 from robosmi.model.strict import Element
@@ -40,7 +41,7 @@ def make_packages(packages: list[Package]) -> list[Any]:
     Raises:
         ModelError: a class is its own supertype.
     """
-    return _Maker().make(packages)
+    return PackageMaker().make(packages)
 
 
 class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
@@ -61,19 +62,32 @@ class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
             return list(post_order(start, lambda one: one.__bases__[::-1]))[::-1]
 
 
-class _Maker:
+class PackageMaker:
+    """Makes packages one after the other; a description that was given before has the package that was made then."""
+
     def __init__(self) -> None:
         self.made: dict[Classifier, Any] = {}
+        self.packages: dict[Package, Any] = {}
         self.features: dict[Feature, Any] = {}
         self.xml_types = ecore.EPackage(XML_TYPES.name, XML_TYPES.uri, XML_TYPES.prefix)
 
     def make(self, packages: list[Package]) -> list[Any]:
+        """See `make_packages`."""
+        before = dict(self.packages)
+        try:
+            self._make([package for package in packages if package not in self.packages])
+        except ModelError:
+            self.packages = before
+            raise
+        return [self.packages[package] for package in packages]
+
+    def _make(self, packages: list[Package]) -> None:
         classes: list[Class] = []
         outermost = []
         for root in packages:
             epackages: dict[Package, Any] = {}
             for package in root.walk():
-                epackage = epackages[package] = ecore.EPackage(package.name, package.uri, package.prefix)
+                epackage = epackages[package] = self.packages[package] = ecore.EPackage(package.name, package.uri, package.prefix)
                 if package.parent is not None:
                     epackages[package.parent].eSubpackages.append(epackage)
                 for classifier in package.classifiers:
@@ -92,9 +106,8 @@ class _Maker:
         for feature, made in self.features.items():
             if feature.opposite is not None and made.eOpposite is None:
                 made.eOpposite = self.features[feature.opposite]
-        known: dict[Any, Any] = {**self.features, **{p: made for _, epackages in outermost for p, made in epackages.items()}}
+        known: dict[Any, Any] = {**self.features, **self.packages}
         Details(packages, lambda one: self._classifier(one) if isinstance(one, Classifier) else known.get(one)).add()
-        return [epackages[root] for root, epackages in outermost]
 
     def _class(self, cls: Class) -> Any:
         supertypes = [self._classifier(base) for base in cls.supertypes]
@@ -141,7 +154,7 @@ class _Maker:
         common = {
             "lower": feature.lower, "upper": feature.upper, "ordered": feature.ordered, "unique": feature.unique,
             "changeable": feature.changeable, "volatile": feature.volatile, "transient": feature.transient,
-            "derived": feature.derived, "unsettable": feature.unsettable,
+            "derived": feature.derived, "unsettable": feature.unsettable, "derived_class": FeatureCollection,
         }  # fmt: skip
         kind = self._classifier(feature.classifier)
         if feature.is_reference:

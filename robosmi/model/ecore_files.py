@@ -26,11 +26,12 @@ _OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES}
 
 @dataclass(eq=False)
 class EcoreFile:
-    """One .ecore file: its root packages and what has an `xmi:id`."""
+    """One .ecore file: its root packages, what has an `xmi:id`, and its packages by namespace."""
 
     path: Path
     roots: list[EcoreNode]
     idents: dict[str, EcoreNode] = field(default_factory=dict, repr=False)
+    by_uri: dict[str, EcoreNode] = field(default_factory=dict, repr=False)
 
     def find(self, fragment: str, start: EcoreNode | None = None) -> EcoreNode | None:
         """The node at an EMF fragment: `//Class/feature`, `/1/Class`, `//@eClassifiers.2` or an `xmi:id`.
@@ -94,6 +95,7 @@ class EcoreFiles:
                 if node.ident:
                     file.idents.setdefault(node.ident, node)
                 if node.tag in ("EPackage", "eSubpackages") and node.get("nsURI"):
+                    file.by_uri.setdefault(node.get("nsURI"), node)
                     self._by_uri.setdefault(node.get("nsURI"), (file, node))
         return file
 
@@ -109,6 +111,8 @@ class EcoreFiles:
         """
         if uri in KNOWN:
             return KNOWN[uri]
+        if uri in referrer.by_uri:  # another version of the namespace may have been read before
+            return referrer, referrer.by_uri[uri]
         if uri in self._by_uri:
             return self._by_uri[uri]
         name = unquote(uri.rpartition("/")[2])

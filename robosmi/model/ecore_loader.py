@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
+from copy import copy
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Location
-from robosmi.errors import ModelError
+from robosmi.errors import ModelError, RobosmiError
 from robosmi.model.ecore_description import (
     E_JAVA_OBJECT,
     EOBJECT,
@@ -86,24 +87,47 @@ def load_metamodels(paths: Iterable[Path]) -> list[Package]:
         SourceError: a file cannot be read, is no XML or holds no EPackage.
         MetamodelError: references lead nowhere, names or types are missing; all problems together.
     """
-    loader = _Loader()
-    for path in paths:
-        loader.build(loader.files.load(path))
-    loader.link()
-    if loader.problems:
-        raise MetamodelError(loader.problems)
-    return loader.packages
+    return MetamodelReader().read(paths)
 
 
-class _Loader:
+class MetamodelReader:
+    """Reads .ecore files one after the other; what was read before is not made again, so that later files refer to it."""
+
     def __init__(self) -> None:
         self.files = EcoreFiles()
-        self.packages: list[Package] = []
         self.problems: list[Problem] = []
+        self._packages: dict[EcoreFile, list[Package]] = {}
+        self._referred_to: dict[EcoreFile, dict[EcoreFile, None]] = {}
         self._built: dict[EcoreNode, DescribedElement] = {}
-        self._done: set[Path] = set()
         self._pending: list[tuple[EcoreFile, EcoreNode, str, type, Callable[[Any], None]]] = []
         self._typed: list[Typed] = []
+
+    def read(self, paths: Iterable[Path]) -> list[Package]:
+        """The outermost packages of .ecore files and of those that they refer to; see `load_metamodels`.
+
+        Raises:
+            SourceError, MetamodelError: as there; nothing of these files is kept.
+        """
+        before = [(owner, name, copy(value)) for owner in (self, self.files) for name, value in vars(owner).items()
+                  if isinstance(value, (dict, list))]  # fmt: skip
+        try:
+            wanted = [self.files.load(path) for path in paths]
+            for file in wanted:
+                self.build(file)
+            self.link()
+            if self.problems:
+                raise MetamodelError(self.problems)
+        except RobosmiError:
+            for owner, name, value in before:
+                setattr(owner, name, value)
+            raise
+        reached = dict.fromkeys(wanted)
+        for file in (pending := list(reached)):
+            for other in self._referred_to.get(file, ()):
+                if other not in reached:
+                    reached[other] = None
+                    pending.append(other)
+        return [package for file in reached for package in self._packages[file]]
 
     def problem(self, kind: str, location: Location, message: str, fix: str) -> None:
         """Note a problem."""
@@ -111,9 +135,9 @@ class _Loader:
 
     def build(self, file: EcoreFile) -> None:
         """Make the descriptions of a file's elements; references come later."""
-        if file.path in self._done:
+        if file in self._packages:
             return
-        self._done.add(file.path)
+        outermost = self._packages[file] = []
         stack: list[tuple[EcoreNode, Package | None]] = [(node, None) for node in reversed(file.roots)]
         while stack:
             node, parent = stack.pop()
@@ -123,7 +147,7 @@ class _Loader:
             )  # fmt: skip
             package.node, package.find = node, partial(self._referred, file)
             self._built[node] = package
-            (self.packages if parent is None else parent.subpackages).append(package)
+            (outermost if parent is None else parent.subpackages).append(package)
             for child in node.tagged("eClassifiers"):
                 package.classifiers.append(self._classifier(file, child, package))
             stack.extend((child, package) for child in reversed(node.tagged("eSubpackages")))
@@ -242,10 +266,7 @@ class _Loader:
 
     def link(self) -> None:
         """Resolve all references, reading further files as they are met, and put bounds where type parameters are."""
-        position = 0
-        while position < len(self._pending):
-            file, node, text, kind, put = self._pending[position]
-            position += 1
+        for file, node, text, kind, put in self._pending:  # which grows as further files are met
             found = self._target(file, node, text)
             if found is None:
                 continue
@@ -261,6 +282,7 @@ class _Loader:
             put(found)
         for typed in self._typed:
             typed.type = _erased(typed)
+        self._pending, self._typed = [], []
 
     def _referred(self, file: EcoreFile, node: EcoreNode, name: str) -> list[DescribedElement]:
         """What a node refers to by a feature that models do not need; nothing is a problem here, and no further file is read."""
@@ -294,6 +316,8 @@ class _Loader:
             found: DescribedElement | None = known(where, fragment.rpartition("/")[2])
         else:
             target, start = where
+            if target is not file:
+                self._referred_to.setdefault(file, {})[target] = None
             self.build(target)
             node_found = target.find(fragment, start)
             found = self._built.get(node_found) if node_found is not None else None

@@ -15,9 +15,10 @@ from typing import Any
 
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral
 from pyecore.innerutils import InternalSet
-from pyecore.valuecontainer import EBag, ECollection, EList, EOrderedSet, EValue
+from pyecore.valuecontainer import ECollection, EValue
 
 from robosmi.model import datatypes
+from robosmi.model.feature_values import FeatureCollection, FeatureOrderedSet, kind_of
 from robosmi.model.structure import resource_of
 
 
@@ -96,7 +97,7 @@ def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
 
 
 def collection(owner: Any, feature: Any) -> Any:
-    """An empty collection of the class that pyecore would take for that feature, which is not derived."""
+    """An empty collection for that feature, which is not derived."""
     form = feature.__dict__.get("_robosmi_form", _NOTHING)
     if form is _NOTHING:
         if feature.unique and not feature.ordered:
@@ -104,12 +105,12 @@ def collection(owner: Any, feature: Any) -> Any:
         else:
             is_ref = feature.is_reference
             is_cont = is_ref and feature.containment
-            kind = EOrderedSet if feature.unique else EList if feature.ordered else EBag
+            kind = kind_of(feature)
             form = kind, is_ref, is_cont, is_cont and feature.eOpposite is None
         if features_fixed(owner.__class__):  # those of other classes may change yet
             feature.__dict__["_robosmi_form"] = form
     if form is None:
-        made = ECollection.create(owner, feature)
+        made = FeatureCollection.create(owner, feature)
         made.birth = None
         return made
     made = form[0].__new__(form[0])
@@ -117,11 +118,11 @@ def collection(owner: Any, feature: Any) -> Any:
     made.feature = feature
     _, made.is_ref, made.is_cont, is_born = form
     made.generic_type = None
-    if form[0] is EOrderedSet:
+    if form[0] is FeatureOrderedSet:
         made._orderedset_update = False
         made.items = []
         made.map = {}
-    made.birth = (owner, feature) if is_born and form[0] is EOrderedSet else None
+    made.birth = (owner, feature) if is_born and form[0] is FeatureOrderedSet else None
     return made
 
 

@@ -12,10 +12,11 @@ from functools import cache
 from typing import Any
 
 from pyecore.ecore import EReference
-from pyecore.valuecontainer import EList, EOrderedSet, EValue
+from pyecore.valuecontainer import EList, EValue
 
 from robosmi.errors import InternalError
 from robosmi.model.driver import ReadOnlyError
+from robosmi.model.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.features import all_features
 from robosmi.model.lean import BARE, REFUSAL, bare, prepare
 
@@ -92,8 +93,8 @@ _CHANGES = (
     "sort", "reverse", "add", "discard", "difference_update", "intersection_update", "symmetric_difference_update", "__ior__",
     "__iand__", "__isub__", "__ixor__", "remove_or_unset",
 )  # fmt: skip
-ReadOnlySet: Any = type("ReadOnlySet", (EOrderedSet,), {"__doc__": "Unique values.", **dict.fromkeys(_CHANGES, _refuse)})
-ReadOnlyList: Any = type("ReadOnlyList", (EList,), {"__doc__": "Values.", **dict.fromkeys(_CHANGES, _refuse)})
+ReadOnlySet: Any = type("ReadOnlySet", (FeatureOrderedSet,), {"__doc__": "Unique values.", **dict.fromkeys(_CHANGES, _refuse)})
+ReadOnlyList: Any = type("ReadOnlyList", (FeatureList,), {"__doc__": "Values.", **dict.fromkeys(_CHANGES, _refuse)})
 
 
 def _collection(owner: Any, feature: Any, values: Iterable[Any]) -> Any:

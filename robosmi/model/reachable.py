@@ -15,6 +15,7 @@ from pyecore.ecore import EObject
 from pyecore.valuecontainer import ECollection
 
 from robosmi.model.driver import Model, ModelElement, TypeHandle
+from robosmi.model.feature_values import Queried
 
 OF_ELEMENTS = frozenset(
     ["eAllContents", "eClass", "eContainer", "eContainmentFeature", "eContents", "eIsSet", "eRoot", "eURIFragment",
@@ -25,8 +26,12 @@ OF_ELEMENTS = frozenset(
 """What is not a feature of an element and reads: EMF's names of elements and of metamodels, then those of plain XML."""
 OF_COLLECTIONS = frozenset(
     ["copy", "count", "difference", "index", "intersection", "isdisjoint", "issubset", "issuperset", "symmetric_difference",
-     "union"]
+     "union", "select", "reject"]
 )  # fmt: skip
+_NOT_OF_COLLECTIONS = frozenset(
+    ["owner", "feature", "is_ref", "is_cont", "generic_type", "birth", "items", "map", "add_all", "remove_all", "remove_at"]
+)
+"""What pyecore's collections keep for themselves, and operations of queries that change a collection."""
 OF_MODELS = frozenset(
     ["all", "all_contents", "all_of_kind", "all_of_type", "element", "find_type", "id_of", "literal", "name", "owns", "path",
      "roots", "type_names", "types"]
@@ -54,7 +59,8 @@ def of_models(obj: Any, attribute: str) -> bool | None:
     if attribute.startswith("_"):
         return False
     if isinstance(obj, ECollection):
-        return attribute in OF_COLLECTIONS
+        own = hasattr(type(obj), attribute) or attribute in _NOT_OF_COLLECTIONS
+        return attribute in OF_COLLECTIONS or (isinstance(obj, Queried) and not own)  # what queries read
     if isinstance(obj, (EObject, ModelElement)):
         return attribute in OF_ELEMENTS or _is_own(obj, attribute)
     if isinstance(obj, TypeHandle):

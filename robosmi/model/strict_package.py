@@ -20,6 +20,7 @@ from pyecore import ecore
 
 from robosmi.model.construct import initialise
 from robosmi.model.ecore_description import XML_TYPE_URI
+from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
 
@@ -76,7 +77,11 @@ else:
             if Element in bases:
                 cls.eClass.eSuperTypes.remove(ecore.EObject.eClass)  # no class of Ecore has it unless the metamodel says so
             for key, feature in namespace.items():
-                if not isinstance(feature, ecore.EStructuralFeature) or feature.name == key:
+                if not isinstance(feature, ecore.EStructuralFeature):
+                    continue
+                if feature.derived_class is ecore.ECollection:
+                    feature.derived_class = FeatureCollection
+                if feature.name == key:
                     continue
                 other = getattr(cls, feature.name, None)
                 hidden = other is not None and getattr(other, "name", None) != feature.name

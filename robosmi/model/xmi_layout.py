@@ -12,6 +12,7 @@ from pyecore import ecore
 
 from robosmi.errors import ModelError
 from robosmi.model import datatypes, features
+from robosmi.model.feature_values import is_stored
 from robosmi.model.strict import Element
 
 _KEPT = 1 << 10  # texts of values of one feature
@@ -114,7 +115,7 @@ class Layout:
 
 def _column(eclass: Any, feature: Any) -> Column | None:
     kind = features.declared_type(feature)
-    if feature.derived and (feature.many or feature.derived_class is not ecore.ECollection):
+    if feature.derived and (feature.many or not is_stored(feature)):
         return None
     if not feature.is_attribute:
         back = features.opposite(feature)

@@ -11,6 +11,7 @@ from typing import Any
 from pyecore import ecore
 
 from robosmi.model import datatypes, features, lean
+from robosmi.model.feature_values import is_stored
 from robosmi.model.strict import Element
 
 VALUE, REFERENCE, CHILDREN, CHILD, VALUES, XMI_ID, IGNORED, REFUSED, ROOT = range(9)
@@ -109,7 +110,7 @@ class ClassPlan:
         if getattr(kind, "name", "") == datatypes.FEATURE_MAP:
             self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
             return FeatureEntry(REFUSED, feature, self.refused)
-        if feature.derived_class is not ecore.ECollection or (feature.derived and feature.many):
+        if not is_stored(feature) or (feature.derived and feature.many):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         lean.repair_default(feature, kind)
         entry = FeatureEntry(VALUES if feature.many else VALUE, feature)
@@ -118,7 +119,7 @@ class ClassPlan:
         return entry
 
     def _reference(self, feature: Any, kind: Any) -> FeatureEntry:
-        if feature.derived and (feature.many or feature.derived_class is not ecore.ECollection):
+        if feature.derived and (feature.many or not is_stored(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         back = features.opposite(feature)
         if back is not None and back.containment:

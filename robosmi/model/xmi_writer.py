@@ -144,7 +144,7 @@ class _Writer:
                             later = self.value(element, column, value, append, indent, later)
                     elif kind == CHILDREN:
                         if column.many:
-                            children = slot.items if slot.__class__ is EOrderedSet else slot
+                            children = slot.items if isinstance(slot, EOrderedSet) else slot
                         else:
                             children = () if slot._value is None else (slot._value,)
                         for child in children:

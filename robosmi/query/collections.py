@@ -14,8 +14,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
 from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
 
+from pyecore.valuecontainer import ECollection
+
+from robosmi.model.feature_values import queried_by
 from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder
+from robosmi.query.held import HeldByFeature
 from robosmi.query.items import Items
 from robosmi.query.maps import Entries, Fields
 from robosmi.query.totals import Totals
@@ -217,21 +221,27 @@ class OrderedSet(_Unique[T]):
     _eol_kind = "OrderedSet"
 
 
-class _Feature(OrderedSet[T]):
-    """What a many-valued feature holds: an OrderedSet with an index that is equal to a Sequence, as EMF's lists are in EOL."""
+class _OfFeature(HeldByFeature, Q[T]):
+    """What a many-valued feature holds: changes reach the element; what is made of it is a collection of its own."""
 
-    __slots__ = ()
-    _indexed = True
-    _eol_equals = "Sequence"
+    __slots__ = ("_feature",)
+    _eol_equals = "Sequence"  # EMF's lists are, whatever their kind
 
-    def _same(self, items: builtins.list[T]) -> Any:
-        return OrderedSet._of(items)
+    @classmethod
+    def _of(cls, items: builtins.list[Any]) -> Any:
+        return cls._plain._of(items)
 
-    def _made(self, items: builtins.list[Any]) -> Any:
-        return OrderedSet._of(unique(items))
+
+def _of_feature(plain: type[Q[Any]]) -> Any:
+    return type(
+        "OfFeature",
+        (_OfFeature, plain),
+        {"__slots__": (), "_plain": plain, "_indexed": plain in (Q, OrderedSet), "__doc__": plain.__doc__},
+    )
 
 
 _CLASSES: dict[str, type[Q[Any]]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "OrderedSet": OrderedSet}
+_OF_FEATURES = {kind: _of_feature(plain) for kind, plain in _CLASSES.items()}
 
 
 def collection(value: Any) -> Q[Any]:
@@ -245,8 +255,15 @@ def collection(value: Any) -> Q[Any]:
     kind = collection_kind(value)
     if kind is None:
         return Q([value])
-    cls = _Feature if kind == "OrderedSet" else _CLASSES[kind]  # no class of Python's is an ordered set
-    return cls._of(list(value))
+    if not isinstance(value, ECollection):
+        return _CLASSES[kind]._of(list(value))
+    cls = _OF_FEATURES[kind]
+    made: Q[Any] = cls.__new__(cls)
+    made._items, made._feature = list(value), value  # type: ignore[attr-defined]
+    return made
+
+
+queried_by(collection)
 
 
 class Map(Entries[K, V]):
@@ -306,7 +323,7 @@ class Lazy(Generic[T]):
 
     def __init__(self, source: Iterable[T], kind: type[Q[Any]] | None = None) -> None:
         self._source = source
-        self._kind = kind or (type(source) if isinstance(source, Q) else Q)
+        self._kind = kind or (type(source._made([])) if isinstance(source, Q) else Q)
 
     def __iter__(self) -> Iterator[T]:
         return iter(self._source)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from robosmi.diagnostics import Location
-from robosmi.errors import RobosmiError, RuleError, UsageError
+from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError
 from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
 from robosmi.query.models import ModelView
 from robosmi.query.problems import unknown_type
@@ -163,8 +163,12 @@ class RuleBlocks(list[Callable[[], Any]]):
 
 def failed(
     error: BaseException, what: str, function: Callable[..., Any], element: Any = None, models: Iterable[Model] = ()
-) -> RuleError:
+) -> RobosmiError:
     """The error of a rule that raises: which one, for which element, at which line, why.
+
+    Of a user's rule it is a `RuleError`; of a rule of this package, unless that raised an error of ours on purpose, an
+    `InternalError`: no user can correct it. Where a user's rule called code of ours that raised what it never raises on purpose,
+    the advice says so.
 
     Args:
         error: what it raised; a `RuleError` of a rule that was asked for inside is passed on as it is.
@@ -173,12 +177,36 @@ def failed(
         element: the element it was run for, None for none.
         models: the models of the run.
     """
-    if isinstance(error, RuleError):
+    if isinstance(error, (RuleError, InternalError)):
         return error
-    cause = error.message if isinstance(error, RobosmiError) else f"{type(error).__name__}: {error}"
     about = "" if element is None else f" for {_shown(element, models)}"
-    fix = (error.fix if isinstance(error, RobosmiError) else None) or "correct the function at this line, or guard it"
-    return RuleError(f"{what} fails{about}: {cause}", location=_place(error, function), fix=fix)
+    place = _place(error, function)
+    if isinstance(error, RobosmiError):
+        return RuleError(f"{what} fails{about}: {error.message}", location=place, fix=error.fix or _CORRECT)
+    said = f"{what} fails{about}: {type(error).__name__}: {error}"
+    world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
+    if _is_own(getattr(inspect.unwrap(function), "__module__", None)) and not world:
+        return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
+    if (inside := _raised_inside(error)) is not None:
+        fix = f"look at what this line gives to robosmi, where it was raised ({inside}); if that is right, it is a bug to report"
+        return RuleError(said, location=place, fix=fix)
+    return RuleError(said, location=place, fix=_CORRECT)
+
+
+_CORRECT = "correct the function at this line, or guard it"
+
+
+def _is_own(module: str | None) -> bool:
+    return (module or "").partition(".")[0] == "robosmi"
+
+
+def _raised_inside(error: BaseException) -> str | None:
+    """The place in this package where an exception was raised, `robosmi.query.maps:31`; None where it was raised elsewhere."""
+    step = error.__traceback__
+    while step is not None and step.tb_next is not None:
+        step = step.tb_next
+    module = step.tb_frame.f_globals.get("__name__") if step is not None else None
+    return f"{module}:{step.tb_lineno}" if step is not None and _is_own(module) else None
 
 
 def _shown(element: Any, models: Iterable[Model]) -> str:

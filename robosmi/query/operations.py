@@ -14,12 +14,14 @@ from functools import cache, wraps
 from typing import Any, TypeVar
 
 from pyecore.ecore import EClass, EEnumLiteral
+from pyecore.valuecontainer import ECollection
 
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.model.driver import Model, TypeHandle, is_element
 from robosmi.query import types
 from robosmi.query.collections import Map, Q, collection
 from robosmi.query.first_order import FIRST_ORDER
+from robosmi.query.held import CHANGING, HeldByFeature
 from robosmi.query.problems import OperandError, describe, unknown_operation
 from robosmi.query.run import current_run
 from robosmi.query.values import collection_kind, equal, key
@@ -74,7 +76,8 @@ def _kinds(target: Any) -> tuple[str, ...]:
 
 
 def _built_in(target: Any, name: str) -> Callable[..., Any] | None:
-    if name in current_run().closed:
+    closed = current_run().closed
+    if name in closed or (closed and name in CHANGING and isinstance(target, (ECollection, HeldByFeature))):
         raise UsageError(f"an expression may not use the operation '{name}'", fix="see docs/reference/eol.md for what reads")
     for table in _tables(target):
         if (found := table.get(name)) is not None:

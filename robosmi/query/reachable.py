@@ -22,6 +22,7 @@ from robosmi.model.driver import Model, ModelElement, TypeHandle
 from robosmi.model.reachable import is_resource, of_models
 from robosmi.query import collections, models, types
 from robosmi.query.first_order import FIRST_ORDER
+from robosmi.query.held import CHANGING, HeldByFeature
 from robosmi.query.operations import snake
 from robosmi.query.run import Extended
 
@@ -90,6 +91,8 @@ def _may_read(target: Any, name: str) -> bool:
         return part
     if isinstance(target, types.EolType):
         return name == "name"
+    if isinstance(target, HeldByFeature) and name in CHANGING:
+        return False
     return name not in _HIDDEN or isinstance(target, (collections.Q, Extended, collections.Tuple))
 
 

@@ -74,8 +74,8 @@ class Flock:
         migrated: the model to fill, of the new metamodel; usually empty.
         keep_order: whether references with an opposite keep their order. The engine copies both sides one after the other, which
             changes the order of the first; this is its behaviour and the default.
-        lenient: whether a rule about a type, package or feature that the original metamodel does not have is only a warning, as in
-            the engine; by default it is an error, since a misspelt name would lose the rule without a word.
+        lenient: whether a rule about a type, package or feature that the original metamodel lacks is only a warning, as in the
+            engine; by default it is an error, since a misspelt name would lose the rule without a word.
 
     Attributes:
         pre: blocks that run first; `@f.pre` adds one.
@@ -176,7 +176,7 @@ class Flock:
             The migrated model.
 
         Raises:
-            RuleError: a guard or rule raises, a rule names what the original metamodel does not have (unless `lenient`), or a type to
+            RuleError: a guard or rule raises, a rule names what the original metamodel lacks (unless `lenient`), or a type to
                 retype to does not exist or is abstract.
         """
         self.warnings, self._equivalents = [], {}

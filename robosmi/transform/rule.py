@@ -15,7 +15,7 @@ from functools import cache
 from types import FunctionType
 from typing import Any
 
-from robosmi.errors import RuleError, did_you_mean
+from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, failed, place_of, type_name
@@ -200,7 +200,7 @@ class BoundRule:
             return True
         try:
             satisfied = self.guard is None or bool(self.guard(source))
-        except RuleError:
+        except (RuleError, InternalError):
             raise
         except (Exception, SystemExit) as error:
             assert self.guard is not None
@@ -243,7 +243,7 @@ class BoundRule:
             for rule in self.chain:
                 rule.done.add(source)
                 rule.body(source, *(targets if rule.width == len(targets) else targets[: rule.width]))
-        except RuleError:
+        except (RuleError, InternalError):
             raise  # of a rule that ran inside this one
         except (Exception, SystemExit) as error:
             raise failed(error, f"the rule {rule.name}", rule.body, source, self.models) from error

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-from robosmi.errors import RuleError, UsageError, did_you_mean
+from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.query.deep import LEVELS, in_thread
 from robosmi.query.erl import RuleType, failed, told
@@ -135,7 +135,7 @@ class Evaluation:
                         state.results[element] = bool(verdict)
                     else:
                         verdict = state.verdict(element)
-                except RuleError:
+                except (RuleError, InternalError):
                     raise  # of a constraint that was asked for
                 except (Exception, SystemExit) as error:
                     raise self._failed(error, state, element) from error
@@ -208,7 +208,7 @@ class Evaluation:
         self._asked[state, element] = None
         try:
             return bool(self._ask(state, element) if len(self._asked) % LEVELS else in_thread(self._ask, state, element))
-        except RuleError:
+        except (RuleError, InternalError):
             raise
         except (Exception, SystemExit) as error:
             raise self._failed(error, state, element) from error

@@ -248,8 +248,8 @@ def test_a_fix_of_a_model_that_a_step_makes_is_not_performed(site: Path) -> None
         file.write(
             "\n\ndef titles(v: EVL, site: Any) -> None:\n"
             '    """Titles are loud."""\n'
-            '    v.context(site.Page).constraint(name="Loud", fixes=[Fix("shout", lambda p: setattr(p, "title", p.title.upper()))])'
-            "(lambda p: p.title.isupper())\n"
+            '    shout = Fix("shout", lambda p: setattr(p, "title", p.title.upper()))\n'
+            '    v.context(site.Page).constraint(name="Loud", fixes=[shout])(lambda p: p.title.isupper())\n'
         )
     replace(site / "rules.py", "import EVL, Fail", "import EVL, Fail, Fix")
     replace(
@@ -386,6 +386,44 @@ def test_steps_are_done_in_the_order_of_what_they_need(site: Path) -> None:
     c.load("a", "build/site.xmi", metamodel="site.ecore")
     run(site)
     assert [s.name for s in c.check()] == ["load a", "first", "second"]
+
+
+def test_models_of_one_metamodel_are_merged_and_changed_in_place(site: Path) -> None:
+    """Every step that names an .ecore file has the same metamodel, so that elements may go from model to model."""
+    shutil.copy(site / "library.xmi", site / "second.xmi")
+
+    def merged(t: ETL, one: Any, other: Any, both: Any) -> None:
+        @t.rule(one.Library, to=both.Library)
+        def Whole(a: Any, whole: Any) -> None:
+            whole.name = a.name
+            for feature in ("sections", "authors", "members"):
+                getattr(whole, feature).extend([x for m in (one, other) for x in getattr(m.Library.all[0], feature)])
+
+    def louder_books(t: ETL, both: Any, loud: Any) -> None:
+        @t.post
+        def moved() -> None:
+            for book in both.Book.all:
+                book.name = book.name.upper()
+            loud.model.add(both.roots[0])
+
+    books = len(EmfModel.load(site / "library.xmi", site / "library.ecore").all_of_kind("Book"))
+    c = Chain(site, "merge")
+    for name, file in (("one", "library.xmi"), ("other", "second.xmi")):
+        c.load(name, file, metamodel="library.ecore")
+    c.transform(merged, models=["one", "other"], makes="both", metamodel="library.ecore")
+    c.transform(louder_books, models="both", makes="loud", metamodel="library.ecore", file="loud.xmi")
+    c.run()
+    loud = EmfModel.load(site / "loud.xmi", site / "library.ecore").all_of_kind("Book")
+    assert len(loud) == 2 * books
+    assert all(book.name.isupper() for book in loud)
+
+
+def test_a_run_that_is_kept_takes_a_metamodel_that_has_changed(site: Path) -> None:
+    kept = read_chain(site / "chain.toml").start()
+    kept.run()
+    replace(site / "site.ecore", 'name="price"', 'name="price" lowerBound="0"')
+    assert [r.step.name for r in kept.run().steps if r.state != "up to date"] == ["to_site", "pages"]
+    assert type(kept.value("library").Book.all[0]).__name__ == "Book"
 
 
 # Bad input: nothing is done

@@ -1,0 +1,81 @@
+"""What a many-valued feature of an element holds: pyecore's collections, which take the operations of queries, too.
+
+`book.authors.select(...)` is asked of a collection that queries make of the values (`robosmi.query.collections.collection`); this
+room does not know queries, so that they say how at their import (`queried_by`). Methods of pyecore's collections stay as they are
+(`append`, `remove`, `index`), but for `select`, `reject` and `count`, which there give plain lists or take no function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from pyecore.ecore import ECollection
+from pyecore.valuecontainer import EBag, EList, EOrderedSet, ESet
+
+_query: Callable[[Any], Any] | None = None
+
+
+def queried_by(view: Callable[[Any], Any]) -> None:
+    """Say what makes a collection of queries of the values of a feature."""
+    global _query
+    _query = view
+
+
+class Queried:
+    """Adds the operations of queries to a collection of pyecore's."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name[0] == "_" or _query is None:
+            raise AttributeError(f"'{type(self).__name__}' has no attribute '{name}'")
+        return getattr(_query(self), name)
+
+    def _ask(self, name: str, *arguments: Any, **options: Any) -> Any:
+        if _query is None:
+            raise AttributeError(f"'{name}' is an operation of queries: import robosmi.query")
+        return getattr(_query(self), name)(*arguments, **options)
+
+    def select(self, condition: Callable[[Any], Any], kind: Any = None) -> Any:
+        """The values for which the condition holds, as queries give them."""
+        return self._ask("select", condition, kind)
+
+    def reject(self, condition: Callable[[Any], Any], kind: Any = None) -> Any:
+        """The values for which the condition does not hold, as queries give them."""
+        return self._ask("reject", condition, kind)
+
+    def count(self, condition: Any, kind: Any = None) -> int:
+        """How many values there are for which the condition holds, or that are the value."""
+        return int(self._ask("count", condition, kind))
+
+
+def _class(name: str, base: type, said: str) -> Any:
+    return type(name, (Queried, base), {"__doc__": said, "__module__": __name__})
+
+
+FeatureOrderedSet: Any = _class("FeatureOrderedSet", EOrderedSet, "Unique values in order.")
+FeatureSet: Any = _class("FeatureSet", ESet, "Unique values in no order.")
+FeatureList: Any = _class("FeatureList", EList, "Values in order.")
+FeatureBag: Any = _class("FeatureBag", EBag, "Values in no order.")
+
+
+class FeatureCollection(ECollection):  # type: ignore[misc]
+    """Makes the collection of a feature when it is first read; a feature's `derived_class`, in pyecore's words."""
+
+    @staticmethod
+    def create(owner: Any, feature: Any) -> Any:
+        """An empty collection for a feature of an element; a derived one is pyecore's, which refuses everything."""
+        if feature.derived:
+            return ECollection.create(owner, feature)
+        return kind_of(feature)(owner, feature)
+
+
+def kind_of(feature: Any) -> Any:
+    """The class of the values of a feature that is not derived."""
+    if feature.unique:
+        return FeatureOrderedSet if feature.ordered else FeatureSet
+    return FeatureList if feature.ordered else FeatureBag
+
+
+def is_stored(feature: Any) -> bool:
+    """Whether the values of a feature are kept in the element, not computed by a class of a person's own."""
+    return feature.derived_class in (ECollection, FeatureCollection)

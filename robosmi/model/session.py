@@ -1,0 +1,91 @@
+"""`Session`: metamodels and models that belong together, in which an .ecore file is the same metamodel whoever asks for it.
+
+    s = Session()
+    old, new = s.open("old.xmi", metamodel="library.ecore"), s.open("new.xmi", metamodel="library.ecore")
+    old.Book is new.Book                # elements may go from one to the other, and rules are about both
+
+In EMF's words it is a resource set with its registry of packages. `Metamodel.load` alone makes classes anew at each call, and
+nothing is shared by the whole process. How a file finds its driver is `opening`'s business.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from robosmi import inputs
+from robosmi.diagnostics import Location
+from robosmi.errors import ModelError
+from robosmi.model.driver import Model
+from robosmi.model.ecore_classes import PackageMaker
+from robosmi.model.ecore_loader import MetamodelReader
+from robosmi.model.files import read_input
+from robosmi.model.metamodel import Metamodel
+from robosmi.model.opening import open_model
+
+Paths = str | Path | Sequence[str | Path]
+
+
+class Session:
+    """Metamodels by their files, and models that were opened with them.
+
+    Two files with one namespace and different content are two versions of a metamodel, as a migration needs them: each model has
+    the one that it was opened with.
+    """
+
+    def __init__(self) -> None:
+        self._reader = MetamodelReader()
+        self._maker = PackageMaker()
+        self._digests: dict[Path, str] = {}
+
+    def metamodel(self, *paths: str | Path) -> Metamodel:
+        """The metamodel of .ecore files, and of those that they refer to: made by the first call, the same in all others.
+
+        Args:
+            paths: the files; their packages come first, in this order.
+
+        Raises:
+            SourceError: a file cannot be read as XML.
+            ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
+        """
+        if (changed := self.changed()) is not None:
+            raise ModelError(
+                "the metamodel has changed since this session read it",
+                location=Location(str(changed)), fix="open the models again in a new session",
+            )  # fmt: skip
+        described = self._reader.read([Path(path) for path in paths])
+        packages = self._maker.make(described)
+        for package in described:
+            if package.source not in self._digests:
+                self._digests[package.source] = _digest(package.source)
+        return Metamodel(packages)
+
+    def open(
+        self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: Any
+    ) -> Model:
+        """Open a model of any technology; see `open_model`.
+
+        Args:
+            path: the file, or the folder with tables.
+            driver: the driver's name; found by the file if None.
+            name: what `M!Book` calls the model; the file's name without its ending if None.
+            metamodel: .ecore files, of XMI; the built-in metamodels if none.
+            options: what the driver takes besides.
+
+        Raises:
+            SourceError, ModelError, UsageError: as `open_model` and `metamodel`.
+        """
+        files = [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel)
+        if files:
+            options["metamodel"] = self.metamodel(*files)
+        return open_model(path, driver, name, **options)
+
+    def changed(self) -> Path | None:
+        """An .ecore file that is no longer what this session read, or None."""
+        return next((path for path, digest in self._digests.items() if not path.is_file() or _digest(path) != digest), None)
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(read_input(path, "metamodel", inputs.MODEL)).hexdigest()

@@ -1,0 +1,124 @@
+"""A session: one .ecore file is one metamodel, whoever asks for it; outside of one nothing is shared."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from robosmi.errors import ModelError, RobosmiError
+from robosmi.model import Session
+from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
+from robosmi.query import ModelView
+from robosmi.transform import ETL, Flock
+
+EPSILON = Path(__file__).parents[1] / "epsilon"
+LIBRARY = EPSILON / "eol" / "library.ecore"
+GARDEN = Path(__file__).parent / "metamodels" / "garden.ecore"
+COMMON = Path(__file__).parent / "metamodels" / "common.ecore"
+
+
+def test_two_models_of_one_metamodel_have_the_same_types() -> None:
+    s = Session()
+    one, other = (s.open(EPSILON / "eol" / "library.xmi", name=name, metamodel=LIBRARY) for name in ("A", "B"))
+    assert one.Book.kind is other.Book.kind is s.metamodel(LIBRARY).find("Book")
+    one.Library.all[0].sections[0].items.append(other.Book.all[0])
+    assert Metamodel.load(LIBRARY).find("Book") is not one.Book.kind, "nothing is shared by the process"
+    assert Session().metamodel(LIBRARY).find("Book") is not one.Book.kind
+
+
+def test_a_file_read_on_its_own_is_the_one_that_others_refer_to() -> None:
+    s = Session()
+    common = s.metamodel(COMMON)
+    garden = s.metamodel(GARDEN)
+    shared = {name for _, c in common.classifiers() if (name := str(c.name))} & {str(c.name) for _, c in garden.classifiers()}
+    assert shared
+    assert all(common.find(name) is garden.find(name) for name in shared)
+    turned = Session()
+    garden = turned.metamodel(GARDEN)
+    assert all(turned.metamodel(COMMON).find(name) is garden.find(name) for name in shared)
+
+
+@pytest.mark.parametrize("together", [[GARDEN, LIBRARY], [LIBRARY, GARDEN], [COMMON, GARDEN]])
+def test_a_session_gives_the_packages_that_loading_alone_gives(together: list[Path]) -> None:
+    s = Session()
+    s.metamodel(together[0])
+    found, alone = s.metamodel(*together), Metamodel.load(*together)
+    assert [p for p, _ in found.classifiers()] == [p for p, _ in alone.classifiers()]
+    for (_, one), (_, other) in zip(found.classifiers(), alone.classifiers(), strict=True):
+        for part in ("eStructuralFeatures", "eOperations", "eLiterals", "eSuperTypes"):
+            assert [str(x.name) for x in getattr(one, part, ())] == [str(x.name) for x in getattr(other, part, ())]
+
+
+def test_two_versions_of_a_namespace_stay_apart(tmp_path: Path) -> None:
+    (tmp_path / "new").mkdir()
+    newer = tmp_path / "new" / "library.ecore"
+    newer.write_text(LIBRARY.read_text().replace('name="Comic"', 'name="Booklet"').replace("#//Comic", "#//Booklet"))
+    s = Session()
+    old, new = s.metamodel(LIBRARY), s.metamodel(newer)
+    assert old.find("Book") is not new.find("Book")
+    assert new.find("Booklet").eSuperTypes[0] is new.find("Book")
+    f = Flock(s.open(EPSILON / "eol" / "library.xmi", name="Old", metamodel=LIBRARY), ModelView(EmfModel((), new, "New")))
+    f.retype("Comic", "Booklet")
+    assert len(list(f.run().all_contents())) > 3
+
+
+def test_a_namespace_that_a_file_names_for_itself_is_its_own(tmp_path: Path) -> None:
+    """A reference by namespace leads into the file itself, not into another version that was read before."""
+    text = LIBRARY.read_text()
+    uri = text.partition('nsURI="')[2].partition('"')[0]
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.ecore").write_text(text.replace('"#//', f'"{uri}#//').replace(" #//", f" {uri}#//"))
+    s = Session()
+    one, two = s.metamodel(tmp_path / "one.ecore"), s.metamodel(tmp_path / "two.ecore")
+    assert one.find("Book").eSuperTypes[0] is one.find("Item")
+    assert two.find("Book").eSuperTypes[0] is two.find("Item")
+    assert one.find("Item") is not two.find("Item")
+
+
+def test_models_are_merged_and_moved() -> None:
+    s = Session()
+    one, other = (ModelView(s.open(EPSILON / "eol" / "library.xmi", name=n, metamodel=LIBRARY)) for n in ("A", "B"))
+    both = ModelView(EmfModel((), s.metamodel(LIBRARY), "Both"))
+    t = ETL(one, other, both)
+
+    @t.rule(one.Library, to=both.Library)
+    def Whole(a, whole):  # type: ignore[no-untyped-def]
+        whole.name = a.name
+        whole.sections.extend([*one.Library.all[0].sections, *other.Library.all[0].sections])
+
+    books = len(one.Book.all) + len(other.Book.all)
+    t.run()
+    assert len(both.Book.all) == books
+
+
+def test_a_metamodel_that_has_changed_is_refused(tmp_path: Path) -> None:
+    copy = tmp_path / "library.ecore"
+    shutil.copy(LIBRARY, copy)
+    s = Session()
+    s.metamodel(copy)
+    copy.write_text(copy.read_text() + " ")
+    with pytest.raises(ModelError, match="has changed since this session read it") as raised:
+        s.metamodel(copy)
+    assert raised.value.fix
+    assert str(raised.value.location) == str(copy)
+
+
+def test_after_a_wrong_file_the_session_is_as_before(tmp_path: Path) -> None:
+    s = Session()
+    book = s.metamodel(LIBRARY).find("Book")
+    wrong = tmp_path / "wrong.ecore"
+    text = COMMON.read_text()
+    for bad in (
+        text.replace("eType=", 'eType="#//Nothing" was='),
+        text[:200],
+        text.replace("<eClassifiers", '<eClassifiers name=""', 1),
+    ):
+        wrong.write_text(bad)
+        with pytest.raises(RobosmiError):
+            s.metamodel(wrong)
+    wrong.write_text(text)
+    assert s.metamodel(wrong).names() == Metamodel.load(COMMON).names()
+    assert s.metamodel(LIBRARY).find("Book") is book
