@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 
 Names = str | Sequence[str]
 Paths = str | Path | Sequence[str | Path]
+ECORE = "ecore"
+"""What stands in the place of .ecore files where a step makes a metamodel."""
 
 
 class Chain:
@@ -114,7 +116,7 @@ class Chain:
             function: `to_site(t, library, site)`: adds rules to `t`, an `ETL` over the models and the new one.
             models: names of the models it reads.
             makes: name of the model it makes.
-            metamodel: its .ecore files.
+            metamodel: its .ecore files, or "ecore" for a model that is a metamodel itself.
             file: where it is saved; without one it stays in memory, and is made anew whenever a later step needs it.
             trace: where the trace is saved as a model that refers to those of the sources and targets; these must have files.
             reads: further files it reads.
@@ -216,6 +218,8 @@ class Chain:
         for key in ("file", "trace", "folder", "templates"):
             if options.get(key) is not None:
                 options[key] = folder / options[key]
+        if options.get("metamodel") == ECORE:
+            options["metamodel"] = ()
         for key in ("metamodel", "reads"):
             given = options.get(key, ())
             options[key] = tuple(folder / p for p in ([given] if isinstance(given, (str, Path)) else given))

@@ -13,12 +13,14 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate import Gen
 from robosmi.model import save_model
 from robosmi.model.driver import Model
 from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
 from robosmi.model.session import Session
 from robosmi.query import ModelView
 from robosmi.query.erl import owner_of, technology
@@ -56,7 +58,9 @@ class Doing:
 def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     """Read a model."""
     assert step.file is not None
-    return StepResult(step, "done"), ModelView(doing.session.open(step.file, step.driver, step.makes, metamodel=step.metamodel))
+    return StepResult(step, "done"), ModelView(
+        doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel)
+    )
 
 
 def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
@@ -118,7 +122,7 @@ def _stored(model: Model) -> bytes:
     with TemporaryDirectory() as folder:
         copy = Path(folder) / Path(str(model.path)).name
         model.save(copy)
-        return copy.read_bytes()
+        return inputs.read_bytes(copy, inputs.MODEL)
 
 
 def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
@@ -129,7 +133,7 @@ def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
 
 def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     """Make a model of others, by ETL or Flock, and save it where it has a file."""
-    made = ModelView(EmfModel((), doing.session.metamodel(*step.metamodel), step.makes))
+    made = ModelView(EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes))
     models = {**doing.models, step.makes: made}
     module: ETL | Flock = ETL(*models.values()) if step.kind == "transform" else Flock(*list(models.values())[-2:])
     call(step, module, models)

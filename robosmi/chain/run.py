@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import robosmi
+from robosmi import inputs
 from robosmi.chain.graph import Dependencies
 from robosmi.chain.results import described, unlike
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from
@@ -249,7 +250,7 @@ class ChainRun:
 
                     kept = free_name(self.folder, f"{name}.orig")
                     if not self.dry_run:
-                        write_atomic(self.folder / kept, path.read_bytes())
+                        write_atomic(self.folder / kept, inputs.read_bytes(path, inputs.MODEL))
                     message = f"'{name}' was changed since the step '{step.name}' made it; what it held is in '{kept}'"
                     said.append(Finding("RS531", Severity.info, message, Location(str(path)), fix="take over what is wanted"))
                     continue

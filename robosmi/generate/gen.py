@@ -30,6 +30,7 @@ from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.recovery import at_work
 from robosmi.query.erl import RuleBlocks, as_model, failed, place_of
+from robosmi.query.own_operations import called_for
 
 F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])
 RECORD = ".robosmi/generated"
@@ -288,7 +289,7 @@ class Gen:
         overwrite, _, append = flags
         if target is not None and not overwrite and not append and self._staging.preserved(target):
             return None
-        text = self.templates.text(template, values)
+        text = called_for(rule.parameters, self.templates.text, template, values)
         for formatter in rule.formatters:
             text = text_of(formatter(text), regions=text.regions)
         if target is not None:

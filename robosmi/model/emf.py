@@ -12,13 +12,12 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from pyecore import ecore
 from pyecore.ecore import EObject
 
 from robosmi.errors import ModelError
 from robosmi.model.fragments import fragment_of, own_id, resolve
+from robosmi.model.making import as_data, unlink
 from robosmi.model.making import new as new
-from robosmi.model.making import unlink
 from robosmi.model.metamodel import Metamodel, TypedModel
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
@@ -75,7 +74,10 @@ class EmfModel(TypedModel):
             used = Metamodel.of(built_in() if metamodel is None else metamodel)
         documents = read_documents(file, used)
         if not documents:  # the file is a metamodel
-            return cls(Metamodel.packages_of(file), Metamodel([ecore.eClass]), name or file.stem, file)
+            packages = Metamodel.packages_of(file)
+            for element in (one for package in packages for one in walk(package)):
+                as_data(element)
+            return cls(packages, Metamodel.ecore(), name or file.stem, file)
         roots = next(iter(documents.values())).roots
         packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         return cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from pyecore import ecore
+
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import class_of
 from robosmi.model.features import all_features
@@ -30,13 +32,33 @@ def new(kind: Any, /, **features: Any) -> Any:
             raise UnknownFeatureError(
                 f"{eclass.name} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(sorted(known))}"
             )
-    made = cls()
+    made = of_ecore(cls) if cls.__module__ == ecore.__name__ else cls()
     for name, value in features.items():
         if known[name].many:
             getattr(made, name).extend(value)
         elif value is not None:
             setattr(made, name, value)
     return made
+
+
+def of_ecore(cls: type) -> Any:
+    """A new element of one of Ecore's own classes, which is data of a model and no type of a program.
+
+    pyecore makes a Python class of every EClass and attributes of the literals of an EEnum, and changes them with it: it needs
+    names before there are any, and two classes with crossed supertypes change the method resolution of the whole process.
+    """
+    made: Any = cls("") if issubclass(cls, ecore.EClass) else cls()
+    as_data(made)
+    if isinstance(made, ecore.EClass):  # no name was given yet
+        made.name = None
+        made._isset.pop(ecore.ENamedElement.name, None)
+    return made
+
+
+def as_data(classifier: Any) -> None:
+    """Let what is said of a class or enumeration of a metamodel that is a model have no effect on Python's classes."""
+    if isinstance(classifier, (ecore.EClass, ecore.EEnum)) and classifier in classifier._eternal_listener:
+        classifier._eternal_listener.remove(classifier)
 
 
 def unlink(element: Any) -> list[Any]:

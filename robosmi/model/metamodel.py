@@ -12,6 +12,7 @@ from typing import Any
 
 from robosmi.model.driver import Model, TypeHandle, unknown_type
 from robosmi.model.metamodels import Metamodels
+from robosmi.model.strict_dynamic import make_strict
 
 
 class Metamodel(Metamodels):
@@ -20,11 +21,16 @@ class Metamodel(Metamodels):
     Args:
         packages: pyecore EPackages, or Python packages as `robosmi metamodels generate` makes them.
 
+    Classes that were made in pyecore become as strict as loaded ones: what is no feature of theirs is refused.
+
     `mm.Book` is the Python class of an EClass, `mm.Genre` an EEnum: `mm.Book(name="x", genre=mm.Genre.fiction)`.
     """
 
     def __init__(self, packages: Iterable[Any] = ()) -> None:
         super().__init__(packages)
+        for package in self.packages:
+            if hasattr(package, "_isset"):  # made in pyecore itself, and not a package of generated code
+                make_strict(package)
         self.epackages: list[Any] = [p if hasattr(p, "_isset") else p.eClass for p in self.packages]
         self._index: dict[str, Any] = {}
 
@@ -43,6 +49,13 @@ class Metamodel(Metamodels):
         from robosmi.model.ecore_loader import load_metamodels
 
         return cls(make_packages(load_metamodels([Path(path) for path in paths])))
+
+    @classmethod
+    def ecore(cls) -> Metamodel:
+        """Ecore itself, the metamodel of models that are metamodels: `EmfModel((), Metamodel.ecore(), "E")` is an empty one."""
+        from pyecore import ecore
+
+        return cls([ecore.eClass])
 
     @staticmethod
     def packages_of(path: Path) -> list[Any]:

@@ -1,7 +1,7 @@
 """`Session`: metamodels and models that belong together, in which an .ecore file is the same metamodel whoever asks for it.
 
     s = Session()
-    old, new = s.open("old.xmi", metamodel="library.ecore"), s.open("new.xmi", metamodel="library.ecore")
+    old, new = s.open_model("old.xmi", metamodel="library.ecore"), s.open_model("new.xmi", metamodel="library.ecore")
     old.Book is new.Book                # elements may go from one to the other, and rules are about both
 
 In EMF's words it is a resource set with its registry of packages. `Metamodel.load` alone makes classes anew at each call, and

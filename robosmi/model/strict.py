@@ -107,7 +107,7 @@ class Element(_Base):
             enumerations = declared_features(type(self))
             expected = enumerations.get(name, _MISSING)
             if expected is _MISSING:
-                if name in _INTERNAL or name[0] == "_":
+                if name in INTERNAL or name[0] == "_":
                     object.__setattr__(self, name, value)
                     return
                 raise unknown_feature(self, name)
@@ -143,4 +143,4 @@ class Element(_Base):
 
 
 _MISSING: Any = object()
-_INTERNAL = frozenset({"listeners", "dyn_inst", "eResource"})
+INTERNAL = frozenset({"listeners", "dyn_inst", "eResource"})

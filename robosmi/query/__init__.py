@@ -24,8 +24,9 @@ from robosmi.query.models import (
     owning_model,
 )
 from robosmi.query.numbers import integer_range
-from robosmi.query.operations import cached, call, call_built_in, operation
+from robosmi.query.operations import call, call_built_in
 from robosmi.query.operators import elvis, implies, xor
+from robosmi.query.own_operations import cached, operation
 from robosmi.query.problems import OperandError, UndefinedError, UnknownOperationError, UnknownPropertyError
 from robosmi.query.properties import get, get_safe, has_property
 from robosmi.query.run import Run, current_run, ext

@@ -23,8 +23,8 @@ from robosmi.model.reachable import is_resource, of_models
 from robosmi.query import collections, models, types
 from robosmi.query.first_order import FIRST_ORDER
 from robosmi.query.held import CHANGING, HeldByFeature
-from robosmi.query.operations import snake
 from robosmi.query.run import Extended
+from robosmi.query.words import snake
 
 MAX_BITS = 100_000
 MAX_ITEMS = 10_000_000

@@ -22,7 +22,7 @@ COMMON = Path(__file__).parent / "metamodels" / "common.ecore"
 
 def test_two_models_of_one_metamodel_have_the_same_types() -> None:
     s = Session()
-    one, other = (s.open(EPSILON / "eol" / "library.xmi", name=name, metamodel=LIBRARY) for name in ("A", "B"))
+    one, other = (s.open_model(EPSILON / "eol" / "library.xmi", name=name, metamodel=LIBRARY) for name in ("A", "B"))
     assert one.Book.kind is other.Book.kind is s.metamodel(LIBRARY).find("Book")
     one.Library.all[0].sections[0].items.append(other.Book.all[0])
     assert Metamodel.load(LIBRARY).find("Book") is not one.Book.kind, "nothing is shared by the process"
@@ -60,7 +60,7 @@ def test_two_versions_of_a_namespace_stay_apart(tmp_path: Path) -> None:
     old, new = s.metamodel(LIBRARY), s.metamodel(newer)
     assert old.find("Book") is not new.find("Book")
     assert new.find("Booklet").eSuperTypes[0] is new.find("Book")
-    f = Flock(s.open(EPSILON / "eol" / "library.xmi", name="Old", metamodel=LIBRARY), ModelView(EmfModel((), new, "New")))
+    f = Flock(s.open_model(EPSILON / "eol" / "library.xmi", name="Old", metamodel=LIBRARY), ModelView(EmfModel((), new, "New")))
     f.retype("Comic", "Booklet")
     assert len(list(f.run().all_contents())) > 3
 
@@ -80,7 +80,7 @@ def test_a_namespace_that_a_file_names_for_itself_is_its_own(tmp_path: Path) -> 
 
 def test_models_are_merged_and_moved() -> None:
     s = Session()
-    one, other = (ModelView(s.open(EPSILON / "eol" / "library.xmi", name=n, metamodel=LIBRARY)) for n in ("A", "B"))
+    one, other = (ModelView(s.open_model(EPSILON / "eol" / "library.xmi", name=n, metamodel=LIBRARY)) for n in ("A", "B"))
     both = ModelView(EmfModel((), s.metamodel(LIBRARY), "Both"))
     t = ETL(one, other, both)
 

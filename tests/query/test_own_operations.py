@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import importlib
+import sys
 import weakref
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from robosmi.generate import Gen
 from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.query import (
@@ -25,7 +28,7 @@ from robosmi.query import (
     get,
     operation,
 )
-from robosmi.query import operations as registered
+from robosmi.query.own_operations import DECLARED
 from tests.library import library as new_library
 
 FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
@@ -34,7 +37,7 @@ FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
 @pytest.fixture(autouse=True)
 def _own_registrations(monkeypatch: pytest.MonkeyPatch) -> None:
     """What a test registers is forgotten after it."""
-    monkeypatch.setattr(registered, "_REGISTERED", {})
+    monkeypatch.setitem(globals(), DECLARED, {})
 
 
 @pytest.fixture
@@ -60,10 +63,99 @@ def test_an_operation_is_called_by_name_on_every_element_of_its_type(library: An
         age(library.all("Author").first())
 
 
-def test_the_most_specific_context_type_counts_whatever_the_order(library: Any) -> None:
-    for kind in ("Comic", "Item", "Book"):
+def test_the_exact_type_counts_else_the_first_that_fits_in_the_order_of_the_module(library: Any) -> None:
+    """As in EOL: Item stands first, so that a Comic, which has none of its own, has that of Item and not that of Book."""
+    for kind in ("Item", "Book"):
         operation(library.type_named(kind), name="label")(lambda self, kind=kind: kind)
-    assert library.all("Item").collect(lambda i: call(i, "label")) == ["Book", "Item", "Book", "Book", "Comic", "Book"]
+    assert library.all("Item").collect(lambda i: (type(i).__name__, call(i, "label"))).select(
+        lambda pair: pair[0] in ("Book", "Comic")
+    ).as_set() == {("Book", "Book"), ("Comic", "Item")}
+    operation(library.type_named("Comic"), name="label")(lambda self: "Comic")
+    assert call(library.all("Comic").first(), "label") == "Comic"
+
+
+def _module(name: str, text: str, monkeypatch: pytest.MonkeyPatch, folder: Path) -> Any:
+    (folder / f"{name}.py").write_text(f"from robosmi.query import call, get, operation\n{text}\n")
+    monkeypatch.syspath_prepend(folder)
+    monkeypatch.delitem(sys.modules, name, raising=False)
+    return importlib.import_module(name)
+
+
+def test_an_operation_belongs_to_the_module_that_declares_it(
+    library: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = """
+@operation("Book")
+def label(self):
+    return "{0}"
+def ask(book):
+    return call(book, "label"), [get(b, "label") for b in [book]], label(book)
+"""
+    one = _module("one_of_two", text.format("one"), monkeypatch, tmp_path)
+    two = _module("two_of_two", text.format("two"), monkeypatch, tmp_path)
+    book = library.all("Book").first()
+    assert one.ask(book) == ("one", ["one"], "one")
+    assert two.ask(book) == ("two", ["two"], "two")
+    with pytest.raises(UnknownOperationError):
+        call(book, "label")
+
+
+def test_a_module_sees_the_operations_that_it_imports(library: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    base = """
+@operation("Item")
+def label(self): return "base"
+@operation("Item")
+def weight(self): return 1
+"""
+    ask = "def ask(book, name): return call(book, name)\n"
+    _module("base_operations", base, monkeypatch, tmp_path)
+    book = library.all("Book").first()
+    whole = _module(
+        "whole_import", f"import base_operations\n{ask}@operation('Item')\ndef third(self): return 3", monkeypatch, tmp_path
+    )
+    assert [whole.ask(book, name) for name in ("label", "weight", "third")] == ["base", 1, 3]
+    single = _module("single_import", f"from base_operations import label\n{ask}", monkeypatch, tmp_path)
+    assert single.ask(book, "label") == "base"
+    with pytest.raises(UnknownOperationError, match="weight"):
+        single.ask(book, "weight")
+    twice = _module("import_of_import", f"import whole_import\n{ask}", monkeypatch, tmp_path)
+    assert [twice.ask(book, name) for name in ("label", "weight", "third")] == ["base", 1, 3]
+
+
+def test_the_own_module_comes_before_its_imports(library: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    _module("imported_first", '@operation("Item")\ndef label(self): return "imported"', monkeypatch, tmp_path)
+    own = _module(
+        "own_second",
+        """
+import imported_first
+@operation("Item")
+def label(self): return "own"
+def ask(book): return call(book, "label")
+""",
+        monkeypatch,
+        tmp_path,
+    )
+    assert own.ask(library.all("Book").first()) == "own"
+
+
+def test_a_template_sees_what_the_module_of_its_rule_sees(library: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pages = _module(
+        "pages_with_operations",
+        """
+@operation("Book")
+def loud(self): return self.name.upper()
+def rules(g, L):
+    g.rule(L.Library, template="b.txt", target="b.txt", name="B")(lambda x: {"books": L.Book.all})
+""",
+        monkeypatch,
+        tmp_path,
+    )
+    (tmp_path / "t").mkdir()
+    (tmp_path / "t" / "b.txt").write_text("{{ books.loud | join(',') }}")
+    g = Gen(tmp_path / "out", tmp_path / "t", [library])
+    pages.rules(g, library)
+    g.run()
+    assert (tmp_path / "out" / "b.txt").read_text().startswith("PROPELLERS,")
 
 
 def test_a_second_registration_for_a_type_replaces_the_first(library: Any) -> None:

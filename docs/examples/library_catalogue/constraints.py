@@ -15,7 +15,7 @@ def constraints(v, catalogue, opening):
     @item.constraint
     def HasTitle(i):
         name = Fix("call it Untitled", lambda: setattr(i, "title", "Untitled"))
-        return i.title or Fail(f"the item {catalogue.id_of(i)} has no title", name)
+        return bool(i.title) or Fail(f"the item {catalogue.id_of(i)} has no title", name)
 
     @item.critique(guard=lambda i: v.satisfies(i, "HasTitle"))
     def HasAuthor(i):

@@ -1,0 +1,53 @@
+"""Classes that a program made in pyecore (`EClass("Book")`) become as strict as ours: they refuse misspelt names, wrong values.
+
+pyecore's dynamic classes take any name. They may change as long as the program runs, so that nothing of them is remembered here;
+ours are `strict`'s business, those of generated code of other tools are left as they are.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pyecore import ecore
+
+from robosmi.errors import did_you_mean
+from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError
+from robosmi.model.strict import INTERNAL, Element
+
+
+def make_strict(package: Any) -> None:
+    """Make the dynamic classes of an EPackage and its sub-packages strict, from now on and for whoever uses them.
+
+    Args:
+        package: the EPackage; what is in it later stays as pyecore makes it.
+    """
+    pending = [package]
+    while pending:
+        one = pending.pop()
+        pending.extend(one.eSubpackages)
+        for classifier in one.eClassifiers:
+            cls = getattr(classifier, "python_class", None)
+            if not isinstance(classifier, ecore.EClass) or cls is None or issubclass(cls, Element):
+                continue
+            if not getattr(cls, "_staticEClass", False) and "__setattr__" not in cls.__dict__:
+                cls.__setattr__ = _set
+
+
+def _set(self: Any, name: str, value: Any) -> None:
+    feature = getattr(type(self), name, None)
+    if feature is None and name[:1] != "_" and name not in INTERNAL:
+        known = [str(f.name) for f in self.eClass.eAllStructuralFeatures()]
+        raise UnknownFeatureError(
+            f"{self.eClass.name} has no feature '{name}'{did_you_mean(name, known)}",
+            fix=f"use one of: {', '.join(sorted(known))}",
+        )
+    if isinstance(feature, ecore.EAttribute) and isinstance(feature.eType, ecore.EEnum) and isinstance(value, str):
+        literals = [f"{feature.eType.name}.{literal.name}" for literal in feature.eType.eLiterals]
+        raise FeatureValueError(
+            f"{self.eClass.name}.{name} takes a literal of {feature.eType.name}, not the text '{value}'",
+            fix=f"use one of: {', '.join(literals)}",
+        )
+    try:
+        object.__setattr__(self, name, value)
+    except TypeError as error:
+        raise FeatureValueError(f"{self.eClass.name}.{name} does not take {value!r}: {error}") from error

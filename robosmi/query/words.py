@@ -1,0 +1,16 @@
+"""Names as EOL and as Python write them."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+
+@cache
+def snake(name: str) -> str:
+    """An EOL name in Python's way.
+
+    >>> snake("atLeastNMatch"), snake("ftuc")
+    ('at_least_n_match', 'ftuc')
+    """
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower().rstrip("_")
