@@ -62,7 +62,7 @@ class Session:
                 self._digests[package.source] = _digest(package.source)
         return Metamodel(packages)
 
-    def open(
+    def open_model(
         self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: Any
     ) -> Model:
         """Open a model of any technology; see `open_model`.

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from robosmi.query import operations
+from robosmi.query.words import snake
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "eol.md"
 TABLES = tuple(operations.TABLES.values())
@@ -33,10 +34,10 @@ def first_column() -> set[str]:
 
 def test_every_operation_stands_on_the_page() -> None:
     known = {name for table in TABLES for name in table} - OWN
-    assert known - {operations.snake(name) for name in first_column()} == set()
+    assert known - {snake(name) for name in first_column()} == set()
 
 
 def test_every_name_on_the_page_is_an_operation() -> None:
     known = {name for table in TABLES for name in table}
     named = {name for name in first_column() if name != "t.a"}
-    assert {name for name in named if operations.snake(name) not in known} == set()
+    assert {name for name in named if snake(name) not in known} == set()

@@ -74,7 +74,8 @@ def test_an_error_of_ours_on_purpose_in_a_rule_of_ours_is_about_the_model() -> N
 
 
 def test_code_of_ours_that_a_rule_of_the_user_calls_is_named() -> None:
-    error = raised_by(lambda b: Q([b]).collect(1))
+    nothing: Any = None
+    error = raised_by(lambda b: Q([b]).collect(nothing))
     assert isinstance(error, RuleError)
     assert "robosmi.query." in str(error.fix)
     assert "bug to report" in str(error.fix)
@@ -83,6 +84,6 @@ def test_code_of_ours_that_a_rule_of_the_user_calls_is_named() -> None:
 def test_a_transformation_of_ours_is_a_bug_of_ours() -> None:
     L, P = library(), empty("prices", "P")
     t = ETL(L, P)
-    t.rule(L.Book, to=P.Price, name="Made")(ours(lambda b, p: {}["x"]))
+    t.rule(L.Book, to=P.Price, name="Made")(ours(lambda b, p: [][0]))
     with pytest.raises(InternalError, match="the rule Made fails"):
         t.run()
