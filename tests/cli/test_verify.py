@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -259,6 +261,9 @@ def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path
     assert [f["severity"] for f in outcome.document["findings"] if f["rule"] == "RS850"] == ["info"]
     report = (tmp_path / "out" / "button" / "MIGRATION.md").read_text()
     assert "no difference was found between the original and the migrated program in 3 scenarios" in report
+    [picture] = re.findall(r"!\[.*\]\((.*\.svg)\)", report)
+    drawn = next((tmp_path / "out").glob("*/MIGRATION.md")).parent / picture
+    assert "Lamp" in "".join(ElementTree.parse(drawn).getroot().itertext())
     assert run("generate", tmp_path / "out" / "models" / "plan.xmi", "-o", tmp_path / "out").code == 0
     assert (tmp_path / "out" / "button" / "MIGRATION.md").read_text() == report
     sketch = tmp_path / "out" / "button" / "button.ino"

@@ -85,7 +85,7 @@ class Simulated:
         """What a person reads: the console, and each pin with how often it changed."""
         trace = self.trace
         if trace is None:
-            return [f"does not compile for {self.compiled.board}"]
+            return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
         if trace.state != "running":
             lines.append("  the program stopped itself" if trace.state == "done" else "  the program crashed")

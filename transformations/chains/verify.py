@@ -22,10 +22,18 @@ from robosmi.transformations.chains.models import MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
-from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
+from robosmi.transformations.verification.original_side import (
+    Place,
+    SourceRuns,
+    channel_events,
+    places_reached,
+    run_source,
+    run_varied,
+)
 from robosmi.transformations.verification.originals import original_program
 from robosmi.transformations.verification.played_devices import played, signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
@@ -38,6 +46,7 @@ from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace, engine_for
 from robosmi.verify.simulation import simulate as run_job
 from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.trace_picture import trace_svg
 from robosmi.verify.vcd import vcd_text
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, Verdict
 
@@ -93,7 +102,7 @@ def verify(
         scenarios: files with scenarios; those stored with the models, and generated ones, if there are none.
         engine: name of the simulator.
         seed: of the search for scenarios.
-        vcd: file for both traces of the first scenario that differs, else of the first.
+        vcd: file for both traces of the first scenario that differs, else of the one in which most happens.
         generate: whether to search for scenarios where none are given.
         budget_s: seconds of this machine's time for that search.
 
@@ -123,6 +132,9 @@ def verify(
         verdict.not_compared = [port.title for port in ports if port.line or not port.target]
         if not report.ok:
             return Verified(verdict, report)
+        if report.elf is None:
+            verdict.reasons.append(_too_big(report))
+            return Verified(verdict, report)
         side = _Target(models, report, ports, engine)
         verdict.engine = side.engine
         (folder / "source").mkdir()
@@ -145,9 +157,16 @@ def verify(
         _cover(verdict, program, cases, made.racy_counts, plan)
         done = Verified(verdict, report)
         _store(made.new, plan_file.parent / FOLDER, done)
-        if vcd is not None and cases:
-            _write_vcd(vcd, verdict, cases, traces, done)
+        if cases:
+            _write_picture(plan_file.parent / PICTURE, verdict, cases, traces, ports, done)
+            if vcd is not None:
+                _write_vcd(vcd, verdict, cases, traces, done)
     return done
+
+
+def _too_big(report: CompileReport) -> str:
+    fits = f"; it fits {report.fits_on}" if report.fits_on else ""
+    return f"the migrated program is too big for {report.board}, so that it was not run{fits}"
 
 
 _RULES = {
@@ -318,8 +337,34 @@ def _store(scenarios: Sequence[Scenario], folder: Path, done: Verified) -> None:
         ) from error
 
 
+def _shown(verdict: Verdict) -> int:
+    """The number of the scenario that is shown: the first one that differs, else the one in which most happens."""
+    busiest = max(range(len(verdict.scenarios)), key=lambda n: sum(c.events for c in verdict.scenarios[n].channels))
+    return next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), busiest)
+
+
+def _write_picture(
+    path: Path, verdict: Verdict, cases: Sequence[Case], traces: Sequence[PinTrace], ports: Sequence[BoundPort], done: Verified
+) -> None:
+    """Both sides of a scenario as a picture, beside the models."""
+    number = _shown(verdict)
+    scenario, runs = cases[number]
+    source, target = (channel_events(runs.nominal.trace, ports, target=False), channel_events(traces[number], ports, target=True))
+    pairs = {name: (source[name][0], target[name][0]) for name in source if name in target}
+    first = verdict.scenarios[number].first
+    difference = None if first is None else (first.at_ms, first.channel, first.message)
+    title = f"{scenario.name}: {verdict.scenarios[number].verdict.replace('-', ' ')}"
+    try:
+        write_atomic(path, trace_svg(title, pairs, scenario.horizon_ms, difference).encode())
+    except OSError as error:
+        raise SourceError(
+            f"the picture cannot be stored: {error.strerror or error}", fix="check the folder's permissions"
+        ) from error
+    done.written.append((path, "picture"))
+
+
 def _write_vcd(path: Path, verdict: Verdict, cases: Sequence[Case], traces: Sequence[PinTrace], done: Verified) -> None:
-    number = next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), 0)
+    number = _shown(verdict)
     scenario, runs = cases[number]
     try:
         write_atomic(path, vcd_text({"source": runs.nominal.trace, "target": traces[number]}, scenario.name).encode())

@@ -30,13 +30,14 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[
     """
     judged = constructs(plan, sources)
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
-    screen = first_screen(plan, sources, taken=2 * len(verdicts))
+    screen = first_screen(plan, sources, taken=sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts))
     return {
         "name": plan.name,
         "called": called(plan),
         "source": plan.source.name if plan.source else "its platform",
         "board": plan.board.title if plan.board else "the target",
         "verdicts": [_said(f) for f in verdicts],
+        "drawn": DRAWN_RULES,
         "screen": screen,
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
@@ -71,6 +72,10 @@ def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
 
 VERDICT_RULES = frozenset({"RS850", "RS851", "RS852", "RS853"})
 """Findings that are the verdict of comparing what was made with the original."""
+DRAWN_RULES = frozenset({"RS850", "RS851"})
+"""Those of them with a picture of what both programs do."""
+PICTURE = "verification.svg"
+"""Its name, beside the models."""
 
 
 def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.PlanFinding]:

@@ -3,7 +3,7 @@
 #include <propeller.h>
 #include "dht22.h"
 
-enum { EDGES = 42, LISTENING_TURNS = 20000, SENT_TICKS = 7 * HOST_TICKS_PER_MS, ONE_TICKS = HOST_HZ / 9800 };
+enum { EDGES = 42, LISTENING_TURNS = 16500, SENT_TICKS = 7 * HOST_TICKS_PER_MS, ONE_TICKS = HOST_HZ / 9800 };
 static int last_read[32], last_celsius, last_humidity;
 static unsigned hasty;
 

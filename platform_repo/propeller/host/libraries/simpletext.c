@@ -83,8 +83,11 @@ int serial_txChar(serial *device, int txbyte) {
 static int echo_before;
 static char codes_before[4] = {'\r', '\n', '\r', 0};
 
+/* At the start the library opens it before main begins; opened again it takes a second. */
 terminal *simpleterm_open(void) {
-  if (!dport_ptr) dport_ptr = serial_open(CONSOLE_RX, CONSOLE_TX, 0, CONSOLE_BAUD);
+  if (dport_ptr) return dport_ptr;
+  dport_ptr = serial_open(CONSOLE_RX, CONSOLE_TX, 0, CONSOLE_BAUD);
+  host_sleep_until(host_now() + HOST_HZ);
   return dport_ptr;
 }
 
