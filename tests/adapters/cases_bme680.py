@@ -166,7 +166,7 @@ void loop() {{}}
     assert told[2] == pytest.approx(251, abs=3)
     assert told[3] == 0x08
     assert told[4] == pytest.approx(251, abs=3)
-    assert told[5:] == [0, 183 + 32 // 15, 400, 0, 0]
+    assert told[5:] == [0, 30769, 400, 0, 0]  # without samples the Propeller shifts by 31
     stored = written(trace.device_events)
     assert stored[0] == (0xE0, 0)
     last = {each[0]: each[1] for each in stored}

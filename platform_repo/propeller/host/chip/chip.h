@@ -15,6 +15,7 @@ struct counter {
 
 struct cog {
   int used;
+  int asleep;                          /* main has ended in it: nothing more runs there, and its outputs stay */
   int of_program;                      /* it runs code of the user, whose costs varied runs change */
   host_time now;
   unsigned registers[HOST_REGISTERS];  /* what the program reads and writes */

@@ -32,7 +32,7 @@ static void finish_or_sync(host_time limit) {
 static int earliest(void) {
   int best = -1;
   for (int i = 0; i < COGS; i++)
-    if (cogs[i].used && (best < 0 || cogs[i].now < cogs[best].now)) best = i;
+    if (cogs[i].used && !cogs[i].asleep && (best < 0 || cogs[i].now < cogs[best].now)) best = i;
   return best;
 }
 
@@ -54,7 +54,7 @@ static void set_bound(void) {
   host_time toggle = pins_next();
   if (toggle < bound) bound = toggle;
   for (int i = 0; i < COGS; i++)
-    if (i != running && cogs[i].used && cogs[i].now < bound) bound = cogs[i].now;
+    if (i != running && cogs[i].used && !cogs[i].asleep && cogs[i].now < bound) bound = cogs[i].now;
 }
 
 void cogs_reschedule(void) {
@@ -139,6 +139,13 @@ static void ended(void) __attribute__((noreturn));
 static void ended(void) {
   cogs[running].used = 0;
   pins_cog_stopped(&cogs[running]);
+  leave();
+}
+
+/* The C library's start-up code puts the cog to sleep when main has ended (crtend.S: waitpeq): its outputs stay as they are. */
+void host_sleep_for_ever(void) {
+  pins_commit();
+  cogs[running].asleep = 1;
   leave();
 }
 

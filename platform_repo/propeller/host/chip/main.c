@@ -14,6 +14,7 @@ static void program(void *unused) {
   (void)unused;
   for (void (**setup)(void) = __start_program_setup; setup < __stop_program_setup; setup++) (*setup)();
   prop_main();
+  host_sleep_for_ever();
 }
 
 /* Standard input holds the program's static data as a run left it; the coverage runtime writes its files from it. */

@@ -22,6 +22,7 @@ void host_wait_counter(unsigned target);      /* waitcnt: until CNT equals the t
 /* ---- cogs (chip/cogs.c) */
 int host_start(void (*function)(void *), void *parameter, int number);  /* number -1: any free one; the cog, or -1 */
 void host_stop(int number);
+void host_sleep_for_ever(void) __attribute__((noreturn));
 int host_self(void);
 int host_lock_new(void);                      /* the number of a lock, -1 without one */
 void host_lock_return(int number);
