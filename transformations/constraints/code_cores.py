@@ -136,7 +136,7 @@ def DoesNotWait(unit: ccode.SourceUnit) -> Any:
     calls = [e for e in done if isinstance(e, ccode.Call) and e.calleeName in blocking and not e.viaMacro]
     busy = filter(_is_busy, done) if the_move().plan.concurrency is None else ()  # else these were given a yield
     waits = sorted((*calls, *busy), key=lambda e: int(e.startOffset))
-    elsewhere = cores.starts or any(name not in the_move().served for name in cores.by_libraries)
+    elsewhere = cores.starts or any(name in the_move().to_write for name in cores.by_libraries)
     if not waits or not elsewhere:
         return True
     counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)

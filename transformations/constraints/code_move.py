@@ -121,6 +121,11 @@ class Move:
         return functions | {str(use.name) for use in self.plan.symbolUses if use.adapter is not None}
 
     @cached_property
+    def to_write(self) -> set[str]:
+        """Functions of the source platform whose adapters are still to be written, and can be."""
+        return {str(use.name) for use in self.plan.adapterUses if use.status is migration.AdapterStatus.todo}
+
+    @cached_property
     def giving_way(self) -> set[str]:
         """Functions that wait and let code of other cores get on meanwhile, where that takes turns with main."""
         return giving_way(self.views, self.plan.adapterUses) if self.plan.concurrency is not None else set()

@@ -37,10 +37,22 @@ def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 
 def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
-    bauds = [found[1] for statement in setup_statements(plan) if (found := _CONSOLE.search(statement))]
-    if bauds:
-        message = f"open the 'serial monitor' at {bauds[0]} baud, and see that the program's texts come"
+    if bauds := _bauds(plan):
+        others = dict.fromkeys(str(c.calleeName) for b in plan.portBindings if _of_console(b) for c in port_calls(plan, b))
+        rate = f"{bauds[0]} baud" + (f" (or what {', '.join(others)} asks for)" if others else "")
+        message = f"open the 'serial monitor' at {rate}, and see that the program's texts come"
         yield migration.PlanTask(rule=RULE, severity=migration.SeverityLevel.info, message=message)
+
+
+def _bauds(plan: migration.MigrationPlan) -> list[str]:
+    """The rates at which the program opens its console at the start."""
+    return [found[1] for statement in setup_statements(plan) if (found := _CONSOLE.search(statement))]
+
+
+def _of_console(binding: migration.PortBinding) -> bool:
+    """Whether a port is a line of the serial port that the board itself has, bound there by its number."""
+    by_rule = binding.chosenBy is migration.ChosenBy.rule and binding.connection is None
+    return by_rule and binding.pin is not None and "uart" in binding.pin.abilities
 
 
 def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
@@ -62,7 +74,7 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     of_pin: dict[str, list[migration.PortBinding]] = {}
     for binding in plan.portBindings:
-        if binding.connection is None and binding.pin is not None:
+        if binding.connection is None and binding.pin is not None and not (_bauds(plan) and _of_console(binding)):
             of_pin.setdefault(str(binding.pin.label), []).append(binding)
     for label, ports in of_pin.items():
         yield _check(plan, f"what is on '{label}'", ports, list(ports))

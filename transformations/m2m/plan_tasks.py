@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.adapter_choice import settle_libraries, settle_use
+from robosmi.transformations.m2m.adapter_choice import NO_ADAPTER, settle_libraries, settle_use
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.plan_checks import plan_checks
 from robosmi.transformations.m2m.text_changes import settle_bindings
@@ -57,11 +57,11 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
 
 
 def _adapted(finding: Finding, plan: migration.MigrationPlan) -> bool:
-    """Whether a finding is about functions that run on other cores there, and adapters with bodies stand for all of them."""
+    """Whether a finding is about functions that run on other cores there, and no body of them is left to be written."""
     if finding.rule != "RS108":
         return False
-    served = {str(use.name) for use in plan.adapterUses if use.adapter is not None or use.written}
-    return served.issuperset(finding.evidence.get("functions", ("",)))
+    left = {str(use.name) for use in plan.adapterUses if use.status is migration.AdapterStatus.todo and not use.written}
+    return left.isdisjoint(finding.evidence.get("functions", left))
 
 
 def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:
@@ -142,13 +142,14 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
             continue
         count = len(adapter.calls)
         reason = adapter.reason if adapter.function is not None else "no file that was given defines it"
-        why = f"; {reason}" if reason else ""
+        why = f"; {reason}" if reason not in ("", NO_ADAPTER) else ""
         yield Task(
             rule="RS501",
             severity=Level.warning,
             message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}{why}",
             effort=body_effort(adapter),
-            fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does",
+            fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does"
+            + ("; or give the file that defines it, too" if adapter.function is None else ""),
             elements=[adapter, *adapter.calls],
             **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
         )
@@ -218,7 +219,9 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
             yield Task(
                 rule="RS503", severity=Level.warning, effort="small" if "unknown-include" in disposition.rules else "medium",
                 message=f"'{name}' was left out: {'; '.join(disposition.reasons)}",
-                fix=f"put what the program needs of it into the {called(plan)}", elements=[disposition],
+                fix=("give its folder with -I, or " if "unknown-include" in disposition.rules else "")
+                + f"put what the program needs of it into the {called(plan)}",
+                elements=[disposition],
                 **_place(disposition.element),  # type: ignore[arg-type]
             )  # fmt: skip
 

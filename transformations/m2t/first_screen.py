@@ -149,7 +149,7 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
     others += [f"{calls[NOT_WIRED_CALL]} not wired, as you said"] * bool(calls[NOT_WIRED_CALL])
     care = f" ({calls[WITH_CARE]} with limits)" if calls[WITH_CARE] else ""
     functions = len(plan.adapterUses)
-    some = f"{work.working} of {calls['total']} calls of {functions} platform function{'s' * (functions != 1)} work{care}"
+    some = f"{work.working} of {calls['total']} calls of {functions} platform function{'s' * (functions != 1)} are ready{care}"
     return "; ".join([some, *others])
 
 
@@ -160,7 +160,7 @@ def decided(work: Work) -> str:
         return "nothing to choose"
     if not numbers["open"]:
         return f"nothing is open; {numbers['total']} choice{'s are' if numbers['total'] != 1 else ' is'} made"
-    return f"{numbers['open']} of {numbers['total']} choices {'are' if numbers['open'] != 1 else 'is'} open"
+    return f"{numbers['open']} open of {numbers['total']} choice{'s' * (numbers['total'] != 1)}"
 
 
 def written(work: Work) -> str:
@@ -196,8 +196,10 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
     said = ["ports under [bind] (or --bind NAME=PIN)"] * ports
     said += ["libraries under [libraries] (or --library COMPONENT=LIBRARY)"] * libraries
     none = "what is not wired" if not libraries else "none" if not ports else "what is not wired, or needs no library"
+    drawing = " With a drawing or a pin table (--hardware) ports are proposed." * (plan.circuit is None and ports)
     silent = " Until a port has a pin, its calls do nothing." * (ports and bool(plan.portFlows))
-    return f'Type into robosmi.toml beside the program: {" and ".join(said)}; "none" for {none}. Then migrate again.{silent}'
+    typed = f'Type into robosmi.toml beside the program: {" and ".join(said)}; "none" for {none}.'
+    return f"{typed} Then migrate again.{silent}{drawing}"
 
 
 def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
@@ -205,19 +207,21 @@ def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
     bodies = any(task.rule in ("RS501", "RS502") for task in work.write)
     beside = any("in adapters.h" not in task.fix for task in work.write if task.rule == "RS501")
     own = f" (in the {called(plan)} for what it declares itself)" * beside
-    return f"Each stands in adapters.h as a TODO{own}; what you write there is kept." if bodies else ""
+    unknown = any(isinstance(e, migration.AdapterUse) and e.function is None for task in work.write for e in task.elements)
+    given = " Where a file defines a function that was not given, give it to migrate, too." * unknown
+    return f"Each stands in adapters.h as a TODO{own}; what you write there is kept.{given}" if bodies else ""
 
 
 def _choice(plan: migration.MigrationPlan, task: migration.PlanTask, sources: Mapping[str, bytes]) -> Item:
     """The line of an open choice."""
     decision = next((e for e in task.elements if isinstance(e, migration.Decision)), None)
     if decision is None:
-        return _task(task)
+        return _task(plan, task)
     how = answer(plan, decision)
     more = " or ".join(how.candidates[:_OPTIONS]) + (" ..." if len(how.candidates) > _OPTIONS else "")
     if isinstance(decision, migration.PortBinding):
         what = f", {decision.what}" if decision.what else ""
-        place = f", line {task.line}" if task.line else ""
+        place = f", {where}" if (where := task_place(plan, task)) else ""
         source = "" if decision.conventionalPort is not None else _line(decision.element, sources)
         return Item(f"port '{decision.name}'{what}{place}", source, how.line, more, str(task.rule), "", bool(task.done))
     more = f"{more} or none" if more else "none, or one that you know"
@@ -240,15 +244,28 @@ def _bodies(work: Work) -> Iterable[Item]:
         if group.title:
             yield Item(f"{group.title} cannot be served: {group.reason}")
         for task in group.tasks:
-            yield replace(_task(task, short=True), effort="") if group.title else _task(task)
+            yield replace(_task(work.plan, task, short=True), effort="") if group.title else _task(work.plan, task)
 
 
 def _checks(work: Work) -> Iterable[Item]:
-    return (_task(task) for task in work.check)
+    return (_task(work.plan, task) for task in work.check)
 
 
-def _task(task: migration.PlanTask, *, short: bool = False) -> Item:
+def _task(plan: migration.MigrationPlan, task: migration.PlanTask, *, short: bool = False) -> Item:
     """The line of a task; a short one leaves out the reason, which stands above it."""
-    place = f" ({task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''})" if task.path else ""
+    place = f" ({where})" if (where := task_place(plan, task)) else ""
     message = str(task.message).partition(";")[0] if short else str(task.message)
-    return Item(f"{message}{place}", rule=str(task.rule), effort=str(task.effort), done=bool(task.done))
+    more = str(task.fix) if task.rule in _SAYS_HOW else ""
+    return Item(f"{message}{place}", more=more, rule=str(task.rule), effort=str(task.effort), done=bool(task.done))
+
+
+_SAYS_HOW = frozenset({"RS503", "RS504"})
+"""Rules of tasks that are done each in a way of its own, which its line says."""
+
+
+def task_place(plan: migration.MigrationPlan, task: migration.PlanTask) -> str:
+    """Where a task or finding is: the line, with the file's name where there is more than one file; empty for no place."""
+    alone = plan.program is not None and len(plan.program.units) == 1 and task.path == plan.program.units[0].path
+    if alone and task.line:
+        return f"line {task.line}"
+    return f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""

@@ -11,7 +11,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2t.first_screen import FirstScreen, first_screen
+from robosmi.transformations.m2t.first_screen import FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, constructs, verdict_counts
@@ -36,12 +36,12 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[
         "called": called(plan),
         "source": plan.source.name if plan.source else "its platform",
         "board": plan.board.title if plan.board else "the target",
-        "verdicts": [_said(f) for f in verdicts],
+        "verdicts": [_said(f, plan) for f in verdicts],
         "drawn": DRAWN_RULES,
         "screen": screen,
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
-        "findings": [_said(f) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES],
+        "findings": [_said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, plan)],
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),
@@ -83,12 +83,21 @@ def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.Pla
     return sorted(findings, key=lambda f: -int(f.severity.value))
 
 
-def _said(task: migration.PlanTask) -> dict[str, Any]:
-    place = f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
+_TASKS = {"RS101": "RS504", "RS103": "RS503", "RS109": "RS501"}
+"""A rule of findings -> that of the tasks that say the same with what to do."""
+
+
+def _is_task(finding: migration.PlanFinding, plan: migration.MigrationPlan) -> bool:
+    """Whether a task says what a finding says, so that the report has it once."""
+    wanted = (_TASKS.get(str(finding.rule)), finding.path, finding.line)
+    return wanted[0] is not None and any((task.rule, task.path, task.line) == wanted for task in plan.tasks)
+
+
+def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, Any]:
     return {
         "message": task.message,
         "rule": task.rule,
-        "place": place,
+        "place": task_place(plan, task),
         "fix": task.fix if task.severity is not migration.SeverityLevel.info else "",
         "severity": task.severity.name,
     }

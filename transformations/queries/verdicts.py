@@ -239,9 +239,10 @@ def body_effort(use: migration.AdapterUse) -> str:
     """The effort of writing the body of an adapter that has none.
 
     A function that no header of the platform declares is the program's own, whose file was not given: small. One of a library of
-    the source platform is to be read there and written for the target: medium. Where the target lacks what it needs: large.
+    the source platform is to be read there and written for the target: medium. Where the target lacks what it needs, or code for
+    another core is to be written anew: large.
     """
-    if use.status is _Status.unsupported:
+    if use.status is _Status.unsupported or (use.function is not None and use.function.codeArgument >= 0):
         return "large"
     return "small" if use.function is None else "medium"
 

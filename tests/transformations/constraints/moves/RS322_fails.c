@@ -1,12 +1,12 @@
 #include "simpletools.h"
 #include "ping.h"
-#include "wavplayer.h"
+unsigned int machine[4];
 void show(void) { pause(500); }  // RS322
 
 int main(void)
 {
   pause(1000);
-  wav_play("a.wav");
+  cognew(machine, 0);
   while (1) {
     show();
     if (ping_cm(8) < 10)  // RS322
