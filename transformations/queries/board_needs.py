@@ -60,11 +60,15 @@ class BoardNeeds:
         pins: of pins.
         timers: of each timer that anything takes, by name.
         loop: how long each pass of its loop waits; None for a program that runs once.
+        stacks: bytes of the stacks of code that ran on other cores, all that may run at once.
+        ram: bytes of RAM that the board has, 0 where that is not known.
     """
 
     pins: PinNeeds
     timers: tuple[TimerNeeds, ...]
     loop: Time | None
+    stacks: int = 0
+    ram: int = 0
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form."""
@@ -74,6 +78,7 @@ class BoardNeeds:
                 "wanted": self.pins.wanted, "missing": self.pins.missing,
             },
             "timers": [{"timer": t.timer, "takers": list(t.takers)} for t in self.timers],
+            "stacks": {"bytes": self.stacks, "ram_bytes": self.ram},
             "loop": None if self.loop is None else {
                 "waits_low_ms": round(self.loop.low / 1000, 3), "waits_high_ms": round(self.loop.high / 1000, 3),
                 "unbounded": [{"what": w.what, "line": w.line} for w in self.loop.unbounded],
@@ -87,7 +92,9 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
     Args:
         plan: the plan; what is not compiled yet counts as what the models say.
     """
-    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan))
+    shared, chip = plan.concurrency, plan.board.microcontroller if plan.board is not None else None
+    stacks = int(shared.slots * shared.stackBytes) if shared is not None else 0
+    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), stacks, int(chip.ramBytes) if chip is not None else 0)
 
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
@@ -137,6 +144,8 @@ def needs_in_words(needs: BoardNeeds) -> str:
         spare = f", {pins.drawn} wired to what no port uses" if pins.drawn else ""
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
+    if needs.stacks:
+        said.append(f"{needs.stacks} of {needs.ram} bytes of RAM for the stacks of what ran on other cores")
     if needs.loop is not None:
         said.append(f"each pass of the loop {_time_in_words(needs.loop)}")
     return "; ".join(said)
@@ -167,5 +176,9 @@ def shortages(needs: BoardNeeds) -> list[str]:
         needed = needs.pins.used + needs.pins.drawn + needs.pins.wanted
         few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
         found.append(f"{few}: {needed} are needed, and the board has {needs.pins.of_board}")
+    if needs.ram and needs.stacks >= needs.ram:
+        found.append(
+            f"the stacks of what ran on other cores take {needs.stacks} bytes, and the board has {needs.ram} bytes of RAM"
+        )
     found += [f"{timer.timer} is taken by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
     return found

@@ -50,14 +50,21 @@ const uint32_t _clkfreq = CLKFREQ;
 //#   fidelity: as CNT
 #define _CNT ((uint32_t)micros() * 80UL)
 
+//# helper wait_until
+//#   needs: CNT
+//#   fidelity: until a tick that is to come, within 8 us
+inline void wait_until(uint32_t target) {
+  while ((int32_t)(CNT - target) < 0) yield();
+}
+
 //# adapter waitcnt
 //#   for: unsigned int waitcnt(unsigned int target)
 //#   kind: semantic
-//#   needs: CNT
+//#   needs: wait_until
 //#   fidelity: within 8 us
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
 inline uint32_t waitcnt(uint32_t target) {
-  while ((int32_t)(CNT - target) < 0) yield();
+  wait_until(target);
   return target;
 }
 

@@ -65,14 +65,21 @@ static inline int32_t port(int32_t number) {
 //#   fidelity: exact on average; it moves in steps of 4 us (320 ticks)
 #define CNT (clock_us() * 80UL)
 
+//# helper wait_until
+//#   needs: CNT
+//#   fidelity: until a tick that is to come, within 8 us
+static inline void wait_until(uint32_t target) {
+  while ((int32_t)(CNT - target) < 0) {}
+}
+
 //# adapter waitcnt
 //#   for: unsigned int waitcnt(unsigned int target)
 //#   kind: semantic
-//#   needs: CNT
+//#   needs: wait_until
 //#   fidelity: within 8 us
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
 static inline uint32_t waitcnt(uint32_t target) {
-  while ((int32_t)(CNT - target) < 0) {}
+  wait_until(target);
   return target;
 }
 

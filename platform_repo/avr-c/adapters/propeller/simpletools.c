@@ -318,10 +318,10 @@ static inline void set_io_timeout(int32_t clockticks) {
 //# adapter pause_ticks
 //#   for: void pause_ticks(unsigned int pticks)
 //#   kind: oneToMany
-//#   needs: propeller.h/waitcnt propeller.h/CNT
+//#   needs: propeller.h/wait_until propeller.h/CNT
 //#   fidelity: within 8 us
 static inline void pause_ticks(uint32_t pticks) {
-  waitcnt(pticks + CNT);
+  wait_until(pticks + CNT);
 }
 
 //# helper mark_ticks
@@ -358,14 +358,14 @@ static inline void wait(int32_t time) {
 //# adapter pause
 //#   for: void pause(int time)
 //#   kind: oneToOne
-//#   needs: pause_unit propeller.h/clock_wait propeller.h/waitcnt propeller.h/CNT
+//#   needs: pause_unit propeller.h/clock_wait propeller.h/wait_until propeller.h/CNT
 //#   fidelity: within 0.1 %
 static inline void pause(int32_t time) {
   if (pause_unit == 80000L) {
     clock_wait(time);
     return;
   }
-  for (uint32_t at = CNT; time > 0; time--) waitcnt(at += pause_unit);
+  for (uint32_t at = CNT; time > 0; time--) wait_until(at += pause_unit);
 }
 
 // ---------------------------------------------------------------- timed input and output
