@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 from pathlib import Path
 
 from robosmi.cli.common import write_model
@@ -18,7 +17,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("sketch", metavar="SKETCH", type=Path, help="the drawing, or a pin table (.csv, .toml)")
     parser.add_argument("-o", dest="output", metavar="hardware.xmi", type=Path, help="store the hardware model as XMI")
-    parser.add_argument("--svg", metavar="FILE", type=Path, help="draw board, nets and components (with Graphviz if it is there)")
+    parser.add_argument("--svg", metavar="FILE", type=Path, help="draw board, nets and components, with what is wrong")
     parser.add_argument("--write-table", metavar="FILE", type=Path, help="write the wiring as a pin table (.csv or .toml)")
 
 
@@ -33,7 +32,7 @@ def run(arguments: argparse.Namespace) -> Report:
     if arguments.output:
         report.artifacts.append(write_model(done.circuit, arguments.output))
     if arguments.svg:
-        _write(report, arguments.svg, done.picture(dot=shutil.which("dot")), "picture")
+        _write(report, arguments.svg, done.picture(), "picture")
     if arguments.write_table:
         _write(report, arguments.write_table, done.pin_table(arguments.write_table), "pin table")
     return report

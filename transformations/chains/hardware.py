@@ -52,15 +52,11 @@ class HardwareAnalysis:
         ]
         return [*lines, "", *table(("pin", "name", "signal", "wired to", "through"), wires)]
 
-    def picture(self, *, dot: str | None = None) -> str:
-        """The circuit as SVG.
-
-        Args:
-            dot: the program of Graphviz that places things; None for the layout of this package.
-        """
+    def picture(self) -> str:
+        """The circuit as SVG, with the findings where they belong."""
         from robosmi.transformations.m2t.circuit_picture import svg  # wanted with --svg only
 
-        return svg(self.circuit, dot)
+        return svg(self.circuit, self.findings)
 
     def pin_table(self, target: Path) -> str:
         """The connections as a pin table, in the form that the file's ending says.

@@ -18,12 +18,14 @@ from robosmi.metamodels import migration
 from robosmi.model.commit import update
 from robosmi.model.files import write_atomic
 from robosmi.plugins import content
+from robosmi.query import Q
 from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
 from robosmi.transformations.m2m.wokwi_wiring import wokwi_wiring
 from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.m2t.wokwi_project import project_files
+from robosmi.transformations.queries.plan import said
 
 FORM = "wiring form"
 """The registry's kind of forms: functions of `(models, OUT, path)` that give `Handed`."""
@@ -140,11 +142,17 @@ def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
 
 
 def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
-    """The picture (SVG)."""
-    circuit = models.plan.circuit
-    if circuit is None:
+    """The picture (SVG), with the ports of the source at their pins and what is wrong at its place."""
+    plan = models.plan
+    if plan.circuit is None:
         raise _no_drawing()
-    return Handed({"": svg(circuit).encode()}, {"": "picture"})
+    ports: dict[str, list[str]] = {}
+    for binding in plan.portBindings:
+        pin = binding.pin or (binding.connection.pin if binding.connection is not None else None)
+        if pin is not None:
+            ports.setdefault(pin.label, []).append(binding.name)
+    wrong = [f for f in said(Q(plan.findings), models.places) if f.rule.startswith("RS2")]
+    return Handed({"": svg(plan.circuit, wrong, ports).encode()}, {"": "picture"})
 
 
 def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection]:

@@ -61,8 +61,18 @@ def _who(terminal: Terminal) -> str:
 
 
 def _voltage(board: Sequence[Terminal], supplies: Sequence[Terminal], named: Sequence[Terminal]) -> str:
-    known = [*board, *supplies, *named]
-    if any(t.kind == "ground" for t in known):
-        return "GND"
-    labels = [t.name for t in board] + [t.volts for t in supplies] + [t.name for t in named]
-    return next((label.strip() for label in labels if _STATED.fullmatch(label.strip())), "")
+    """The label of a rail: what the board says goes before supplies, these before names; both on one net are said both.
+
+    So a net is what its source makes of it: 5 V of a board stay that where the ground of a servo hangs on them.
+    """
+    supplied = False
+    for terminals, stated in ((board, "name"), (supplies, "volts"), (named, "name")):
+        labels = (str(getattr(terminal, stated)).strip() for terminal in terminals)
+        label = next((text for text in labels if _STATED.fullmatch(text)), "")
+        grounded = any(terminal.kind == "ground" for terminal in terminals)
+        if grounded and not supplied:
+            return f"{label}/GND" if label else "GND"
+        if label:
+            return label
+        supplied = supplied or any(terminal.kind == "supply" for terminal in terminals)
+    return ""

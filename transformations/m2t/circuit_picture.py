@@ -1,105 +1,178 @@
 """A circuit as a picture (SVG) that a person can hold beside the robot: boards left, then what is wired to them, then what is
-behind that; a line for each connection of a signal net, a coloured tag for each connector on a supply or ground.
+behind that; a line for each connection of a signal net, a coloured tag with the net's name for each connector on a rail.
 
-What is drawn is computed here, `circuit_layout` places it, the templates write it. Graphviz may place it instead.
+Beyond `MOST_LINES` lines the picture is by component: one line between two boxes stands for all their wires, and each row names
+what it is wired to. What is wrong is marked where it is, ports of the source stand at the pins that they became. What is drawn is
+computed here, `circuit_layout` places it, the template writes it.
 """
 
 from __future__ import annotations
 
-import subprocess
 from collections import deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from textwrap import wrap
 
+from robosmi.diagnostics import Finding
 from robosmi.generate import Gen
 from robosmi.metamodels import hardware
-from robosmi.transformations.m2t.circuit_layout import Box, DrawnLink, PartRow, Place, placed
+from robosmi.transformations.m2t.circuit_colours import net_colours, rail_names
+from robosmi.transformations.m2t.circuit_layout import HEAD, Box, DrawnLink, DrawnMark, PartRow, Place, placed
+from robosmi.transformations.m2t.circuit_marks import Mark, Marks, marks
 from robosmi.transformations.queries.circuit_walk import natural_key, pins_of
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
     "Unknown": "#fff6b8",
 }  # fmt: skip
-_LINES = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#e377c2", "#17becf", "#7f7f00", "#003f5c")
+_TOLD = ("resistance", "capacitance", "voltage", "color")
 _LETTERS = 36
-_SECONDS = 20
-MOST_FOR_DOT = 500
-"""Boxes and links that Graphviz is given; its time grows with their square, and a larger picture is looked at in parts."""
+_ROW_LETTERS = 44
+_MARK_LETTERS, _MARK_LINES = 52, 3
+_FOOT_LETTERS = 110
+_MARKS = 6
+MOST_LINES = 20
+"""Lines that a picture has at most before those between two boxes become one."""
 
 
 @dataclass
 class Picture:
-    """What is to be drawn: boxes with rows, links between rows, and titles of what is connected to nothing."""
+    """What is to be drawn: boxes with rows, links between rows or boxes, and lines of text below."""
 
     title: str
     boxes: list[Box] = field(default_factory=list)
     links: list[DrawnLink] = field(default_factory=list)
-    loose: list[str] = field(default_factory=list)
+    below: list[str] = field(default_factory=list)
 
 
-def circuit_picture(circuit: hardware.Circuit) -> Picture:
-    """The picture of a circuit, without places."""
-    picture = Picture(_short(circuit.name, 80))
-    rows: dict[hardware.Connector, Place] = {}
-    shown = [c for c in circuit.components if c.role is not hardware.Role.Decoration and not _only_joins(c)]
-    far = _distances(shown)
-    for component in sorted(shown, key=lambda c: (far[c], natural_key(c.elementId))):
-        box = _box(component, len(picture.boxes), far[component], rows)
-        if box.rows:
-            picture.boxes.append(box)
-        else:
-            picture.loose.append(_short(component.title or component.partTitle or f"#{component.elementId}"))
-    for number, net in enumerate(circuit.nets):
-        if net.rail:
-            continue
-        ends = list(dict.fromkeys(rows[c] for c in net.connectors if c in rows))
-        ends.sort(key=lambda place: (picture.boxes[place.box].column, place.box, place.row))
-        colour = _LINES[number % len(_LINES)]
-        for other in ends[1:]:
-            names = " - ".join(f"{picture.boxes[e.box].title} {picture.boxes[e.box].rows[e.row].text}" for e in (ends[0], other))
-            picture.links.append(DrawnLink(ends[0], other, colour, names))
-    return picture
-
-
-def picture_svg(picture: Picture) -> str:
-    """The picture as SVG, with the layout of this package."""
-    width, height = placed(picture.boxes, picture.links, bool(picture.loose))
-    return Gen().text(
-        "circuit/picture.svg.j2",
-        title=picture.title,
-        width=width,
-        height=height,
-        boxes=picture.boxes,
-        links=picture.links,
-        loose=", ".join(picture.loose),
-    )
-
-
-def picture_dot(picture: Picture) -> str:
-    """The picture in the language of Graphviz."""
-    loose = ", ".join(picture.loose)
-    return Gen().text("circuit/picture.dot.j2", title=picture.title, boxes=picture.boxes, links=picture.links, loose=loose)
-
-
-def svg(circuit: hardware.Circuit, dot: str | None = None) -> str:
-    """The picture of a circuit as SVG.
+def circuit_picture(
+    circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapping[str, Sequence[str]] | None = None
+) -> Picture:
+    """The picture of a circuit, without places.
 
     Args:
         circuit: what to draw.
-        dot: the program `dot` of Graphviz, which places things better; None for the layout of this package, which is also
-            taken for more than `MOST_FOR_DOT` boxes and links, and where `dot` fails or takes too long.
+        findings: about it; each is marked at its component, pin or net.
+        ports: label of a board's pin -> the ports of the source that it became.
     """
-    picture = circuit_picture(circuit)
-    if dot is not None and len(picture.boxes) + len(picture.links) <= MOST_FOR_DOT:
-        try:
-            source = picture_dot(picture).encode()
-            done = subprocess.run([dot, "-Tsvg"], input=source, capture_output=True, timeout=_SECONDS, check=False)
-            drawn = done.stdout.decode()
-        except (OSError, subprocess.TimeoutExpired, UnicodeError):
-            return picture_svg(picture)
-        if done.returncode == 0 and "<svg" in drawn:
-            return drawn
-    return picture_svg(picture)
+    return _Drawing(circuit, marks(circuit, findings), ports or {}).picture()
+
+
+def picture_svg(picture: Picture) -> str:
+    """The picture as SVG."""
+    width, height = placed(picture.boxes, picture.links, picture.below)
+    lines = [(20, height - 14 - 16 * (len(picture.below) - 1 - number), line) for number, line in enumerate(picture.below)]
+    what = {"title": picture.title, "boxes": picture.boxes, "links": picture.links, "below": lines}
+    return Gen().text("circuit/picture.svg.j2", width=width, height=height, **what)
+
+
+def svg(circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapping[str, Sequence[str]] | None = None) -> str:
+    """The picture of a circuit as SVG; see `circuit_picture`."""
+    return picture_svg(circuit_picture(circuit, findings, ports))
+
+
+class _Drawing:
+    """The drawing of one picture."""
+
+    def __init__(self, circuit: hardware.Circuit, found: Marks, ports: Mapping[str, Sequence[str]]) -> None:
+        self.circuit, self.marks, self.ports = circuit, found, ports
+        self.result = Picture(_short(circuit.name, 80))
+        self.rows: dict[hardware.Connector, Place] = {}
+        self.rails = rail_names(net for net in circuit.nets if net.rail)
+        self.colours = net_colours(circuit.nets, self.rails)
+
+    def picture(self) -> Picture:
+        loose: list[str] = []
+        shown = [c for c in self.circuit.components if c.role is not hardware.Role.Decoration and not _only_joins(c)]
+        far = _distances(shown)
+        for component in sorted(shown, key=lambda c: (far[c], natural_key(c.elementId))):
+            box = self._box(component, far[component])
+            if box.rows:
+                self.result.boxes.append(box)
+            else:
+                loose.append(_name(component))
+        self._link()
+        if len(self.result.links) > MOST_LINES:
+            self._bundle()
+        if loose:
+            self.result.below += wrap(f"not connected: {', '.join(loose)}", _FOOT_LETTERS)
+        drawn = {id(component) for component in self.circuit.components} - {id(c) for c in shown}
+        whole = [*self.marks.whole, *(m for c, found in self.marks.components.items() if id(c) in drawn for m in found)]
+        for mark in dict.fromkeys(whole):
+            self.result.below += wrap(f"{mark.rule}: {_short(mark.message, 3 * _FOOT_LETTERS)}", _FOOT_LETTERS)
+        return self.result
+
+    # ---- boxes
+
+    def _box(self, component: hardware.Component, column: int) -> Box:
+        about = " · ".join(filter(None, (component.partTitle, component.role.name + (", driver" if component.driver else ""))))
+        values = [
+            p.value for p in component.properties if p.name in ("resistance", "capacitance", "voltage", "color") and p.value
+        ]
+        found = self.marks.components.get(component, [])
+        lines = [DrawnMark(line, mark.message, mark.colour) for mark in found[:_MARKS] for line in _mark_lines(mark)]
+        if len(found) > _MARKS:
+            more = found[_MARKS:]
+            lines.append(DrawnMark(f"and {len(more)} more", "; ".join(mark.message for mark in more), more[0].colour))
+        number = len(self.result.boxes)
+        box = Box(
+            number,
+            _name(component),
+            _short(" · ".join([about, *values[:1]]), 48),
+            _FILLS[component.role.name],
+            column,
+            marks=lines,
+            edge=lines[0].colour if lines else "#444",
+        )
+        for text, connectors in _groups(component):
+            net = connectors[0].net
+            row = PartRow(len(box.rows), _short(self._row_text(component, connectors[0], text), _ROW_LETTERS))
+            for connector in connectors:
+                self.rows[connector] = Place(number, row.number)
+                if (mark := self.marks.connectors.get(connector)) is not None:
+                    row.mark_colour, row.mark_text = mark.colour, f"{mark.rule}: {mark.message}"
+            if net is not None and net.rail:
+                row.tag, row.tag_colour = self.rails[id(net)], self.colours[id(net)]
+            box.rows.append(row)
+        return box
+
+    def _row_text(self, component: hardware.Component, connector: hardware.Connector, text: str) -> str:
+        names = self.ports.get(connector.pin, ()) if component.role is hardware.Role.Board else ()
+        return f"{text} = {', '.join(names)}" if names else text
+
+    # ---- lines
+
+    def _link(self) -> None:
+        boxes = self.result.boxes
+        for net in self.circuit.nets:
+            if net.rail:
+                continue
+            ends = list(dict.fromkeys(self.rows[c] for c in net.connectors if c in self.rows))
+            ends.sort(key=lambda place: (boxes[place.box].column, place.box, place.row))
+            for other in ends[1:]:
+                names = " - ".join(f"{boxes[end.box].title} {boxes[end.box].rows[end.row].text}" for end in (ends[0], other))
+                self.result.links.append(DrawnLink(ends[0], other, self.colours[id(net)], names))
+
+    def _bundle(self) -> None:
+        """One line for all links of two boxes; each row gets a tag that says what it is wired to."""
+        boxes = self.result.boxes
+        pairs: dict[tuple[int, int], list[DrawnLink]] = {}
+        partners: dict[tuple[int, int], list[str]] = {}
+        for link in self.result.links:
+            pairs.setdefault((link.one.box, link.other.box), []).append(link)
+            for one, other in ((link.one, link.other), (link.other, link.one)):
+                box, row = boxes[one.box], boxes[one.box].rows[one.row]
+                there = boxes[other.box]
+                name = there.rows[other.row].text.partition(" = ")[0]
+                partners.setdefault((box.number, row.number), []).append(f"{there.title} {name}" if there.column else name)
+                row.tag_colour = link.colour
+        for (box_number, row_number), names in partners.items():
+            row = boxes[box_number].rows[row_number]
+            row.tag = _short(", ".join(dict.fromkeys(names)), _LETTERS) if not row.tag else row.tag
+        self.result.links = [
+            DrawnLink(Place(one, HEAD), Place(other, HEAD), "#777777", "; ".join(link.text for link in links), len(links))
+            for (one, other), links in pairs.items()
+        ]
 
 
 def _distances(components: Sequence[hardware.Component]) -> dict[hardware.Component, int]:
@@ -122,25 +195,6 @@ def _distances(components: Sequence[hardware.Component]) -> dict[hardware.Compon
     return {component: found.get(component, 1) for component in components}
 
 
-def _box(component: hardware.Component, number: int, column: int, rows: dict[hardware.Connector, Place]) -> Box:
-    about = " · ".join(filter(None, (component.partTitle, component.role.name + (", driver" if component.driver else ""))))
-    values = [p.value for p in component.properties if p.name in ("resistance", "capacitance", "voltage", "color") and p.value]
-    box = Box(
-        number,
-        _short(component.title or component.partTitle or f"#{component.elementId}"),
-        _short(" · ".join([about, *values[:1]]), 48),
-        _FILLS[component.role.name],
-        column,
-    )
-    for text, connectors in _groups(component):
-        net = connectors[0].net
-        for connector in connectors:
-            rows[connector] = Place(number, len(box.rows))
-        tag = (net.voltage or "supply") if net is not None and net.rail else ""
-        box.rows.append(PartRow(len(box.rows), _short(text, 24), _short(tag, 10), _tag_colour(tag)))
-    return box
-
-
 def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardware.Connector]]]:
     """The connected connectors, those of one name in one net together; a board's pins first, in their order."""
     found: dict[tuple[str, int], list[hardware.Connector]] = {}
@@ -159,10 +213,12 @@ def _only_joins(component: hardware.Component) -> bool:
     return component.role is hardware.Role.Passive and len(component.connectors) > 4
 
 
-def _tag_colour(tag: str) -> str:
-    if tag == "GND":
-        return "#333333"
-    return {"": "", "5V": "#c0392b", "3V3": "#d35400", "3.3V": "#d35400"}.get(tag.lstrip("+"), "#8e44ad")
+def _name(component: hardware.Component) -> str:
+    return _short(component.title or component.partTitle or f"#{component.elementId}")
+
+
+def _mark_lines(mark: Mark) -> list[str]:
+    return wrap(_short(f"{mark.rule} {mark.message}", _MARK_LINES * _MARK_LETTERS - 10), _MARK_LETTERS, subsequent_indent="   ")
 
 
 def _short(text: str, letters: int = _LETTERS) -> str:

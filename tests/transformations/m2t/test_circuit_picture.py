@@ -1,26 +1,101 @@
-"""The picture of a circuit: well-formed SVG in which every connection and every component can be found."""
+"""The picture of a circuit: every connection and component can be found, no text lies over another, no wire ends nowhere."""
 
 from __future__ import annotations
 
-import shutil
+import os
+import re
+from collections import Counter
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 from lxml import etree
 
+from robosmi.errors import RobosmiError
+from robosmi.metamodels import hardware as hw
 from robosmi.transformations.chains.hardware import hardware
-from robosmi.transformations.m2t import circuit_picture as circuit_picture_module
-from robosmi.transformations.m2t.circuit_picture import circuit_picture
+from robosmi.transformations.m2t.circuit_colours import net_colours, rail_names
+from robosmi.transformations.m2t.circuit_layout import text_width
+from robosmi.transformations.m2t.circuit_picture import MOST_LINES, circuit_picture, svg
 from robosmi.transformations.t2m.fritzing import read_circuit
-from tests.tools import require_tools
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
 SVG = "{http://www.w3.org/2000/svg}"
+READERS = Path(__file__).resolve().parents[1] / "t2m" / "drawing_readers"
+SHARED = Path(__file__).resolve().parents[3].parent / "shared" / "fritzing" / "dev"
 SKETCHES = [*CASES.values(), *sorted(p for p in FIXTURES.glob("*.fz") if p.stem != "nothing_connected")]
+DRAWINGS = [
+    *SKETCHES,
+    *sorted(p for p in READERS.rglob("*.*") if p.stem in ("robot", "unknown")),
+    *sorted(SHARED.rglob("*.fz*")),
+    *sorted(Path(os.environ["ROBOSMI_DRAWINGS"]).rglob("diagram.json") if "ROBOSMI_DRAWINGS" in os.environ else ()),
+]
+"""All drawings at hand; those of a folder that ROBOSMI_DRAWINGS names, too."""
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+_EXACT = 0.02
 
 
-def texts(svg: str) -> list[str]:
-    return [" ".join(str(t.xpath("string()")).split()) for t in etree.fromstring(svg.encode()).iter(f"{SVG}text")]
+class Span(NamedTuple):
+    """Where a text lies."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+    text: str
+
+
+def spans(picture: str) -> list[Span]:
+    """Where the texts of a picture lie."""
+    found = []
+    for element in etree.fromstring(picture.encode()).iter(f"{SVG}text"):
+        text, size = "".join(element.itertext()), float(element.get("font-size", "12"))
+        width = text_width(text, size, element.get("font-weight") == "bold")
+        x, y = float(element.get("x", "0")), float(element.get("y", "0"))
+        left = x - width / 2 if element.get("text-anchor") == "middle" else x
+        found.append(Span(left, y - 0.75 * size, left + width, y + 0.2 * size, text))
+    return found
+
+
+def overlapping(texts: list[Span]) -> list[tuple[str, str]]:
+    """The pairs of texts that lie over one another."""
+    listed = sorted(texts, key=lambda span: span.top)
+    found = []
+    for place, one in enumerate(listed):
+        for other in listed[place + 1 :]:
+            if other.top >= one.bottom:
+                break
+            if one.left < other.right and other.left < one.right:
+                found.append((one.text, other.text))
+    return found
+
+
+def loose_ends(picture: str) -> list[str]:
+    """The wires of a picture that do not begin and end at a dot on the edge of a box."""
+    root = etree.fromstring(picture.encode())
+    dots = {(float(c.get("cx", "0")), float(c.get("cy", "0"))) for c in root.iter(f"{SVG}circle")}
+    boxes = [
+        tuple(float(r.get(key, "0")) for key in ("x", "y", "width", "height"))
+        for r in root.iter(f"{SVG}rect")
+        if r.get("rx") == "5"
+    ]
+    wrong = []
+    for path in root.iter(f"{SVG}path"):
+        numbers = [float(number) for number in _NUMBER.findall(path.get("d", ""))]
+        for x, y in (numbers[:2], numbers[-2:]):
+            at_dot = any(abs(x - a) < _EXACT and abs(y - b) < _EXACT for a, b in dots)
+            at_box = any(
+                top - _EXACT <= y <= top + height + _EXACT and min(abs(x - left), abs(x - left - width)) < _EXACT
+                for left, top, width, height in boxes
+            )
+            if not (at_dot and at_box):
+                wrong.append(path.get("d", ""))
+    return wrong
+
+
+def texts(picture: str) -> list[str]:
+    """The texts of a picture."""
+    return [" ".join(span.text.split()) for span in spans(picture)]
 
 
 @pytest.mark.parametrize("path", SKETCHES, ids=lambda p: p.stem)
@@ -34,24 +109,97 @@ def test_every_sketch_can_be_drawn(path: Path) -> None:
         assert abs(boxes[link.one.box].column - boxes[link.other.box].column) <= 1  # no line passes a column of boxes
 
 
-def test_graphviz_is_not_given_more_than_it_places_in_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    program = tmp_path / "dot"
-    program.write_text("#!/bin/sh\ncat >/dev/null; echo '<svg>placed</svg>'\n")
-    program.chmod(0o755)
-    drawn = hardware(CASES["line_following_robot"])
-    assert "placed" in drawn.picture(dot=str(program))
-    monkeypatch.setattr(circuit_picture_module, "MOST_FOR_DOT", 3)
-    assert "placed" not in drawn.picture(dot=str(program))
+def test_no_text_lies_over_another_and_no_wire_ends_nowhere_in_any_drawing() -> None:
+    drawn, wrong = 0, []
+    for path in DRAWINGS:
+        try:
+            made = hardware(path)
+        except RobosmiError:  # a drawing without a board, or a damaged one
+            continue
+        picture = made.picture()
+        drawn += 1
+        wrong += [f"{path}: '{one}' and '{other}'" for one, other in overlapping(spans(picture))]
+        wrong += [f"{path}: the wire {wire} ends nowhere" for wire in loose_ends(picture)]
+        root = etree.fromstring(picture.encode())
+        width, height = (float(root.get(key, "0")) for key in ("width", "height"))
+        wrong += [
+            f"{path}: '{s.text}' leaves the picture" for s in spans(picture) if not (s.right <= width and s.bottom <= height)
+        ]
+    assert wrong == []
+    assert drawn >= 10
 
 
-@pytest.mark.parametrize("dot", [False, True], ids=["own layout", "graphviz"])
-def test_the_line_follower_as_a_picture(dot: bool) -> None:
-    if dot:
-        require_tools("dot")
-    found = texts(hardware(CASES["line_following_robot"]).picture(dot=shutil.which("dot") if dot else None))
+def test_no_two_nets_of_any_drawing_have_one_name_or_colour() -> None:
+    for path in DRAWINGS:
+        try:
+            circuit = hardware(path).circuit
+        except RobosmiError:
+            continue
+        names = rail_names(net for net in circuit.nets if net.rail)
+        colours = net_colours(circuit.nets, names)
+        assert max(Counter(names.values()).values(), default=1) == 1, path
+        assert max(Counter(colours.values()).values(), default=1) == 1, path
+        for net in circuit.nets:
+            kinds = {c.kind.name for c in net.connectors if c.component is not None and c.component.role is hw.Role.Board}
+            if net.rail and kinds & {"supply", "ground"} == {"supply"}:
+                assert not names[id(net)].startswith("GND"), path
+
+
+def test_the_line_follower_as_a_picture() -> None:
+    found = texts(hardware(CASES["line_following_robot"]).picture())
     for wanted in ("Arduino Uno", "Basic Servo1", "HIH4030 2", "Red (633nm)-LED1", "R1", "D8", "D12", "pulse", "GND", "5V", "9V"):
         assert wanted in found
     assert "Breadboard1" not in found
+
+
+def test_what_is_wrong_stands_at_its_component_and_at_its_pin() -> None:
+    made = hardware(CASES["line_following_robot"])
+    boxes = {box.title: box for box in circuit_picture(made.circuit, made.findings).boxes}
+    assert boxes["HIH4030 1"].marks[0].text.startswith("RS240 ")
+    assert boxes["Arduino Uno"].marks[0].text.startswith("RS250 ")
+    assert len({mark.message for box in boxes.values() for mark in box.marks}) == len(made.findings)
+    assert boxes["Red (633nm)-LED1"].marks == []
+    marked = [row.text for row in boxes["HIH4030 1"].rows if row.mark_colour]
+    assert marked == ["OUT"]
+
+
+def test_ports_of_the_source_stand_at_the_pins() -> None:
+    made = hardware(CASES["line_following_robot"])
+    found = texts(svg(made.circuit, (), {"D10": ["leftQTI"], "D9": ["abdrive.right_servo", "P13"]}))
+    assert "D10 = leftQTI" in found
+    assert "D9 = abdrive.right_servo, P13" in found
+
+
+def test_a_supply_stays_one_where_the_ground_of_a_servo_hangs_on_it(tmp_path: Path) -> None:
+    path = tmp_path / "diagram.json"
+    path.write_text(
+        '{"editor": "wokwi", "parts": [{"type": "wokwi-arduino-uno", "id": "uno"}, {"type": "wokwi-servo", "id": "arm"},\n'
+        '{"type": "wokwi-servo", "id": "leg"}], "connections": [["uno:5V", "arm:GND", "", []],\n'
+        '["uno:GND.1", "leg:GND", "", []], ["uno:9", "arm:PWM", "", []]]}\n'
+    )
+    made = hardware(path)
+    rows = {(box.title, row.text): row for box in circuit_picture(made.circuit, made.findings).boxes for row in box.rows}
+    assert rows["arm", "GND"].tag == "5V"
+    assert rows["leg", "GND"].tag == "GND"
+    assert rows["arm", "GND"].tag_colour != rows["leg", "GND"].tag_colour
+
+
+def test_many_wires_are_bundled_by_component_and_each_row_says_where_it_leads(tmp_path: Path) -> None:
+    lcd = [("RS", 12), ("E", 11), ("D0", 2), ("D1", 3), ("D2", 4), ("D3", 5), ("D4", 6), ("D5", 7), ("D6", 8), ("D7", 9)]
+    wires = [f'["uno:{pin}", "{part}:{name}", "", []]' for part in ("lcd1", "lcd2", "lcd3") for name, pin in lcd]
+    parts = [f'{{"type": "wokwi-lcd1602", "id": "lcd{number}"}}' for number in (1, 2, 3)]
+    path = tmp_path / "diagram.json"
+    board = '{"type": "wokwi-arduino-uno", "id": "uno"}'
+    path.write_text(f'{{"editor": "wokwi", "parts": [{", ".join([board, *parts])}], "connections": [{", ".join(wires)}]}}')
+    picture = circuit_picture(hardware(path).circuit)
+    assert len(wires) > MOST_LINES
+    assert sorted(link.wires for link in picture.links) == [10, 10, 10]
+    boxes = {box.title: box for box in picture.boxes}
+    assert {row.text: row.tag for row in boxes["lcd2"].rows} == {name: f"D{pin}" for name, pin in lcd}
+    assert next(row.tag for row in boxes["uno"].rows if row.text == "D12") == "lcd1 RS, lcd2 RS, lcd3 RS"
+    made = hardware(path).picture()
+    assert overlapping(spans(made)) == []
+    assert loose_ends(made) == []
 
 
 def test_links_are_the_signal_nets() -> None:
@@ -71,12 +219,4 @@ def test_titles_that_are_markup_do_no_harm() -> None:
     circuit, _ = read_circuit(FIXTURES / "one_sided.fz")
     circuit.components[0].title = '<script>"&\\\x07 -->'
     circuit.name = '</title><a href="x">'
-    from robosmi.transformations.m2t.circuit_picture import svg
-
-    for program in (None, shutil.which("dot")):
-        assert any(text.startswith('<script>"&') for text in texts(svg(circuit, program)))
-
-
-def test_a_program_that_fails_gives_way_to_the_own_layout() -> None:
-    done = hardware(CASES["line_following_robot"])
-    assert done.picture(dot="/no/such/program") == done.picture(dot=shutil.which("false")) == done.picture()
+    assert any(text.startswith('<script>"&') for text in texts(svg(circuit)))
