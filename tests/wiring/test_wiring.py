@@ -73,7 +73,7 @@ def test_our_own_wokwi_file_gives_the_same_pins(
     assert pin_map(tmp_path / "wokwi" / "diagram.json") == wanted
     for (pin, component), _ in pin_map(drawing).items():
         assert component not in listed or pin in listed[component]["pins"]
-    said = [f["message"] for f in document["findings"] if f["rule"] == "RS531"]
+    said = [f["message"] for f in document["findings"] if f["rule"] == "RS536"]
     assert len(said) == len(listed)
     assert (tmp_path / "wokwi" / "not-drawn.txt").is_file() == bool(listed)
 

@@ -104,12 +104,12 @@ def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
     drawn = wokwi_wiring(plan)
     source = Location(str(path))
     findings = [
-        Finding("RS531", Severity.warning, f"not in the diagram: {line}", source, fix="wire it by hand; Wokwi cannot show it")
+        Finding("RS536", Severity.warning, f"not in the diagram: {line}", source, fix="wire it by hand; Wokwi cannot show it")
         for line in drawn.listed()
     ]
     if drawn.added:
         message = f"{drawn.added} wires to supply and ground are added: the pin table says nothing of them"
-        findings.append(Finding("RS532", Severity.info, message, source))
+        findings.append(Finding("RS537", Severity.info, message, source))
     sketch = _sketch(output / plan.name)
     files = project_files(drawn, sketch, project(plan)["libraries"], drawn.listed(), f"RoboSMi {__version__}")
     kinds = {name: "sketch" if name in sketch or name.endswith(".ino") else "wiring" for name in files}

@@ -49,7 +49,7 @@ def spans(picture: str) -> list[Span]:
     """Where the texts of a picture lie."""
     found = []
     for element in etree.fromstring(picture.encode()).iter(f"{SVG}text"):
-        text, size = "".join(element.itertext()), float(element.get("font-size", "12"))
+        text, size = "".join(map(str, element.itertext())), float(element.get("font-size", "12"))
         width = text_width(text, size, element.get("font-weight") == "bold")
         x, y = float(element.get("x", "0")), float(element.get("y", "0"))
         left = x - width / 2 if element.get("text-anchor") == "middle" else x
