@@ -106,14 +106,16 @@ def migrate(files: Sequence[str | Path], output: str | Path, **options: Any) -> 
     return content("chain", "migrate")(files, output, **options)
 
 
-def generate_sketch(plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False) -> Any:
+def generate_sketch(
+    plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False, bench: bool = False
+) -> Any:
     """Make the sketch of a stored plan, from it and the models beside it alone.
 
     Raises:
         SourceError: a file cannot be read, or does not match its digest.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    return content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict)
+    return content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict, bench=bench)
 
 
 def check_model(path: str | Path) -> Any:

@@ -7,9 +7,11 @@ misspelt choice that is silently ignored is worse than none. What the values mea
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +34,21 @@ class Accepted:
 
 
 @dataclass(frozen=True)
+class ServoTrim:
+    """What a person has measured of a servo that turns on.
+
+    Attributes:
+        neutral: the pulse in microseconds at which it stands still; 0 where it was not measured.
+        speeds: (speed, microseconds), by ascending speeds, in the units of the function that is given the speed.
+        place: where it says so.
+    """
+
+    neutral: int
+    speeds: tuple[tuple[int, int], ...]
+    place: Location
+
+
+@dataclass(frozen=True)
 class Project:
     """What the project file says; empty where there is none.
 
@@ -43,6 +60,7 @@ class Project:
         libraries: component (title or `#model_index`) -> library.
         bind: port of the source -> target pin or mapping.
         roles: component -> role.
+        servos: component, or role of a port -> what was measured of its servo.
         severity: rule -> level.
         accept: accepted findings.
     """
@@ -54,11 +72,15 @@ class Project:
     libraries: dict[str, str] = field(default_factory=dict)
     bind: dict[str, str] = field(default_factory=dict)
     roles: dict[str, str] = field(default_factory=dict)
+    servos: dict[str, ServoTrim] = field(default_factory=dict)
     severity: dict[str, str] = field(default_factory=dict)
     accept: tuple[Accepted, ...] = ()
 
 
-_TABLES = ("migrate", "libraries", "bind", "roles", "severity", "accept")
+_TABLES = ("migrate", "libraries", "bind", "roles", "servos", "severity", "accept")
+_SERVO = ("neutral", "speeds")
+PULSES = (500, 2500)
+"""The least and the most microseconds of a pulse that servos are given here."""
 _MIGRATE = ("hardware", "target", "source_platform")
 
 
@@ -81,7 +103,8 @@ def load_project(folder: Path) -> Project:
     if not os.path.lexists(path):
         return Project()
     try:
-        data = toml_of(inputs.read_text(path, inputs.SETTINGS))
+        text = inputs.read_text(path, inputs.SETTINGS)
+        data = toml_of(text)
     except OSError as error:
         why = "it is a link to a file that is not there" if path.is_symlink() and not path.exists() else error.strerror
         fix = inputs.fix_of(error, "put an ordinary file in its place, check its permissions, or move it away")
@@ -109,6 +132,7 @@ def load_project(folder: Path) -> Project:
         libraries=_table(path, data, "libraries"),
         bind=_bind(path, data),
         roles=_table(path, data, "roles"),
+        servos=_servos(path, data, text),
         severity=severity,
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
     )
@@ -129,6 +153,55 @@ def _bind(path: Path, data: dict[str, Any]) -> dict[str, str]:
         flat = {f"{key}.{name}": value for key, values in inner.items() for name, value in values.items()}
         data = {**data, "bind": {**{key: value for key, value in table.items() if key not in inner}, **flat}}
     return _table(path, data, "bind")
+
+
+def _servos(path: Path, data: dict[str, Any], text: str) -> dict[str, ServoTrim]:
+    """[servos.NAME], in which TOML takes a name with a point in it, such as a role of a library, for a table of tables."""
+    found: dict[str, Any] = {}
+    table = data.get("servos", {})
+    for name, entry in table.items() if isinstance(table, dict) else [("", None)]:
+        inner = entry if isinstance(entry, dict) and entry and not set(entry) & set(_SERVO) else None
+        named = inner is not None and all(isinstance(value, dict) for value in inner.values())
+        found |= {f"{name}.{key}": value for key, value in inner.items()} if named and inner is not None else {name: entry}
+    return {name: _servo(path, name, entry, _line_of(name, text)) for name, entry in found.items()}
+
+
+def _servo(path: Path, name: str, entry: Any, line: int | None) -> ServoTrim:
+    place, least, most = Location(str(path), line), *PULSES
+
+    def wrong(what: str, fix: str) -> SourceError:
+        return SourceError(f"[servos] '{name}': {what}", location=place, fix=fix)
+
+    if not isinstance(entry, dict) or not entry:
+        raise wrong("there is no table with neutral or speeds", f'write [servos."{name or "NAME"}"] and below it neutral = 1500')
+    for key in entry:
+        if key not in _SERVO:
+            raise wrong(f"'{key}' is no key of it{did_you_mean(key, _SERVO)}", f"use one of: {', '.join(_SERVO)}")
+    neutral, speeds = entry.get("neutral", 0), entry.get("speeds", [])
+    whole = isinstance(speeds, list) and all(
+        isinstance(point, list) and len(point) == 2 and all(type(value) is int for value in point) for point in speeds
+    )
+    if "neutral" in entry and (type(neutral) is not int or not least <= neutral <= most):
+        raise wrong(f"neutral = {neutral!r} is no pulse", f"give whole microseconds from {least} to {most}")
+    if "speeds" in entry and (not whole or len(speeds) < 2):
+        raise wrong("speeds is no list of two [speed, microseconds] or more", "write speeds = [[-100, 1300], [100, 1700]]")
+    odd = next((point for point in speeds if not least <= point[1] <= most or abs(point[0]) > 32767), None)
+    if odd is not None:
+        raise wrong(f"{odd} in speeds has no pulse or speed that can be", f"give whole microseconds from {least} to {most}")
+    back = next((b for a, b in pairwise(speeds) if b[0] <= a[0]), None)
+    if back is not None:
+        raise wrong(f"{back} in speeds does not come behind a lower speed", "list the speeds from the lowest to the highest")
+    at_rest = next((point[1] for point in speeds if point[0] == 0), neutral)
+    if neutral and at_rest != neutral:
+        raise wrong(f"neutral is {neutral}, and speeds has {at_rest} for a stand", "leave out one of them")
+    points = dict(speeds) | ({0: neutral} if neutral and speeds else {})
+    return ServoTrim(at_rest, tuple(sorted(points.items())), place)
+
+
+def _line_of(name: str, text: str) -> int | None:
+    """The line in which a table of a servo begins, or None where it is not written as one."""
+    wanted = re.compile(rf"\s*\[\s*servos\s*\.\s*(?:[\"']?{re.escape(name)}[\"']?)\s*\]|\s*[\"']?{re.escape(name)}[\"']?\s*=")
+    return next((number for number, line in enumerate(text.splitlines(), 1) if wanted.match(line)), None)
 
 
 def _list_of_tables(path: Path, data: dict[str, Any], name: str) -> list[Any]:

@@ -371,6 +371,10 @@ class DeviceFacts(Element, metaclass=MetaEClass):
     """True when it needs no common ground."""
     sounds: bool = EAttribute(eType=EBoolean)
     """True when it is sounded with the function tone of the target."""
+    rest: str = EAttribute(eType=EString, default_value="")
+    """The level of its signals, low or high, at which it does nothing; empty for a device that needs none at the start."""
+    bench: str = EAttribute(eType=EString, default_value="")
+    """How it is tried alone on the bench; empty where its role says it."""
 
     if TYPE_CHECKING:
 
@@ -394,6 +398,8 @@ class DeviceFacts(Element, metaclass=MetaEClass):
             pullUps: PullUps | None = None,
             isolated: bool | None = None,
             sounds: bool | None = None,
+            rest: str | None = None,
+            bench: str | None = None,
         ) -> None: ...
 
 

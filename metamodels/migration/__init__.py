@@ -225,6 +225,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """What is worth knowing."""
     trace: Trace | None = EReference(containment=True)
     """Which elements each decision and each generated line comes from."""
+    bench: bool = EAttribute(eType=EBoolean)
+    """Whether a sketch that tries one component at a time is made beside the program."""
 
     if TYPE_CHECKING:
 
@@ -258,6 +260,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             checks: Iterable[PlanTask] | None = None,
             findings: Iterable[PlanFinding] | None = None,
             trace: Trace | None = None,
+            bench: bool | None = None,
         ) -> None: ...
 
 
@@ -456,6 +459,12 @@ class Connection(Element, metaclass=MetaEClass):
     """Its connectors."""
     via: MutableSequence[Component] = EReference(upper=-1)
     """Passive components on the way."""
+    restLevel: str = EAttribute(eType=EString, default_value="")
+    """The level, low or high, that its pin gets before all else, so that what it drives does nothing; empty for none."""
+    neutralMicroseconds: int = EAttribute(eType=EInt)
+    """Width of the pulse at which the servo on it stands still, as a person has measured it; 0 where nobody has."""
+    speeds: MutableSequence[ServoSpeed] = EReference(upper=-1, containment=True)
+    """Pulses of the servo on it by speed, by ascending speeds, as a person has measured them."""
 
     if TYPE_CHECKING:
 
@@ -469,6 +478,27 @@ class Connection(Element, metaclass=MetaEClass):
             component: Component | None = None,
             connectors: Iterable[Connector] | None = None,
             via: Iterable[Component] | None = None,
+            restLevel: str | None = None,
+            neutralMicroseconds: int | None = None,
+            speeds: Iterable[ServoSpeed] | None = None,
+        ) -> None: ...
+
+
+class ServoSpeed(Element, metaclass=MetaEClass):
+    """The pulse that a servo turns at a speed with."""
+
+    speed: int = EAttribute(eType=EInt)
+    """The speed, in the units of the function that is given it."""
+    microseconds: int = EAttribute(eType=EInt)
+    """Width of the pulse."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            speed: int | None = None,
+            microseconds: int | None = None,
         ) -> None: ...
 
 
@@ -951,6 +981,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Connection.component.eType = Component
     Connection.connectors.eType = Connector
     Connection.via.eType = Component
+    Connection.speeds.eType = ServoSpeed
     PortBinding.element.eType = Located
     PortBinding.convention.eType = PinConvention
     PortBinding.conventionalPort.eType = ConventionalPort

@@ -15,6 +15,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("plan", metavar="plan.xmi", type=Path, help="a stored plan, perhaps edited")
     parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
+    parser.add_argument("--bench", action="store_true", help="make a sketch that tries one component at a time, too: OUT/bench")
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
 
@@ -22,5 +23,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("generate")
-    done = content("chain", "generate")(arguments.plan, arguments.output, dry_run=arguments.dry_run, strict=arguments.strict)
+    done = content("chain", "generate")(
+        arguments.plan, arguments.output, dry_run=arguments.dry_run, strict=arguments.strict, bench=arguments.bench
+    )
     return filled(report, done, {}, ())

@@ -59,6 +59,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
     )
+    parser.add_argument("--bench", action="store_true", help="make a sketch that tries one component at a time, too: OUT/bench")
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
     parser.add_argument("--yes", action="store_true", help="ask nothing")
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
@@ -76,7 +77,7 @@ def run(arguments: argparse.Namespace) -> Report:
             source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
-            widths=arguments.widths, verify=arguments.verify,
+            widths=arguments.widths, bench=arguments.bench, verify=arguments.verify,
             ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
         )  # fmt: skip
     if answers is not None and not arguments.dry_run:

@@ -15,7 +15,9 @@ from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 
 
-def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False) -> Generated:
+def generate(
+    plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False, bench: bool = False
+) -> Generated:
     """Make the sketch of a stored plan.
 
     Args:
@@ -23,6 +25,7 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
         output: the output folder; it may be the one the plan lies in.
         dry_run: write nothing.
         strict: stop when a choice is open.
+        bench: make a sketch that tries one component at a time, too, also where the plan does not ask for it.
 
     Raises:
         SourceError: the plan or a file beside it cannot be read, or does not match its digest.
@@ -32,12 +35,14 @@ def generate(plan: str | Path, output: str | Path, *, dry_run: bool = False, str
     own = os.path.realpath(plan) == os.path.realpath(Path(output) / FOLDER / PLAN)
     if not own:
         models = _loaded(Path(plan), dry_run)
+        models.plan.bench = models.plan.bench or bench
         return produce(models, Path(output), dry_run=dry_run, strict=strict)
     if dry_run:
         look_only(Path(output))
     with nullcontext() if dry_run else at_work(Path(output)):
         seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")}
         models = load_models(Path(plan))
+        models.plan.bench = models.plan.bench or bench
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)

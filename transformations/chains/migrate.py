@@ -44,6 +44,7 @@ from robosmi.transformations.m2m.adapter_choice import adapter_choice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
+from robosmi.transformations.m2m.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_texts import looked_up
@@ -53,7 +54,7 @@ from robosmi.transformations.queries.ports import ProgramPorts
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
-    "adapters", "widths",
+    "adapters", "widths", "bench",
 )  # fmt: skip
 """What a migration is told from outside; `migration_chain` says what each is used for."""
 
@@ -237,10 +238,13 @@ def models(
     library_decisions: tuple[Sequence[migration.LibraryChoice], LibraryModels],
     earlier: ForgivingHistory,
     settings: Project,
+    bench: bool,
 ) -> MigrationModels:
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
     if drawing is not None:
+        set_rest_levels(drawing.hardware.connections)
+        set_servo_trims(drawing.hardware.connections, bindings, settings.servos)
         findings += drawing.findings
         places[drawing.given] = drawing.copy
         files.update(drawing.files)
@@ -257,6 +261,7 @@ def models(
         *judgement, widenings, widths != KEEP, ports, bindings, *library_decisions, files, findings, places,
     )  # fmt: skip
     plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
+    plan.bench = bench
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))
     circuit = drawing.hardware.circuit if drawing is not None else None
@@ -280,6 +285,7 @@ def plan_migration(
     adapters: str | None = None,
     history: str | None = None,
     widths: str = FIX,
+    bench: bool = False,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> MigrationModels:
@@ -298,6 +304,7 @@ def plan_migration(
         adapters: `filled` or `placeholders`; what the defaults say if None.
         history: place of earlier choices, a file or a URL; the user's own if None.
         widths: `fix` writes the text so that numbers keep the widths of the source, `keep` leaves it as it is.
+        bench: make a sketch that tries one component at a time, too.
         progress: told of each step.
         chain: steps of one's own, which make `models` of what is given; `migration_chain()` if None.
 
@@ -308,7 +315,7 @@ def plan_migration(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths,
+        history=history, widths=widths, bench=bench,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         made: MigrationModels = run.value("models")
@@ -336,6 +343,7 @@ def migrate(
     bind: Mapping[str, str] | None = None,
     history: str | None = None,
     widths: str = FIX,
+    bench: bool = False,
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
     verify: bool = False,
@@ -350,7 +358,7 @@ def migrate(
         dry_run: write nothing.
         strict: stop when a choice is open.
         project, hardware, target, source_platform, include_dirs, defines, libraries, bind, adapters, history,
-            widths, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
+            widths, bench, progress, chain: see `plan_migration`; what persons chose is recorded there, too.
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
         verify: compare what was made with the original at the end; the verdict is a finding of the plan.
@@ -364,7 +372,7 @@ def migrate(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths,
+        history=history, widths=widths, bench=bench,
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():

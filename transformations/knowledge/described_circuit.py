@@ -87,6 +87,8 @@ def device_facts(component: hardware.Component) -> DeviceFacts | None:
         pull_ups=_KNOWN_PULL_UPS[device.pullUps],
         isolated=device.isolated,
         tone=device.sounds,
+        rest=device.rest,
+        bench=device.bench,
     )
 
 
@@ -122,4 +124,6 @@ def _element(facts: DeviceFacts) -> hardware.DeviceFacts:
         pullUps=_PULL_UPS[facts.pull_ups],
         isolated=facts.isolated,
         sounds=facts.tone,
+        rest=facts.rest,
+        bench=facts.bench,
     )

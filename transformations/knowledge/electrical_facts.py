@@ -49,6 +49,8 @@ class DeviceFacts:
         pull_ups: whether it brings those of the bus, None if unknown.
         isolated: whether it needs no common ground.
         tone: whether it is sounded with the function of that name.
+        rest: the level of its signals, low or high, at which it does nothing; empty for none.
+        bench: how it is tried alone on the bench; empty where its role says it.
     """
 
     kind: str
@@ -68,6 +70,8 @@ class DeviceFacts:
     pull_ups: bool | None = None
     isolated: bool = False
     tone: bool = False
+    rest: str = ""
+    bench: str = ""
 
 
 _REMEMBERED = 1024  # components; drawings have the same few again and again
@@ -170,6 +174,13 @@ _TYPES: dict[str, Any] = {"kind": str, "peak_ma": int, "signal_volts": (int, flo
 )
 
 
+_WORDS = {
+    "rest": ("low", "high"),
+    "bench": ("servo", "motor", "switch", "sound", "ranger", "humidity", "count", "none"),
+}
+"""The only values that a key may have."""
+
+
 def _entry(device: Mapping[str, Any], path: str) -> _Entry:
     odd = next((key for key in device if key not in _KEYS and key not in _FINDERS), None)
     if odd is not None:
@@ -186,6 +197,8 @@ def _entry(device: Mapping[str, Any], path: str) -> _Entry:
 def _is_right(key: str, value: Any) -> bool:
     if key == "volts":
         return isinstance(value, list) and len(value) == 2 and all(isinstance(v, (int, float)) for v in value)
+    if key in _WORDS:
+        return value in _WORDS[key]
     if key in _TYPES:
         return isinstance(value, _TYPES[key])
     kind = int if key == "i2c" else str

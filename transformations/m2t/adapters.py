@@ -14,6 +14,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
+from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types, target_of
 from robosmi.transformations.queries.plan_adapters import emitted
@@ -94,7 +95,7 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
     storage = "static " if target_of(plan).language == "C" else ""
     return {
         "headers": includes(pieces),
-        "declarations": [*_cores(plan), *declarations(pieces, pins, UNBOUND, numbers, storage)],
+        "declarations": [*_cores(plan), *_servos(plan, pieces), *declarations(pieces, pins, UNBOUND, numbers, storage)],
         "pieces": [
             PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
             for piece, above in zip(pieces, (None, *pieces), strict=False)
@@ -122,6 +123,27 @@ def _cores(plan: migration.MigrationPlan) -> list[str]:
         return []
     about = "// Code of other cores runs in turns: so many beside main at once, each with a stack of so many bytes"
     return ["", about, f"#define COG_SLOTS {said.slots}", f"#define COG_STACK {said.stackBytes}"]
+
+
+def _servos(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -> list[str]:
+    """What the pieces for servos are told of pulses that a person has measured."""
+    trimmed = {c.pin: c for c in plan.connections if c.pin is not None and (c.neutralMicroseconds or c.speeds)}
+    if not trimmed or not any(piece.name == SERVO_TRIMS for piece in pieces):
+        return []
+    lines = ["", "// Pulses of servos as robosmi.toml has them: at a stand, and by speed (speed and microseconds of each point)"]
+    rows = []
+    for number, (pin, connection) in enumerate(trimmed.items()):
+        points = ", ".join(f"{each.speed}, {each.microseconds}" for each in connection.speeds)
+        if points:
+            lines.append(f"static const int16_t servo_speeds_{number}[] = {{{points}}};")
+        count, table = len(connection.speeds), f"servo_speeds_{number}" if points else "0"
+        rows.append(f"  {{{pin_literal(pin)}, {connection.neutralMicroseconds or 1500}, {count}, {table}}},")
+    kinds = "uint8_t pin; int16_t neutral; uint8_t points; const int16_t *speeds;"
+    return [*lines, "#define SERVO_TRIMS", f"static const struct {{ {kinds} }} servo_trims[] = {{", *rows, "};"]
+
+
+SERVO_TRIMS = "servo_us"
+"""The piece that gives servos the pulses that were measured."""
 
 
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:

@@ -6,6 +6,7 @@ It reads the plan, the models it refers to and the stored sources, and nothing e
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from robosmi.generate import Generation
 from robosmi.metamodels import migration
@@ -18,7 +19,9 @@ _TEMPLATES = ProgramTemplates(
     "arduino/adapters.h.j2",
     "arduino/sketch.yaml.j2",
     "sketch.yaml",
+    bench="arduino/bench.ino.j2",
 )
+_MORE = {"platformio.ini": "arduino/platformio.ini.j2"}
 
 
 def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Generation:
@@ -31,4 +34,5 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
     Raises:
         RuleError: a template is wrong.
     """
-    return program_files(plan, sources, _TEMPLATES, project(plan))
+    shown = project(plan)
+    return program_files(plan, sources, replace(_TEMPLATES, more=_MORE if shown["platformio"] else {}), shown)

@@ -13,8 +13,9 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
+from robosmi.quoting import c_comment
 from robosmi.transformations.queries.expression_type import of_use
-from robosmi.transformations.queries.plan_adapters import setup_statements
+from robosmi.transformations.queries.plan_adapters import rest_levels, setup_statements
 from robosmi.transformations.queries.source_text import Piece, SourceText, inside, reindent
 from robosmi.transformations.queries.text_changes import decision_of
 
@@ -152,8 +153,17 @@ def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) ->
 
 
 def _setup(plan: migration.MigrationPlan) -> list[str]:
-    """The statements that adapters need at the start."""
-    return [f"{statement}\n" for statement in setup_statements(plan)]
+    """The statements at the start: pins get their level and then drive, so that nothing moves; then what adapters need."""
+    levels = []
+    for connection in rest_levels(plan):
+        levels.append(f"digitalWrite({connection.name}, {connection.restLevel.upper()});  // {_idle(connection)}\n")
+        levels.append(f"pinMode({connection.name}, OUTPUT);\n")
+    return [*levels, *(f"{statement}\n" for statement in setup_statements(plan))]
+
+
+def _idle(connection: migration.Connection) -> str:
+    title = connection.component.title if connection.component is not None else connection.name
+    return c_comment(f"{title} does nothing yet")
 
 
 def _parameters(main: ccode.Function) -> list[str]:

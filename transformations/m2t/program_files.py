@@ -8,18 +8,24 @@ elements and to the step of the method that made it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+from robosmi.errors import UsageError
 from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, made_apart, with_own_types
+from robosmi.transformations.m2t.bench_sketch import bench
 from robosmi.transformations.m2t.port_table import port_table
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuit import pin_literal
+from robosmi.transformations.queries.plan import target_of
 from robosmi.transformations.queries.source_text import SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes
+
+BENCH = "bench"
+"""The folder, beside that of the program, of the sketch that tries one component at a time."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +38,8 @@ class ProgramTemplates:
         adapters: of the adapters.
         project: of the project file.
         project_file: name of the project file.
+        more: files beside the project file that say the same to other tools: name -> template.
+        bench: of the sketch that tries one component at a time; empty for a target that has none.
     """
 
     unit: str
@@ -39,6 +47,8 @@ class ProgramTemplates:
     adapters: str
     project: str
     project_file: str
+    more: Mapping[str, str] = field(default_factory=dict)
+    bench: str = ""
 
 
 def program_files(
@@ -54,7 +64,12 @@ def program_files(
 
     Raises:
         RuleError: a template is wrong.
+        UsageError: a sketch for the bench is wanted, and the target has none.
     """
+    if plan.bench and not templates.bench:
+        name = target_of(plan).name
+        fix = "leave out --bench, or choose a board as the target, as in --target uno -o OTHER"
+        raise UsageError(f"the target '{name}' has no sketch for the bench", fix=fix)
     g = Gen()
     assert plan.program is not None
     late, changes = with_own_types(plan), all_changes(plan)
@@ -87,6 +102,22 @@ def program_files(
     @g.rule(template=templates.project, target=f"{plan.name}/{templates.project_file}")
     def Project() -> dict[str, Any]:
         return {"plan": plan, **project}
+
+    @g.rule(domain=list(templates.more), template=lambda name: templates.more[name], target=lambda name: f"{plan.name}/{name}")
+    def Tools(_: str) -> dict[str, Any]:
+        return {"plan": plan, **project}
+
+    trial = f"{plan.name}_bench"
+    benches = [trial] if plan.bench else []
+    suffix = target_of(plan).fileSuffix
+
+    @g.rule(domain=benches, template=templates.bench, target=f"{BENCH}/{trial}/{trial}{suffix}")
+    def Bench(_: str) -> dict[str, Any]:
+        return {"plan": plan, **bench(plan)}
+
+    @g.rule(domain=benches, template=templates.project, target=f"{BENCH}/{trial}/{templates.project_file}")
+    def BenchProject(_: str) -> dict[str, Any]:
+        return {"plan": plan, **project, "libraries": [], "chosen": []}
 
     @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")
     def Report() -> dict[str, Any]:

@@ -17,6 +17,7 @@ from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_par
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, undeclared_variables, unit_of
 from robosmi.transformations.queries.plan import keeps_main, target_of
+from robosmi.transformations.queries.plan_adapters import rest_levels
 from robosmi.transformations.queries.signature_text import declare
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
 from robosmi.transformations.queries.text_changes import decision_of
@@ -56,9 +57,9 @@ def program_text(
         texts: the text of each unit.
 
     Returns:
-        `origin`, `includes`, `libraries`, `interrupts` for its head; `types` (its code up to the first function, where something
-        must stand behind that), `adapters`, `variables` of other files, `prototypes` and the headers of their types that must,
-        `code` (all the rest).
+        `origin`, `includes`, `libraries`, `interrupts` for its head, and `rest`, the pins that get a level first; `types` (its
+        code up to the first function, where something must stand behind that), `adapters`, `variables` of other files,
+        `prototypes` and the headers of their types that must, `code` (all the rest).
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
@@ -80,6 +81,7 @@ def program_text(
         "interrupts": handles_interrupts(plan, unit),
         "includes": _includes(plan, source),
         "libraries": _libraries(plan),
+        "rest": rest_levels(plan) if main_of(unit) is not None else [],
         "types": _retained([], source.unit, source.pieces(0, start, _elements(unit))),
         "adapters": adapters(plan, late),
         "prototype_headers": headers_of_types(elsewhere, unit),

@@ -1,4 +1,4 @@
-"""What `sketch.yaml` says: board and libraries with their versions (Arduino CLI, sketch project file).
+"""What `sketch.yaml` (Arduino CLI) and `platformio.ini` (PlatformIO) say: board and libraries with their versions.
 
 The libraries are those that something in the sketch uses.
 """
@@ -31,4 +31,12 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
         "core": f"{core} ({version})" if version else core,
         "chosen": chosen,
         "libraries": [f"{name} ({versions[name]})" if versions.get(name) else name for name in names],
+        "platformio": str(mapping.platformioId) if mapping is not None else "",
+        "dependencies": [_dependency(str(name), str(versions.get(name) or "")) for name in names],
     }
+
+
+def _dependency(name: str, version: str) -> str:
+    """A library as PlatformIO's `lib_deps` names it: one line, on which a blank and a semicolon would begin a comment."""
+    plain = " ".join(name.replace(" ;", ";").split())
+    return f"{plain} @ {version}" if version else plain

@@ -35,6 +35,11 @@ def setup_statements(plan: migration.MigrationPlan) -> list[str]:
     return list(dict.fromkeys(str(statement) for piece in emitted(plan) for statement in piece.setup))
 
 
+def rest_levels(plan: migration.MigrationPlan) -> list[migration.Connection]:
+    """The connections whose pins get a level before all else, one for each pin."""
+    return list({c.pin: c for c in reversed(list(plan.connections)) if c.restLevel and c.pin is not None}.values())[::-1]
+
+
 def limits(use: migration.AdapterUse) -> list[str]:
     """What the adapter of a use, with all that it needs, does not do."""
     pieces = closure([use.adapter]) if use.adapter is not None else []

@@ -47,7 +47,7 @@ static int16_t drive_goto_step = 4;
 
 //# helper drive_pulse
 //#   fidelity: open loop: 128 ticks/s are taken as 200 us beyond neutral. Real servos reach their speed earlier: measure a table, and
-//#   fidelity: put it here
+//#   fidelity: put it into robosmi.toml, [servos]
 inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
   int32_t by16 = (int32_t)speed * 25;
   return (int16_t)((by16 < 0 ? by16 + 15 : by16) >> 4);
@@ -89,7 +89,7 @@ static Wheel wheels[2];
 static uint8_t drive_pins[2] = {left_servo, right_servo};
 
 //# helper drive_frame
-//#   needs: wheels drive_top drive_pulse servo.h/ServoSlot
+//#   needs: wheels drive_top drive_pulse servo.h/ServoSlot servo.h/servo_us
 static void (*drive_goto_frame)(Wheel &wheel);
 static volatile uint8_t drive_frames;
 
@@ -109,7 +109,7 @@ inline void drive_frame() {
     wheel.way50 += speed;
     ServoSlot *slot = servo_slot(wheel.pin, false);
     if (slot && speed) {
-      int16_t beyond = drive_pulse(speed), us = side ? 1500 - beyond : 1500 + beyond;
+      int16_t beyond = drive_pulse(speed), us = servo_us(wheel.pin, speed, side ? 1500 - beyond : 1500 + beyond);
       if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
       else slot->start(us);
     } else if (slot && drive_frames > 0) {
@@ -133,7 +133,7 @@ inline void drive_wait_rest() {
 }
 
 //# helper drive_start
-//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/background simpletools.h/Io
+//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/background servo.h/servo_us simpletools.h/Io
 static bool drive_on;
 
 inline void drive_start() {  // as long as the library takes for the start of its cog
@@ -144,7 +144,7 @@ inline void drive_start() {  // as long as the library takes for the start of it
     ServoSlot *slot = Io(drive_pins[side]).wired() ? servo_slot(drive_pins[side], true) : 0;
     if (!slot) continue;
     slot->own = true;
-    slot->start(1500);
+    slot->start(servo_us(drive_pins[side], 0, 1500));
   }
   run_in_background(frame_jobs, drive_frame);
   drive_wait_frames(7);

@@ -110,6 +110,26 @@ inline ServoSlot *servo_slot(int32_t pin, bool make) {
   return free;
 }
 
+//# helper servo_us
+//#   fidelity: by the table of the servo at the pin, straight between its points; without one, moved by its neutral pulse
+inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // otherwise: microseconds where nobody has measured
+#ifdef SERVO_TRIMS
+  for (const auto &trim : servo_trims) {
+    if (trim.pin != pin) continue;
+    if (!trim.points) return otherwise - 1500 + trim.neutral;
+    const int16_t *at = trim.speeds;
+    if (speed <= at[0]) return at[1];
+    for (uint8_t left = trim.points - 1; left; left--, at += 2)
+      if (speed <= at[2]) return at[1] + (int32_t)(speed - at[0]) * (at[3] - at[1]) / (at[2] - at[0]);
+    return at[1];
+  }
+#else
+  (void)pin;
+  (void)speed;
+#endif
+  return otherwise;
+}
+
 //# adapter servo_set
 //#   for: int servo_set(int pin, int time)
 //#   kind: oneToMany
@@ -157,11 +177,12 @@ inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
 //# adapter servo_speed
 //#   for: int servo_speed(int pin, int speed)
 //#   kind: oneToOne
-//#   needs: servo_set
+//#   needs: servo_set servo_us
 //#   pin: pin digital out servo
 //#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
 inline int32_t servo_speed(int32_t pin, int32_t speed) {
-  return servo_set(pin, speed + 1500);
+  int32_t us = speed + 1500;
+  return servo_set(pin, us > 0 && us < 3000 ? servo_us(pin, speed, us) : us);
 }
 
 //# adapter servo_get

@@ -249,7 +249,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
 }
 
 //# helper servo360_run
-//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/background
+//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/background servo.h/servo_us
 inline void servo360_frame() {
   bool alive[4];
   for (uint8_t place = 0; place < 4; place++) {
@@ -271,7 +271,7 @@ inline void servo360_frame() {
     ServoSlot *slot = servo ? servo_slot(servo->pin, false) : 0;
     if (!slot) continue;
     servo->out = Servo360::limited(servo->out, 2400);
-    int16_t us = 1500 + (int16_t)servo->out / 10;
+    int16_t us = servo_us(servo->pin, 0, 1500) + (int16_t)servo->out / 10;
     if (!alive[place] || !servo->enabled) slot->rest();
     else if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
     else slot->start(us);
@@ -296,7 +296,7 @@ inline int8_t servo360_place(int32_t pin) {
 //# adapter servo360_connect
 //#   for: int servo360_connect(int pinControl, int pinFeedback)
 //#   kind: semantic
-//#   needs: servo.h/ServoSlot Uninterrupted Servo360 feedback360_edge servo360_run simpletools.h/watch_pin simpletools.h/Io simpletools.h/pulse_in
+//#   needs: servo.h/ServoSlot Uninterrupted Servo360 feedback360_edge servo360_run simpletools.h/watch_pin simpletools.h/Io simpletools.h/pulse_in servo.h/servo_us
 //#   role: servo
 //#   pin: pinControl digital out servo
 //#   pin: pinFeedback digital in encoder
@@ -344,7 +344,7 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   ServoSlot *slot = control.wired() ? servo_slot(pinControl, true) : 0;
   if (slot) {
     slot->own = true;
-    slot->start(1500);
+    slot->start(servo_us(pinControl, 0, 1500));
   }
   return place;
 }
@@ -410,14 +410,14 @@ inline int32_t servo360_goto(int32_t pin, int32_t position) {
 //# adapter servo360_set
 //#   for: int servo360_set(int pinControl, int time)
 //#   kind: oneToOne
-//#   needs: Servo360 servo360_run
+//#   needs: Servo360 servo360_run servo.h/servo_us
 //#   pin: pin digital out servo
 //#   fidelity: a width in microseconds, which holds while the feedback is off; within 1,260 to 1,740 us, as there
 inline int32_t servo360_set(int32_t pin, int32_t time) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
   Servo360 *servo = servos360[place];
-  servo->write(servo->out, (time - 1500) * 10);
+  servo->write(servo->out, (time - servo_us(servo->pin, 0, 1500)) * 10);
   return place;
 }
 

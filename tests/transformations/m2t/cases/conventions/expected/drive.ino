@@ -14,6 +14,10 @@ const int Red633nmLED1WriteP1 = 12;  // Red (633nm)-LED1: anode on D12
 #define LED Red633nmLED1WriteP1
 
 void setup() {
+  digitalWrite(BasicServo2WriteP1, LOW);  // Basic Servo2 does nothing yet
+  pinMode(BasicServo2WriteP1, OUTPUT);
+  digitalWrite(BasicServo1WriteP1, LOW);  // Basic Servo1 does nothing yet
+  pinMode(BasicServo1WriteP1, OUTPUT);
   drive_speed(24, 24);
 }
 

@@ -1,0 +1,5 @@
+#include "simpletools.h"
+
+int main() {
+  while (1) pause(100);
+}

@@ -1,0 +1,59 @@
+"""`platformio.ini`: each board by its name there, and the libraries that the sketch uses."""
+
+from __future__ import annotations
+
+import configparser
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.verify.boards import load_boards
+from tests.running import run
+
+IDLE = Path(__file__).parent / "bench" / "idle.c"
+NAMES = {
+    "bt": "btatmega328", "diecimila": "diecimilaatmega328", "ethernet": "ethernet", "fio": "fio", "leonardo": "leonardo",
+    "lilypad": "lilypadatmega328", "lilypadusb": "LilyPadUSB", "mega": "megaatmega2560", "megaadk": "megaADK", "micro": "micro",
+    "mini": "miniatmega328", "nano": "nanoatmega328new", "pro8mhz": "pro8MHzatmega328", "promini": "pro16MHzatmega328",
+    "uno": "uno", "yun": "yun",
+}  # fmt: skip
+"""As PlatformIO's package `atmelavr` calls its definitions of boards (`boards/NAME.json`), each with the microcontroller, clock,
+variant and protocol of ours."""
+
+
+def settings(path: Path) -> configparser.ConfigParser:
+    """The file as PlatformIO reads it: its reader is the one of Python's library, with these comments."""
+    parser = configparser.ConfigParser(inline_comment_prefixes=("#", ";"), interpolation=None)
+    assert parser.read(path) == [str(path)]
+    return parser
+
+
+def test_each_board_has_its_name() -> None:
+    assert {board.name for board in load_boards("arduino")} == set(NAMES)
+
+
+@pytest.mark.parametrize("board", sorted(NAMES))
+def test_the_file_of_a_board(board: str, tmp_path: Path) -> None:
+    robosmi.migrate([IDLE], tmp_path / "out", target=board)
+    found = settings(tmp_path / "out" / "idle" / "platformio.ini")
+    assert dict(found["platformio"]) == {"src_dir": ".", "default_envs": board}
+    assert dict(found[f"env:{board}"]) == {"platform": "atmelavr", "board": NAMES[board], "framework": "arduino"}
+
+
+@pytest.mark.parametrize("example", ["line_follower", "environmental_monitoring"])
+def test_its_libraries_are_those_of_the_sketch_project(example: str, examples: Path, tmp_path: Path) -> None:
+    (program,) = (examples / example).glob("*.c")
+    assert run("migrate", program, "-o", tmp_path / "out").code == 0
+    (sketch,) = (path.parent for path in (tmp_path / "out").glob("*/platformio.ini"))
+    listed = settings(sketch / "platformio.ini")["env:uno"]["lib_deps"].split("\n")[1:]
+    lines = (sketch / "sketch.yaml").read_text().splitlines()
+    wanted = [
+        line.strip().removeprefix("- ") for line in lines[lines.index("    libraries:") + 1 :] if line.startswith("      - ")
+    ]
+    assert listed == [f"{name} @ {version.rstrip(')')}" for name, _, version in (line.partition(" (") for line in wanted)]
+
+
+def test_a_c_program_has_a_makefile_and_no_such_file(tmp_path: Path) -> None:
+    robosmi.migrate([IDLE], tmp_path / "out", target="avr-c")
+    assert not list((tmp_path / "out").rglob("platformio.ini"))

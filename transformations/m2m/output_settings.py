@@ -1,0 +1,70 @@
+"""What pins get before the program moves them, and what was measured of the servos on them, as parts of the plan's connections.
+
+The level at which a device does nothing is data of its kind; what a person has measured stands in robosmi.toml. Texts of the
+target are made elsewhere (`m2t`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from robosmi.errors import SourceError, did_you_mean
+from robosmi.metamodels import migration
+from robosmi.project import ServoTrim
+
+
+def set_rest_levels(connections: Sequence[migration.Connection]) -> None:
+    """Give each connection that drives something the level at which that does nothing, where its kind has one.
+
+    Args:
+        connections: of the target board, their circuit described.
+    """
+    for connection in connections:
+        device = connection.component.device if connection.component is not None else None
+        can = connection.pin is not None and "digital" in connection.pin.abilities
+        if device is not None and can and connection.signal is migration.Signal.write:
+            connection.restLevel = device.rest
+
+
+def set_servo_trims(
+    connections: Sequence[migration.Connection], bindings: Sequence[migration.PortBinding], servos: Mapping[str, ServoTrim]
+) -> None:
+    """Give connections of servos the neutral pulses and speeds that persons have measured.
+
+    Args:
+        connections: of the target board.
+        bindings: of the program's ports.
+        servos: title of a component, `#model_index`, role or name of a port, or name of a connection -> what was measured.
+
+    Raises:
+        SourceError: a name means no servo, or one of several.
+    """
+    for name, trim in servos.items():
+        found = _named(name, connections, bindings)
+        if len({id(c.component) for c in found}) > 1:
+            titles = ", ".join(f"#{c.component.elementId}" for c in found if c.component is not None)
+            raise SourceError(f"[servos] '{name}' may mean: {titles}", location=trim.place, fix="name one of these")
+        driven = [c for c in found if c.signal is not migration.Signal.read]
+        if not driven:
+            known = [c.component.title for c in connections if c.component is not None and c.signal is migration.Signal.write]
+            known += [str(b.name) for b in bindings]
+            what = "is driven by no pin" if found else f"is no component, role or port here{did_you_mean(name, known)}"
+            offered = ", ".join(f"'{each}'" for each in dict.fromkeys(known)) or "none is driven"
+            raise SourceError(f"[servos] '{name}' {what}", location=trim.place, fix=f"use one of: {offered}")
+        for connection in driven:
+            connection.neutralMicroseconds = trim.neutral
+            connection.speeds.clear()
+            connection.speeds.extend(migration.ServoSpeed(speed=speed, microseconds=pulse) for speed, pulse in trim.speeds)
+
+
+def _named(
+    name: str, connections: Sequence[migration.Connection], bindings: Sequence[migration.PortBinding]
+) -> list[migration.Connection]:
+    """The connections that a name means, by its likeliest meaning."""
+    bound = [b.connection for b in bindings if b.connection is not None and name in (b.name, *b.names)]
+    drawn = [
+        c
+        for c in connections
+        if c.component is not None and name in (c.component.title, f"#{c.component.elementId}", str(c.name))
+    ]
+    return bound or drawn

@@ -1,0 +1,151 @@
+"""What the sketch for the bench shows: one component at a time, chosen over the serial line, moved or read within safe limits.
+
+How a component is tried is data of its kind (`bench` in parts/electrical.toml), else its role says it. The sketch needs no
+library beyond the core; pins of the serial line that it talks over are left alone. All is in the models, nothing is decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from robosmi.metamodels import hardware, migration
+from robosmi.transformations.queries.circuit import pin_literal
+
+_NEUTRAL = 1500
+_BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}
+
+
+@dataclass(frozen=True)
+class BenchCall:
+    """A call of the sketch that tries something: the function's name, and its arguments as texts of the target's language."""
+
+    name: str
+    arguments: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class BenchCheck:
+    """How one component is tried.
+
+    Attributes:
+        title: the component as the drawing calls it, told apart from others of the same title.
+        wires: its connectors with their pins, for people.
+        calls: what is called, one after the other.
+        note: why a part of it is not tried; empty where all is.
+        elements: what it comes from.
+    """
+
+    title: str
+    wires: str
+    calls: tuple[BenchCall, ...]
+    note: str
+    elements: tuple[Any, ...]
+
+
+def bench(plan: migration.MigrationPlan) -> dict[str, Any]:
+    """What the template of the sketch shows: `checks`, the names of the functions that they `use`, pins with a `rest` level."""
+    checks = list(_checks(plan))
+    rest = [c for c in plan.connections if c.restLevel and c.pin is not None and not _console(c)]
+    return {
+        "checks": checks,
+        "used": sorted({call.name for check in checks for call in check.calls}),
+        "rest": [(_pin(c), str(c.restLevel).upper(), c) for c in rest],
+    }
+
+
+def _checks(plan: migration.MigrationPlan) -> Iterator[BenchCheck]:
+    of_component: dict[hardware.Component, list[migration.Connection]] = {}
+    for connection in plan.connections:
+        if connection.component is not None and connection.pin is not None:
+            of_component.setdefault(connection.component, []).append(connection)
+    titles = [c.title for c in of_component]
+    for component, connections in of_component.items():
+        title = component.title if titles.count(component.title) == 1 else f"{component.title} #{component.elementId}"
+        wires = ", ".join(f"{_wire(c)} on {c.pin.label}" for c in connections if c.pin is not None)
+        free = [c for c in connections if not _console(c)]
+        calls = tuple(_calls(component, free))
+        note = "on the pins that this sketch talks over" if len(free) < len(connections) else ""
+        if not calls and not note:
+            note = "not tried alone"
+        yield BenchCheck(title, wires, calls, note, (component, *connections))
+
+
+def _calls(component: hardware.Component, connections: list[migration.Connection]) -> Iterator[BenchCall]:
+    """How a component is tried at its connections."""
+    device = component.device
+    kind = device.bench if device is not None else ""
+    writes = [c for c in connections if c.signal is not migration.Signal.read]
+    if kind == "none" or not connections:
+        return
+    if kind == "ranger":
+        ends = _ranger(connections)
+        if ends is not None:
+            yield BenchCall("tryRanger", ends)
+            return
+    if _on_bus(connections) and (kind == "" or device is None or device.addresses):
+        yield BenchCall("tryBus", ())
+        return
+    if kind == "humidity":
+        yield from (BenchCall("tryHumidity", (_pin(c),)) for c in connections[:1])
+    elif kind == "count":
+        yield from (BenchCall("tryCount", (_pin(c),)) for c in connections)
+    elif kind == "servo":
+        yield from (BenchCall("tryServo", (_pin(c), str(c.neutralMicroseconds or _NEUTRAL))) for c in writes)
+    elif kind in ("motor", "switch", "sound"):
+        yield from (BenchCall(*_driven(kind, c)) for c in writes)
+    else:
+        yield from (call for c in connections for call in _by_role(component, c))
+
+
+def _driven(kind: str, connection: migration.Connection) -> tuple[str, tuple[str, ...]]:
+    off = str(connection.restLevel or "low").upper()
+    if kind == "sound":
+        return "trySound", (_pin(connection),)
+    if kind == "motor" and connection.pin is not None and "pwm" in connection.pin.abilities:
+        return "tryMotor", (_pin(connection), off)
+    return "trySwitch", (_pin(connection), off)
+
+
+def _by_role(component: hardware.Component, connection: migration.Connection) -> Iterator[BenchCall]:
+    pin, device = connection.pin, component.device
+    assert pin is not None
+    if connection.signal is migration.Signal.write or (
+        component.role is hardware.Role.Output and connection.signal is not migration.Signal.read
+    ):
+        if "digital" in pin.abilities:
+            yield BenchCall("trySwitch", (_pin(connection), str(connection.restLevel or "low").upper()))
+        return
+    measured = "analog_in" in pin.abilities and ((device is not None and bool(device.analog)) or "digital" not in pin.abilities)
+    yield BenchCall("tryVoltage" if measured else "tryLevel", (_pin(connection),))
+
+
+def _ranger(connections: list[migration.Connection]) -> tuple[str, str] | None:
+    """The pins that a ranger is asked and answers at, which may be one."""
+    named = {str(c.name).strip().lower(): connection for connection in connections for c in connection.connectors}
+    asks = next((named[name] for name in named if name.startswith("trig")), None)
+    tells = next((named[name] for name in named if name.startswith("echo")), None)
+    if asks is not None and tells is not None:
+        return _pin(asks), _pin(tells)
+    return (_pin(connections[0]), _pin(connections[0])) if len(connections) == 1 else None
+
+
+def _on_bus(connections: list[migration.Connection]) -> bool:
+    lines = {alias for c in connections if c.pin is not None for alias in c.pin.aliases}
+    return {"SDA", "SCL"} <= lines and len(connections) == 2
+
+
+def _console(connection: migration.Connection) -> bool:
+    """Whether a pin is one of the serial line that boards talk to a computer over."""
+    pin = connection.pin
+    return pin is not None and bool(pin.reserved) and "uart" in pin.abilities
+
+
+def _pin(connection: migration.Connection) -> str:
+    assert connection.pin is not None
+    return pin_literal(connection.pin)
+
+
+def _wire(connection: migration.Connection) -> str:
+    return " and ".join(str(c.name) for c in connection.connectors) or "a wire"
