@@ -9,16 +9,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from statistics import median
 
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 
-LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
-"""The kinds of events with what they say: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,).
+LEVEL, PULSES, WAVE, BURST, LINE, READING, HELD = "level", "pulses", "wave", "burst", "line", "reading", "held"
+"""The kinds of events with what they say.
 
-A reading is a line of a program that measures.
+In this order: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,), (text,), (0 or 1, us). A reading is a line of
+a program that measures; held is how long a line that is shared with a device is driven (see `driven_lines`).
 """
 
 
@@ -32,10 +33,10 @@ class Sight:
     """
 
     pause_us: float = 60_000.0
-    frames: int = 3
+    frames: int = 2
 
 
-SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0), Sight(60_000.0, 2), Sight(90_000.0, 4))
+SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0))
 """Several, since a pause, or what a servo shows, may last a little less than any limit on one side and more on the other."""
 
 _SERVO_PERIOD_US = (12_000.0, 30_000.0)
@@ -48,6 +49,8 @@ _STEADY = 1.3
 _EQUAL_US = 8.0
 """Widths of two frames of a servo that differ by less are equal: interrupts delay edges by so much."""
 _SILENCE_US = 200_000.0
+_CLEAR = 1.2
+"""A pause is clearly longer or shorter than another when it is so many times as long, or less than that part of it."""
 
 
 @dataclass(frozen=True)
@@ -59,12 +62,16 @@ class ActivityEvent:
         kind: one of the kinds above.
         value: what it is, as the kind says.
         pulses: of how many edges up a wave or burst is made, where it is made of edges and not by a timer; else 0.
+        frames: how many frames of a servo have the width, without a pause.
+        unclear: whether a pause about as long as the one that ends an activity is near, so that it may be seen otherwise.
     """
 
     at_us: float
     kind: str
     value: tuple[float | str, ...]
     pulses: int = 0
+    frames: int = 0
+    unclear: bool = False
 
     def __str__(self) -> str:
         value = self.value[0]
@@ -76,6 +83,8 @@ class ActivityEvent:
             return (
                 f"{value:.6g} Hz" if float(self.value[1]) == 0.5 else f"{value:.6g} Hz, {100 * float(self.value[1]):.3g} % high"
             )
+        if self.kind == HELD:
+            return f"held {'high' if value else 'low'} for {self.value[1]:.0f} us"
         return f"{value} pulses" if self.kind == BURST else repr(value)
 
 
@@ -92,16 +101,25 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0]) -> list[Activi
         sight: one of `SIGHTS`.
     """
     runs: list[list[_Pulse]] = []
+    unclear: list[bool] = []
     for pulse in _pulses(trace, pin):
-        if runs and pulse.begin - runs[-1][-1].end < sight.pause_us:
+        pause = pulse.begin - runs[-1][-1].end if runs else math.inf
+        near = sight.pause_us / _CLEAR <= pause <= sight.pause_us * _CLEAR
+        if pause < sight.pause_us:
             runs[-1].append(pulse)
+            unclear[-1] = unclear[-1] or near
         else:
+            if near:
+                unclear[-1] = True
             runs.append([pulse])
+            unclear.append(near)
     drives_servo = any(_is_frames(run) for run in runs)
-    seen = [
-        run for run in runs if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0]))
-    ]  # a single frame moves nothing
-    return merged([IDLE, *(event for run in seen for event in _run(run, _until(trace), sight))])
+    found: list[ActivityEvent] = []
+    for run, doubtful in zip(runs, unclear, strict=True):
+        if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0])):  # a single frame moves nothing
+            events = _run(run, _until(trace), sight)
+            found += [replace(event, unclear=True) for event in events] if doubtful else events
+    return merged([IDLE, *found])
 
 
 def _until(trace: PinTrace) -> float:
@@ -284,18 +302,19 @@ def _frames(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[Activ
     What fewer have is not seen: an interrupt may stretch one, and a ramp passes through.
     """
     found: list[ActivityEvent] = []
-    current: float | None = None
     first = 0
     while first < len(pulses):
         width = pulses[first].end - pulses[first].begin
         last = first
         while last + 1 < len(pulses) and abs(pulses[last + 1].end - pulses[last + 1].begin - width) <= _EQUAL_US:
             last += 1
-        if last - first + 1 >= sight.frames:
+        count = last - first + 1
+        if count >= sight.frames:
             middle = median(pulse.end - pulse.begin for pulse in pulses[first : last + 1])
-            if current is None or abs(middle - current) > _EQUAL_US:
-                found.append(ActivityEvent(pulses[first].begin, PULSES, (middle,)))
-                current = middle
+            if found and abs(middle - float(found[-1].value[0])) <= _EQUAL_US:
+                found[-1] = replace(found[-1], frames=found[-1].frames + count)
+            else:
+                found.append(ActivityEvent(pulses[first].begin, PULSES, (middle,), frames=count))
         first = last + 1
     return [*found, *_end(pulses[-1].end, horizon_us, sight)] if found else []
 

@@ -7,29 +7,24 @@ inputs come a little earlier or later. A source whose values differ from its own
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from robosmi.verify.activity import BURST, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.alignment import aligned, alike
 
 SAME, DIFFERENT, NOT_EXERCISED, RACY = "same", "different", "not-exercised", "racy"
 
-_BASE_MS = {LEVEL: 45.0, PULSES: 65.0, WAVE: 45.0, BURST: 45.0, LINE: 45.0, READING: 45.0}
+_BASE_MS = {LEVEL: 45.0, PULSES: 65.0, WAVE: 45.0, BURST: 45.0, LINE: 45.0, READING: 45.0, HELD: 45.0}
 """The longer of two polling periods and 5 ms; where a servo's frame makes the event, that frame too."""
-_PRINTED = (LINE, READING)
+_PRINTED = (LINE, READING, HELD)
 _DURATION = 0.01
 _RESOLUTION_MS = 0.25
 """Nothing is claimed of the source below about 100 us, at the begin and at the end of what lasts."""
 _FRAME_MS = 21.0
-_PULSE_US = 3.0
-_HZ = 0.015
-_NUMBERS = 0.01
-_NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
-_DUTY = 0.02
-_FASTEST_HZ = 5_000.0
-"""Edges that a program makes itself faster than this are only counted: nothing is claimed of how fast the source makes them."""
+_REST_MS = 5.0
+"""A rest ends when the program comes round: what it does until then takes other times on another microcontroller."""
 RESONATOR = 0.005
 """A board's resonator may be off by so much: times drift by it."""
 
@@ -99,47 +94,16 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
     """
     times, spans = [0.0] * len(source), [0.0] * len(source)
     for run in varied:
-        for number, event in enumerate(source):
-            if number >= len(run):
-                break
-            if not alike(event, run[number]):
-                return None
-            times[number] = max(times[number], abs(run[number].at_us - event.at_us) / 1000)
-            if number + 1 < min(len(source), len(run)):
-                own = source[number + 1].at_us - event.at_us
-                other = run[number + 1].at_us - run[number].at_us
-                spans[number] = max(spans[number], abs(other - own) / 1000)
+        found = aligned(source, run)
+        if found.own < len(source) and found.other < len(run):
+            return None
+        for (number, other), after in zip(found.pairs, [*found.pairs[1:], None], strict=False):
+            times[number] = max(times[number], abs(run[other].at_us - source[number].at_us) / 1000)
+            if after is not None:
+                own_ms = source[after[0]].at_us - source[number].at_us
+                other_ms = run[after[1]].at_us - run[other].at_us
+                spans[number] = max(spans[number], abs(other_ms - own_ms) / 1000)
     return [EventTolerance(2 * time, 2 * span) for time, span in zip(times, spans, strict=True)]
-
-
-def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
-    """Whether two events say the same, within what can be told apart."""
-    if one.pulses and other.pulses and (one.kind != other.kind or float(one.value[0]) > _FASTEST_HZ):
-        return one.pulses == other.pulses
-    if one.kind != other.kind:
-        return False
-    if one.kind == WAVE:
-        (hz, duty), (other_hz, other_duty) = one.value, other.value
-        near = abs(float(hz) - float(other_hz)) <= _HZ * max(float(hz), float(other_hz))
-        return near and abs(float(duty) - float(other_duty)) <= _DUTY
-    if one.kind == PULSES:
-        return abs(float(one.value[0]) - float(other.value[0])) <= _PULSE_US + 0.01 * abs(float(one.value[0]) - 1500)
-    if one.kind == READING:
-        return _reads_alike(str(one.value[0]), str(other.value[0]))
-    return one.value == other.value
-
-
-def _reads_alike(one: str, other: str) -> bool:
-    """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values."""
-    if one == other:
-        return True
-    if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
-        return False
-    for mine, theirs in zip(_NUMBER.findall(one), _NUMBER.findall(other), strict=True):
-        step = 10.0 ** -len(mine.partition(".")[2])
-        if abs(float(mine) - float(theirs)) > max(1.001 * step, _NUMBERS * abs(float(mine))):
-            return False
-    return True
 
 
 def compare(
@@ -162,43 +126,57 @@ def compare(
     allowed = tolerances(source, varied)
     if allowed is None or _ends_differ(source, varied, horizon_ms):
         return ChannelComparison(channel, RACY, events=max(0, len(source) - 1))
-    greatest, matched = 0.0, 0
-    for number in range(max(len(source), len(target))):
-        mine = source[number] if number < len(source) else None
-        theirs = target[number] if number < len(target) else None
-        beyond = allowed[number].time_ms if number < len(allowed) else allowed[-1].time_ms if allowed else 0.0
-        if mine is None or theirs is None:
-            extra = mine or theirs
-            assert extra is not None
-            at_ms = extra.at_us / 1000
-            if at_ms < horizon_ms - _tau(extra, beyond):
-                what = f"{extra} is missing" if mine is not None else f"{extra}, which the source does not do"
-                return _different(channel, at_ms, what, mine, theirs, source, greatest)
-            break
-        tau = _tau(mine, beyond)
-        dt = (theirs.at_us - mine.at_us) / 1000
-        if not alike(mine, theirs):
-            if mine.at_us / 1000 >= horizon_ms - tau:
-                break
-            return _different(channel, mine.at_us / 1000, f"{theirs} instead of {mine}", mine, theirs, source, greatest)
-        matched = number + 1
+    off = allowed or [EventTolerance()]
+
+    def in_time(own: int, other: int) -> bool:
+        return abs(target[other].at_us - source[own].at_us) / 1000 <= _tau(source[own], off[own].time_ms)
+
+    found = aligned(source, target, in_time)
+    greatest = 0.0
+    late = found.own < len(source) and found.other < len(target) and alike(source[found.own], target[found.other])
+    ends = [*found.pairs[1:], (found.own, found.other) if late else None]
+    for (own, other), after in zip(found.pairs, ends, strict=False):
+        dt = (target[other].at_us - source[own].at_us) / 1000
         greatest = dt if abs(dt) > abs(greatest) else greatest
-        if abs(dt) > tau:
-            return _different(
-                channel, mine.at_us / 1000,
-                f"{mine} comes {abs(dt):.1f} ms too {'late' if dt > 0 else 'early'} (allowed are {tau:.1f} ms)",
-                mine, theirs, source, greatest,
-            )  # fmt: skip
-        if number + 1 < min(len(source), len(target)) and mine.kind not in _PRINTED:
-            lasts = (source[number + 1].at_us - mine.at_us) / 1000
-            theirs_last = (target[number + 1].at_us - theirs.at_us) / 1000
-            if not _lasts_alike(mine, source[number + 1], lasts, theirs_last, allowed[number].duration_ms):
-                message = f"{mine} lasts {theirs_last:.2f} ms instead of {lasts:.2f} ms"
-                return _different(channel, mine.at_us / 1000, message, mine, theirs, source, greatest)
-    told = matched - bool(source and source[0].kind not in _PRINTED)
-    if told <= 0:
+        if after is None or source[own].kind in _PRINTED or own == 0:
+            continue  # nothing begins with a run's begin
+        lasts = (source[after[0]].at_us - source[own].at_us) / 1000
+        theirs_last = (target[after[1]].at_us - target[other].at_us) / 1000
+        if not _lasts_alike(source[own], source[after[0]], lasts, theirs_last, off[own].duration_ms):
+            message = f"{source[own]} lasts {theirs_last:.2f} ms instead of {lasts:.2f} ms"
+            at_ms = source[own].at_us / 1000
+            return _different(channel, at_ms, message, source[own], target[other], source, greatest)
+    mine = source[found.own] if found.own < len(source) else None
+    theirs = target[found.other] if found.other < len(target) else None
+    if (mine or theirs) is not None:
+        beyond = off[min(found.own, len(off) - 1)].time_ms
+        told = _unmatched(mine, theirs, beyond, horizon_ms)
+        if told is not None:
+            at_ms = ((mine or theirs) or ActivityEvent(0.0, LEVEL, (0,))).at_us / 1000
+            return _different(channel, at_ms, told, mine, theirs, source, greatest)
+    matched = len(found.pairs) - bool(source and source[0].kind not in _PRINTED)
+    if matched <= 0:
         return ChannelComparison(channel, NOT_EXERCISED)
-    return ChannelComparison(channel, SAME, None, told, greatest)
+    return ChannelComparison(channel, SAME, None, matched, greatest)
+
+
+def _unmatched(mine: ActivityEvent | None, theirs: ActivityEvent | None, beyond_ms: float, horizon_ms: float) -> str | None:
+    """What to say of the first events that do not belong together; None so near to the end that the other side may be late."""
+    if mine is None or theirs is None:
+        extra = mine or theirs
+        assert extra is not None
+        if extra.at_us / 1000 >= horizon_ms - _tau(extra, beyond_ms):
+            return None
+        return f"{extra} is missing" if mine is not None else f"{extra}, which the source does not do"
+    tau = _tau(mine, beyond_ms)
+    if alike(mine, theirs):
+        dt = (theirs.at_us - mine.at_us) / 1000
+        if max(mine.at_us, theirs.at_us) / 1000 >= horizon_ms and mine.at_us / 1000 >= horizon_ms - tau:
+            return None
+        return f"{mine} comes {abs(dt):.1f} ms too {'late' if dt > 0 else 'early'} (allowed are {tau:.1f} ms)"
+    if mine.at_us / 1000 >= horizon_ms - tau:
+        return None
+    return f"{theirs} instead of {mine}"
 
 
 def _tau(event: ActivityEvent, beyond_ms: float) -> float:
@@ -207,19 +185,18 @@ def _tau(event: ActivityEvent, beyond_ms: float) -> float:
 
 def _lasts_alike(event: ActivityEvent, after: ActivityEvent, source_ms: float, target_ms: float, beyond_ms: float) -> bool:
     """Whether something lasts as long on both sides; what a servo's frames begin or end is as coarse as a frame."""
-    if event.kind == LEVEL and event.value == (0,):
-        return True  # a rest: the times of its begin and its end say it
-    coarse = _FRAME_MS if PULSES in (event.kind, after.kind) else 0.0
+    coarse = _REST_MS if event.value == (0,) else 0.0
+    if PULSES in (event.kind, after.kind):
+        coarse = _FRAME_MS * (1 + (event.value == (0,)))
     return abs(target_ms - source_ms) <= _DURATION * source_ms + _RESOLUTION_MS + coarse + beyond_ms
 
 
 def _ends_differ(source: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]], horizon_ms: float) -> bool:
     """Whether a varied run has events more or less, other than at its very end."""
     for run in varied:
-        longer, shorter = (source, run) if len(source) > len(run) else (run, source)
-        if len(longer) > len(shorter):
-            extra = longer[len(shorter)]
-            if extra.at_us / 1000 < horizon_ms - 3 * _tau(extra, 20.0):
+        found = aligned(source, run)
+        for events, number in ((source, found.own), (run, found.other)):
+            if number < len(events) and events[number].at_us / 1000 < horizon_ms - 3 * _tau(events[number], 20.0):
                 return True
     return False
 

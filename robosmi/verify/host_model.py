@@ -17,7 +17,7 @@ from robosmi.errors import MissingToolError
 from robosmi.verify.simulation import DeviceUse
 from robosmi.verify.tables import KIND, DataTable
 
-TOOLS = ("command", "linker", "names", "rename", "coverage", "archiver")
+TOOLS = ("command", "linker", "names", "rename", "coverage", "archiver", "places")
 """The programs that building takes, as `host.toml` names them."""
 
 

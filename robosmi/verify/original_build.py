@@ -117,9 +117,9 @@ class _Build:
         names = self._names(joined)
         if "main" not in names.defined:
             raise VerificationError("the program has no function main", fix="name the file that has it, too")
-        self._rename(
-            joined, named, names, "--rename-section", ".bss=program_data", "--rename-section", ".init_array=program_setup"
-        )
+        sections = {".bss": "program_data", ".init_array": "program_setup", ".text": "program_text"}
+        renamed = [word for old, new in sections.items() for word in ("--rename-section", f"{old}={new}")]
+        self._rename(joined, named, names, *renamed)
         known |= {self.model.prefix + name for name in names.defined}
         unmodelled = sorted(name for name in names.undefined if self._is_own(name) and self.model.prefix + name not in known)
         binary = self.folder / "original"

@@ -28,10 +28,10 @@ STATES = {"running": "running", "finished": "done"}
 
 _RECORD = struct.Struct("<QIIII")
 _COMMAND = struct.Struct("<iiq")
-_SETTINGS = struct.Struct("<QQQddddIIIIIIII")
+_SETTINGS = struct.Struct("<QQQQdddddIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
-_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END = range(1, 10)
+_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL = range(1, 11)
 _GO, _LEVEL, _VOLTAGE, _TYPED = range(4)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
@@ -48,6 +48,7 @@ class Variation:
         call_factor: the same for calls of the library's functions.
         noise: by how much each cost differs at random, as a part of it: 0.1 is up to 10 % either way.
         late_us: by how many microseconds at most a call that waits ends later.
+        early_part: the part of its time by which a call that waits ends earlier, as where a clock is fast.
     """
 
     seed: int = 0
@@ -55,6 +56,7 @@ class Variation:
     call_factor: float = 1.0
     noise: float = 0.0
     late_us: float = 0.0
+    early_part: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -68,12 +70,15 @@ class OriginalRun:
             `time limit`.
         cause: the function that has no model, or what made it crash; empty otherwise.
         counts: the program's static data, with its coverage counters; empty where the run did not come to an end of its own.
+        calls: where that was asked, calls of library functions that the program was in: microseconds, the address in the
+            program to which the call goes back, an address in what was called, and whether it prints.
     """
 
     trace: PinTrace
     status: str
     cause: str
     counts: bytes
+    calls: tuple[tuple[float, int, int, bool], ...] = ()
 
 
 def run_original(
@@ -82,6 +87,7 @@ def run_original(
     devices: Sequence[DeviceUse] = (),
     variation: Variation | None = None,
     limit_s: float = 60.0,
+    calls_from_us: float | None = None,
 ) -> OriginalRun:
     """Run a program to its end or to the horizon.
 
@@ -91,6 +97,7 @@ def run_original(
         devices: what is connected to the platform's pins and channels.
         variation: how the run differs from the nominal one.
         limit_s: seconds of this machine's time.
+        calls_from_us: from when on to note calls of library functions; never if None.
 
     Raises:
         UsageError: a device is not known, or is used wrongly.
@@ -104,14 +111,14 @@ def run_original(
     ) as process:  # fmt: skip
         try:
             run = _Conversation(bench, process, monotonic() + limit_s)
-            run.begin(program, horizon_us, variation or Variation(), limit_s)
+            run.begin(program, horizon_us, variation or Variation(), limit_s, calls_from_us)
             status, cause, counts = run.result()
         finally:
             process.kill()
     trace = bench.trace(
         f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
     )
-    return OriginalRun(trace, status, cause, counts)
+    return OriginalRun(trace, status, cause, counts, tuple(bench.calls))
 
 
 def _boards_own(program: OriginalProgram, devices: Sequence[DeviceUse]) -> list[DeviceUse]:
@@ -140,6 +147,7 @@ class _HostBench(Bench):
         self.commands: list[bytes] = []
         self.waves: list[Wave] = []
         self.console: list[ConsoleByte] = []
+        self.calls: list[tuple[float, int, int, bool]] = []
         self.tick = 0
         self.next_wake = _NEVER
         self._address = 0
@@ -201,6 +209,10 @@ class _HostBench(Bench):
         if kind == _CONSOLE:
             self.console.append(ConsoleByte(self.now, a))
             return None
+        if kind == _CALL:
+            if not self.calls or self.calls[-1][1:] != (a, b, bool(c)):
+                self.calls.append((self.now, a, b, bool(c)))
+            return None
         if kind == _SYNC:
             due = self.wake()
             self.next_wake = _NEVER if due is None else due
@@ -228,11 +240,15 @@ class _Conversation:
         self._to, self._from = process.stdin.fileno(), process.stdout.fileno()
         self._waiting = bytearray()
 
-    def begin(self, program: OriginalProgram, horizon_us: float, variation: Variation, limit_s: float) -> None:
+    def begin(
+        self, program: OriginalProgram, horizon_us: float, variation: Variation, limit_s: float, calls_from_us: float | None
+    ) -> None:
         model, bench = program.model, self.bench
         settings = _SETTINGS.pack(
             round(horizon_us * model.clock_hz / 1e6), 0, _MOST_RECORDS,
+            _NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
+            variation.early_part,
             model.block_ticks, model.call_ticks, bench.watched, *bench.asking, variation.seed & 0xFFFFFFFF, int(limit_s) + 1,
         )  # fmt: skip
         self._say(settings)

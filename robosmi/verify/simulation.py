@@ -57,6 +57,7 @@ class Job:
         timers: what describes the timers to the engine: facts of the microcontroller as they stand in the repository.
         horizon_us: how long to run.
         devices: what is connected.
+        reached: whether to note which instructions run, where the engine can.
     """
 
     elf: str
@@ -69,6 +70,7 @@ class Job:
     timers: Mapping[str, Any]
     horizon_us: float
     devices: Sequence[DeviceUse] = ()
+    reached: bool = False
 
 
 @dataclass(frozen=True)
@@ -120,6 +122,7 @@ class PinTrace:
         waves: waves that timers made, by time.
         console: what it sent, by time.
         device_events: what devices noticed, by time.
+        reached: the addresses of the instructions that ran, in bytes, where that was asked and the engine tells it.
     """
 
     engine: str
@@ -129,6 +132,7 @@ class PinTrace:
     waves: tuple[Wave, ...]
     console: tuple[ConsoleByte, ...]
     device_events: tuple[DeviceEvent, ...]
+    reached: tuple[int, ...] = ()
 
     @property
     def text(self) -> str:
@@ -264,6 +268,7 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             tuple(Wave(*each) for each in answer["waves"]),
             tuple(ConsoleByte(*each) for each in answer["console"]),
             tuple(DeviceEvent(*each) for each in answer["device_events"]),
+            tuple(answer["reached"]),
         )  # fmt: skip
     except (KeyError, TypeError) as error:
         raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
+from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
 
 NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
@@ -62,6 +63,19 @@ class ScenarioVerdict:
         }  # fmt: skip
 
 
+@dataclass(frozen=True)
+class CallsAround:
+    """The calls of the source where a difference is.
+
+    Attributes:
+        made: the call that makes what differs, as far as that is known: the last one of a function of that channel.
+        around: other calls near it, by time.
+    """
+
+    made: LibraryCall | None = None
+    around: tuple[LibraryCall, ...] = ()
+
+
 @dataclass
 class Verdict:
     """What a verification says.
@@ -80,6 +94,7 @@ class Verdict:
         binding: the ports with their pins and devices on both sides.
         functions: channel -> the platform's functions that make it.
         not_compared: ports that are not compared: lines of buses, and what is not wired on the target.
+        calls: those of the source around the first difference.
     """
 
     scenarios: list[ScenarioVerdict] = field(default_factory=list)
@@ -97,6 +112,7 @@ class Verdict:
     binding: list[dict[str, Any]] = field(default_factory=list)
     functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
     not_compared: list[str] = field(default_factory=list)
+    calls: CallsAround = field(default_factory=CallsAround)
 
     @property
     def verdict(self) -> str:
@@ -174,6 +190,8 @@ class Verdict:
             "scenario": scenario.scenario.name,
             **difference.to_json(),
             "functions": list(self.functions.get(difference.channel, ())),
+            "call": None if self.calls.made is None else self.calls.made.to_json(),
+            "calls_around": [call.to_json() for call in self.calls.around],
             "inputs": inputs_until(scenario.scenario, difference.at_ms),
         }
 
@@ -214,8 +232,13 @@ class Verdict:
             scenario, difference = first
             lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
             lines.append(f"    {difference.message}")
-            if functions := self.functions.get(difference.channel):
+            functions = self.functions.get(difference.channel, ())
+            if self.calls.made is not None:
+                lines.append(f"    made by {self.calls.made}")
+            elif functions:
                 lines.append(f"    made by {', '.join(functions)}")
+            if self.calls.around:
+                lines.append(f"    calls around it: {', '.join(map(str, self.calls.around))}")
             lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]
         lines += [f"  {reason}" for reason in self.all_reasons()]
         if self.racy:

@@ -33,10 +33,11 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         "engine": trace.engine,
         "state": trace.state,
         "simulated_us": trace.simulated_us,
-        "changes": [astuple(each) for each in trace.changes],
+        "changes": [(each.at_us, each.pin, each.level) for each in trace.changes],  # many: `astuple` copies each value
         "waves": [astuple(each) for each in trace.waves],
         "console": [astuple(each) for each in trace.console],
         "device_events": [astuple(each) for each in trace.device_events],
+        "reached": trace.reached,
     }
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from robosmi.verify.simulation import DeviceUse
 from tests.adapters.bench import Uno, proves
 
@@ -21,3 +23,15 @@ void loop() {}
     settings = {"humidity": [[0, 65.2]], "celsius": [[0, 35.1], [400, -10.1]]}
     trace = uno.run(program, [*ALL, "dht22.h/CELSIUS"], 900, [DeviceUse("dht22", {"signal": "D7"}, settings)])
     assert [int(each) for each in trace.text.split()] == [1, 351, 951, 3083, 652, 0, 1, -101, 0, 0]
+
+
+@proves("dht22.h/dht22_read", "dht22.h/dht22_set_timeout_ignore")
+def a_reading_takes_18_ms_of_asking_and_47_ms_of_listening(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); delay(100); dht22_set_timeout_ignore(7, 1);
+  for (int time = 0; time < 2; time++) { uint32_t begun = millis(); dht22_read(7); Serial.println(millis() - begun); } }
+void loop() {}
+"""
+    settings = {"humidity": [[0, 65.2]], "celsius": [[0, 35.1]]}
+    trace = uno.run(program, ALL, 900, [DeviceUse("dht22", {"signal": "D7"}, settings)])
+    assert [int(each) for each in trace.text.split()] == pytest.approx([65, 65], abs=2)

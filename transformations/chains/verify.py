@@ -24,6 +24,7 @@ from robosmi.transformations.chains.simulate import plan_beside
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.verification.difference_calls import calls_around
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
@@ -152,6 +153,9 @@ def verify(
         traces = side.run([scenario for scenario, _ in cases])
         for (scenario, runs), trace in zip(cases, traces, strict=True):
             verdict.scenarios.append(judged(scenario, runs, trace, ports))
+        for (scenario, runs), told in zip(cases, verdict.scenarios, strict=True):
+            if verdict.first_difference == (told, told.first) and told.first is not None:
+                verdict.calls = calls_around(program, ports, scenario, runs, told.first)
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
         _cover(verdict, program, cases, made.racy_counts, plan)

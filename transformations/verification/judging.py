@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from robosmi.transformations.verification.original_side import SETTLED, SourceRuns, channel_events, compared
+from robosmi.transformations.verification.original_side import DRIVEN, SETTLED, SourceRuns, channel_events, compared
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.activity import ActivityEvent
-from robosmi.verify.comparison import DIFFERENT, RACY, RESONATOR, FirstDifference
+from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, FirstDifference
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, PROGRAM, ScenarioVerdict, Verdict
@@ -43,6 +43,7 @@ def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequenc
         compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms)
         for name, seen in runs.channels.items()
     )
+    found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith(DRIVEN))
     if any(c.status == DIFFERENT for c in found):
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms)
     if crashed_ms is not None and not _crashes_by(runs, crashed_ms):

@@ -13,7 +13,8 @@ from typing import Any
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.verify.activity import IDLE, LINE, SIGHTS, ActivityEvent, activity, console_lines, text_lines
-from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
+from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
+from robosmi.verify.driven_lines import held_levels
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
@@ -21,6 +22,8 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 
 CONSOLE_CHANNEL = "console"
+DRIVEN = ", as it is driven"
+"""Behind the name of a port at which a device is: the channel of what the program does to it."""
 Place = tuple[str | int, ...]
 """File and line of a line of the source, file, line and number of a branch, or `channel` and the name of a channel."""
 SETTLED = ("running", "finished")
@@ -31,6 +34,7 @@ _FACTORS = (
     Variation(2, block_factor=0.5, call_factor=0.5),
     Variation(3, noise=0.3, late_us=100.0),
     Variation(4, block_factor=1.3, call_factor=0.8, noise=0.3, late_us=100.0),
+    Variation(5, early_part=0.001),
 )
 """What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
 _MEASURED = ("voltages", "capacitor", "ranger")
@@ -77,6 +81,9 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         for port in ports
         if port.watched
     }
+    for port in ports:
+        if port.target and device_facts().get(port.device, {}).get("driven"):
+            found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
     measures = any(port.device in _MEASURED for port in ports)
     for number, device in enumerate(devices_at(ports, target)):
         facts = device_facts().get(device.kind, {})
@@ -104,7 +111,9 @@ def compared(
     target: Sequence[Sequence[ActivityEvent]],
     horizon_ms: float,
 ) -> ChannelComparison:
-    """Compare a channel; where one sight tells no difference, there is none.
+    """Compare a channel as the first sight has it in which no pause of the source is unclear.
+
+    Where there is none, all are asked, and one that tells no difference is right; else the one in which it comes last.
 
     Args:
         channel: its name.
@@ -113,12 +122,15 @@ def compared(
         horizon_ms: how long both ran.
     """
     found = []
-    for (own, *varied), theirs in zip(source, target, strict=True):
+    pairs = list(zip(source, target, strict=True))
+    clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
+    for (own, *varied), theirs in clear[:1] or pairs:
         result = compare(channel, own, theirs, varied, horizon_ms)
         if result.status in (SAME, NOT_EXERCISED):
             return result
         found.append(result)
-    return next((result for result in found if result.status == DIFFERENT), found[0])
+    different = [result for result in found if result.difference is not None]
+    return max(different, key=lambda result: result.difference.at_ms if result.difference else 0.0, default=found[0])
 
 
 def run_source(program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0) -> OriginalRun:

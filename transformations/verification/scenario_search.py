@@ -1,14 +1,15 @@
 """Scenarios made by a search: random signals at the inputs of a program, kept where they reach what no other has reached.
 
-The measure is lines and branches of the source, the dice have a seed; the search ends when nothing new is reached for a while.
-Scenarios on which the source differs from itself are dropped and counted, since nothing could be decided with them.
+The measure is lines and branches of the source, and what it does one after the other (`scenario_goals`). The dice have a seed;
+the search ends when nothing new is reached for a while. Scenarios on which the source differs from itself are dropped and
+counted, since nothing could be decided with them. Of the others the fewest are kept that reach all that was reached.
 """
 
 from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from time import monotonic
 from typing import Any
@@ -16,15 +17,18 @@ from typing import Any
 from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.transformations.verification.scenario_goals import behaviour, beside
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
 _APART_MS = 250.0
 """Inputs do not change nearer to one another than this: which of two is seen first would be a matter of luck."""
-_MOST = 8
-_PATIENCE = 40
+_MOST = 120
+"""So many scenarios are tried at most."""
+_PATIENCE = 30
 _PROBE_MS = 600.0
+"""A short run that tells which way a program goes, beside what a device holds its value for."""
 _TEXT_MS = 900.0
 """When a text is sent that is the only thing that happens: libraries for serial lines take up to half a second to begin."""
 
@@ -73,11 +77,11 @@ def search(
     for each in inputs:
         for value in each.values:
             made.try_signals(_constant(each, value))
-        made.seek_borders(each)
+    inputs = [made.with_borders(each) for each in inputs]
     chance = random.Random(seed)
-    while inputs and len(made.found.scenarios) < _MOST and made.fruitless < _PATIENCE and monotonic() < made.until:
+    while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and monotonic() < made.until:
         made.try_signals(_random_signals(inputs, made.horizon, chance))
-    return _without_needless(made.found, made.reached_by, known)
+    return _fewest(made.found, made.reached_by, known)
 
 
 @dataclass
@@ -94,24 +98,25 @@ class _Search:
     reached_by: list[frozenset[Place]] = field(default_factory=list)
     only_racy: set[Place] = field(default_factory=set)
 
-    def try_signals(self, signals: Mapping[str, Mapping[str, Points]]) -> frozenset[Place]:
-        """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches."""
+    def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
+        """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
         found = self.found
         if found.tried and monotonic() >= self.until:
             return frozenset()
         found.tried += 1
         scenario = Scenario(f"generated {found.tried}", self.horizon, signals, "generated")
         run = run_source(self.program, self.ports, scenario)
-        places = places_reached(self.program, run, self.ports)
+        places = places_reached(self.program, run, self.ports) | behaviour(run, self.ports) | also
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
             return places
-        if places <= self.seen | self.only_racy and self.fruitless > _PATIENCE // 2:
+        if places <= self.seen | self.only_racy:
             return places
         runs = run_varied(self.program, self.ports, scenario, run)
         if runs.racy_channels:
             found.racy += 1
             found.racy_counts.append(run.counts)
+            self.only_racy |= places - self.seen
             return places
         self.seen |= places
         self.fruitless = 0
@@ -119,25 +124,37 @@ class _Search:
         self.reached_by.append(places)
         return places
 
-    def seek_borders(self, each: _Input) -> None:
+    def with_borders(self, each: _Input) -> _Input:
         """Halve the span between two values at which the source goes different ways, down to where these meet.
 
-        What a program does at the border itself, as when a count equals a limit, is reached by no other value.
+        What a program does at the border itself, as when a count equals a limit, is reached by no other value. Beside it faults
+        show that move it: the input gets these values, too, and a scenario in which it goes from one side to the other.
         """
         numbers = sorted({v for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)})
         ways = {value: self._probe(each, value) for value in numbers} if len(numbers) > 2 else {}
+        facts = device_facts().get(each.device, {})
+        values = list(each.values)
         for low, high in pairwise(numbers if ways else []):
             begin, end = float(low), float(high)
-            while ways[low] != ways[high] and end - begin > max(1.0, 0.001 * end) and monotonic() < self.until:
+            if ways[low] == ways[high]:
+                continue
+            while end - begin > max(1.0, 0.001 * end) and monotonic() < self.until:
                 middle = round((begin + end) / 2)
                 places = self._probe(each, middle)
                 if not places <= self.seen | self.only_racy:
                     self.only_racy |= self.try_signals(_constant(each, middle)) - self.seen
                 begin, end = (middle, end) if places == ways[low] else (begin, middle)
+            sides = [round(value, 1) for value in beside(end, facts)]
+            values += sides
+            there: Place = ("beside", each.name, each.setting, round(end))
+            points = tuple((at * max(each.hold_ms, self.horizon / 4), value) for at, value in enumerate([*sides, sides[0]]))
+            self.try_signals({each.name: {each.setting: points}}, frozenset([there]))
+        return replace(each, values=tuple(values))
 
     def _probe(self, each: _Input, value: float) -> frozenset[Place]:
         """What a short run reaches in which an input shows one value."""
-        scenario = Scenario("probe", min(self.horizon, _PROBE_MS), _constant(each, value))
+        lasts = _PROBE_MS + (each.hold_ms if each.hold_ms > 1000 else 0)
+        scenario = Scenario("probe", min(self.horizon, lasts), _constant(each, value))
         return places_reached(self.program, run_source(self.program, self.ports, scenario), self.ports)
 
 
@@ -162,12 +179,13 @@ def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float)
 
 @dataclass(frozen=True)
 class _Input:
-    """A signal of a port: the port's name, the setting, the values that it takes, and how long it keeps one."""
+    """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device."""
 
     name: str
     setting: str
     values: tuple[Any, ...]
     hold_ms: float
+    device: str
 
 
 def _inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool) -> list[_Input]:
@@ -178,9 +196,9 @@ def _inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool) -> li
             known = facts.get(port.device, {})
             for setting, values in known.get("values", {}).items():
                 shown = [*texts, *values] if known.get("takes_text") else [None if v == "none" else v for v in values]
-                made.append(_Input(port.name, setting, tuple(shown), known["hold_ms"]))
+                made.append(_Input(port.name, setting, tuple(shown), known["hold_ms"], port.device))
     if types:
-        made.append(_Input(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"]))
+        made.append(_Input(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"], TYPING))
     return made
 
 
@@ -205,12 +223,13 @@ def _random_signals(inputs: Sequence[_Input], horizon: float, chance: random.Ran
     return signals
 
 
-def _without_needless(found: FoundScenarios, places: list[frozenset[Place]], known: frozenset[Place]) -> FoundScenarios:
-    """The scenarios that reach something that no other does; the first stays."""
-    keep = list(range(len(places)))
-    for number in range(1, len(places)):
-        rest = known.union(*(places[n] for n in keep if n != number))
-        if places[number] <= rest:
-            keep.remove(number)
-    found.scenarios = [found.scenarios[number] for number in keep]
+def _fewest(found: FoundScenarios, places: list[frozenset[Place]], known: frozenset[Place]) -> FoundScenarios:
+    """The first scenario, and of the others again and again the one that reaches most of what is still missing."""
+    keep = [0] if places else []
+    missing = frozenset().union(*places) - known - (places[0] if places else frozenset())
+    while missing:
+        best = max(range(len(places)), key=lambda number: len(places[number] & missing))
+        keep.append(best)
+        missing -= places[best]
+    found.scenarios = [found.scenarios[number] for number in sorted(keep)]
     return found

@@ -10,6 +10,7 @@ import json
 import os
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -123,7 +124,7 @@ class _Run(Bench):
         begun, self._commands = self._commands, []
         end = round(job.horizon_us * job.clock_hz / 1e6)
         question = {"hex": text, "clock": job.clock_hz, "pins": dict(job.pins), "end": end}
-        self._write({**question, "reactive": sorted(self._at_pin), "registers": self.timers.registers})
+        self._write({**question, "reactive": sorted(self._at_pin), "registers": self.timers.registers, "reached": job.reached})
         while (told := self._read())["ask"] != "end":
             self._note(told["log"])
             self._cycle = told["t"]
@@ -138,7 +139,8 @@ class _Run(Bench):
         self._cycle = min(told["t"], end) if told["crashed"] else end
         self.ended()
         state = "crashed" if told["crashed"] else "running"
-        return self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
+        trace = self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
+        return replace(trace, reached=tuple(told.get("reached", ())))
 
     def _note(self, log: list[list[Any]]) -> None:
         for kind, cycle, first, *more in log:

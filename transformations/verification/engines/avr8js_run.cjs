@@ -145,7 +145,9 @@ bus.eventHandler = {
 ask({ ask: 'start' });
 const beyond = (end + 1) >> 1;
 let crashed = false;
+const reached = new Uint8Array(program.length);
 while (cpu.cycles < job.end) {
+  reached[cpu.pc] = 1;
   avr.avrInstruction(cpu);
   if (cpu.pc >= beyond) { // it has left the program; avr8js would go through the empty memory and begin again
     crashed = true;
@@ -158,4 +160,5 @@ while (cpu.cycles < job.end) {
   }
   if (waiting.length) deliver();
 }
-write({ t: cpu.cycles, log, ask: 'end', crashed });
+const ran = job.reached ? [...reached.keys()].filter((word) => reached[word]).map((word) => 2 * word) : [];
+write({ t: cpu.cycles, log, ask: 'end', crashed, reached: ran });

@@ -48,6 +48,7 @@ class _Firmware(ctypes.Structure):
     )  # fmt: skip
 
 
+@cache
 def _code(text: str) -> int:
     """Four characters as simavr's number of a peripheral."""
     return int.from_bytes(text.encode(), "big")
@@ -127,6 +128,7 @@ class _Run(Bench):
         self._failed: list[BaseException] = []
         self._console: list[ConsoleByte] = []
         self._outside: dict[str, tuple[int, int]] = {}  # port -> bits driven from outside, their levels
+        self._irqs: dict[tuple[str, int], int | None] = {}
         library.avr_global_logger_set(ctypes.cast(_SILENT, ctypes.c_void_p))
         self._avr = self._made()
         self._clock = _TIMER(lambda avr, when, data: 0)  # never fires: it tells the time
@@ -200,8 +202,10 @@ class _Run(Bench):
     # ---- pins
 
     def _irq(self, peripheral: str, number: int) -> int | None:
-        found: int | None = self._library.avr_io_getirq(self._avr, _code(peripheral), number)
-        return found
+        key = peripheral, number
+        if key not in self._irqs:
+            self._irqs[key] = self._library.avr_io_getirq(self._avr, _code(peripheral), number)
+        return self._irqs[key]
 
     def _fast_external_interrupts(self) -> None:
         """Let a low level at an external interrupt's pin be no reason to look again at every few cycles (five times slower)."""
@@ -234,13 +238,14 @@ class _Run(Bench):
     def set_level(self, pin: str, level: int | None) -> None:
         """Drive a pin from outside, low or high; None lets go of it."""
         port, bit = self._job.pins[pin][0], int(self._job.pins[pin][1:])
-        mask, values = self._outside.get(port, (0, 0))
+        before = mask, values = self._outside.get(port, (0, 0))
         mask = mask & ~(1 << bit) if level is None else mask | 1 << bit
         values = values | 1 << bit if level else values & ~(1 << bit)
-        self._outside[port] = mask, values
-        # struct avr_ioport_external_t: bit fields name (7), mask (8), value (8) of one unsigned long
-        told = ctypes.c_ulong(ord(port) & 0x7F | mask << 7 | values << 15)
-        self._library.avr_ioctl(self._avr, _code(f"iop{port}"), ctypes.byref(told))
+        if (mask, values) != before:
+            self._outside[port] = mask, values
+            # struct avr_ioport_external_t: bit fields name (7), mask (8), value (8) of one unsigned long
+            told = ctypes.c_ulong(ord(port) & 0x7F | mask << 7 | values << 15)
+            self._library.avr_ioctl(self._avr, _code(f"iop{port}"), ctypes.byref(told))
         if level is None and self.driven[pin] == "p":
             level = 1  # the pull-up
         if level is not None and self.driven[pin] in ("z", "p"):

@@ -39,7 +39,7 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //#   kind: semantic
 //#   needs: dht22_celsius dht22_humidity dht22_hasty simpletools.h/Io
 //#   pin: dht_pin digital both
-//#   fidelity: 1 when the checksum is right, which it never is below 0 degrees, as there; waits for half a second after the last reading
+//#   fidelity: 1 when the checksum is right, which it never is below 0 degrees, as there; waits for half a second after the last reading, and listens for 47 ms, as there
 //#   limit: other cogs wait for 6 ms
 inline char dht22_read(int32_t dht_pin) {
   static uint32_t last[32];
@@ -67,6 +67,7 @@ inline char dht22_read(int32_t dht_pin) {
   dht22_humidity = (uint16_t)(bytes[0] << 8 | bytes[1]);
   dht22_celsius = (uint16_t)(bytes[2] << 8 | bytes[3]) & 0x7FFF;
   if (bytes[2] & 0x80) dht22_celsius = -dht22_celsius;
+  while (micros() - begun < 47000) yield();
   last[dht_pin] = millis();
   uint8_t sum = bytes[0] + bytes[1] + (uint8_t)(dht22_celsius >> 8) + (uint8_t)dht22_celsius;
   return sum == bytes[4];

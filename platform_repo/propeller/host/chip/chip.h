@@ -39,6 +39,7 @@ void cogs_reschedule(void);            /* another cog may have to run before thi
 void cogs_look(void);                  /* something may have to happen earlier than was planned */
 void cogs_wake(struct cog *cog, host_time when);
 host_time vary(host_time ticks, double factor);
+void tell_call(void *const *frame, int prints);  /* the call of the program that is under way, from the frame of the function that asks */
 
 /* pins.c */
 void pins_commit(void);                /* let what the running cog has written take effect */
@@ -51,10 +52,10 @@ unsigned pins_levels(void);
 
 /* link.c */
 enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_BUS_START, RECORD_BUS_WRITE, RECORD_BUS_READ,
-              RECORD_BUS_STOP, RECORD_END };
+              RECORD_BUS_STOP, RECORD_END, RECORD_CALL };
 extern unsigned watched;               /* pins at which a device is */
 extern unsigned asking[3];             /* pins at which one has to be told at once: of 0, of 1, of not driven any more */
-extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us; unsigned limit_s; } settings;
+extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us, early_part; unsigned limit_s; host_time calls_from; } settings;
 void link_open(void);
 void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsigned c);
 int link_sync(host_time when, enum record kind, unsigned a, unsigned b);  /* tell, and do what the world answers; its value */
@@ -63,4 +64,5 @@ double link_noise(void);               /* from -1 to 1 */
 /* guard.c */
 void guard_begin(void);
 unsigned *guard_stack_top(int number);
+int guard_on_stack(int number, const void *where);
 #endif

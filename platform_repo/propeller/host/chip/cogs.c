@@ -94,12 +94,32 @@ void __sanitizer_cov_trace_pc(void) {
 
 host_time host_now(void) { return cogs[running].now; }
 
+extern char __start_program_text[] __attribute__((weak)), __stop_program_text[] __attribute__((weak));
+
+/* Tell which call of the program the running cog is in: where in the program, where in what was called, and whether it prints. */
+void tell_call(void *const *frame, int prints) {
+  const char *from = 0;
+  if (cogs[running].now < settings.calls_from) return;
+  for (int depth = 0; depth < 40 && guard_on_stack(running, frame); depth++) {
+    const char *back = frame[1];
+    if (back >= __start_program_text && back < __stop_program_text) {
+      if (from) link_record(cogs[running].now, RECORD_CALL, (unsigned)back, (unsigned)from, prints);
+      return;
+    }
+    from = back;
+    if ((void *const *)*frame <= frame) return;
+    frame = *frame;
+  }
+}
+
 void host_call(void) {
+  tell_call(__builtin_frame_address(0), 0);
   pins_commit();
   advance(vary(settings.call_ticks, settings.noise));
 }
 
 void host_spend(host_time ticks) {
+  tell_call(__builtin_frame_address(0), 0);
   pins_commit();
   advance(ticks);
 }
@@ -107,7 +127,10 @@ void host_spend(host_time ticks) {
 void host_turns(unsigned turns) { host_spend((host_time)turns * settings.block_ticks); }
 
 void host_sleep_until(host_time when) {
+  tell_call(__builtin_frame_address(0), 0);
   pins_commit();
+  if (settings.early_part > 0 && cogs[running].of_program && when > cogs[running].now)
+    when -= (host_time)((when - cogs[running].now) * settings.early_part);
   if (settings.late_us > 0 && cogs[running].of_program) when += (host_time)(settings.late_us * HOST_TICKS_PER_US * (1 + link_noise()) / 2);
   advance(when > cogs[running].now ? when - cogs[running].now : 0);
 }
@@ -119,6 +142,7 @@ unsigned host_counter(void) {
 }
 
 void host_wait_counter(unsigned target) {
+  tell_call(__builtin_frame_address(0), 0);
   pins_commit();
   advance(target - (unsigned)cogs[running].now);
 }

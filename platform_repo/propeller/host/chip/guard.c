@@ -16,6 +16,10 @@ static char fault_stack[1 << 16];
 
 unsigned *guard_stack_top(int number) { return (unsigned *)stacks[number + 1]; }
 
+int guard_on_stack(int number, const void *where) {
+  return (const char *)where >= stacks[number] + PAGE && (const char *)where < stacks[number + 1] - 8;
+}
+
 static void fault(int signal, siginfo_t *info, void *context) {
   char *where = info->si_addr;
   (void)context;

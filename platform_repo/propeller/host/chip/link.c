@@ -14,8 +14,8 @@ struct settings settings;
 struct record_out { unsigned long long when; unsigned kind, a, b, c; };
 struct command_in { int kind, a; long long b; };
 struct settings_in {
-  unsigned long long horizon, next_wake, most_records;
-  double block_factor, call_factor, noise, late_us;
+  unsigned long long horizon, next_wake, most_records, calls_from;
+  double block_factor, call_factor, noise, late_us, early_part;
   unsigned block_ticks, call_ticks, watched, asking[3], seed, limit_s;
 };
 enum { GO, LEVEL, VOLTAGE, TYPED };
@@ -66,6 +66,8 @@ void link_open(void) {
   settings.call_ticks = in.call_ticks * in.call_factor;
   settings.noise = in.noise;
   settings.late_us = in.late_us;
+  settings.calls_from = in.calls_from;
+  settings.early_part = in.early_part;
   noise_state = in.seed * 2654435761ull + 88172645463325252ull;
   random_state = in.seed + 1;
 }
@@ -121,7 +123,10 @@ unsigned host_random(void) {
 
 /* ---- what the chip's parts ask */
 
-void host_console_write(int byte) { link_record(host_now(), RECORD_CONSOLE, byte & 0xFF, 0, 0); }
+void host_console_write(int byte) {
+  tell_call(__builtin_frame_address(0), 1);
+  link_record(host_now(), RECORD_CONSOLE, byte & 0xFF, 0, 0);
+}
 
 int host_console_read(host_time limit) {
   struct cog *cog = &cogs[running];

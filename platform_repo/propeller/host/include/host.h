@@ -15,7 +15,7 @@ host_time host_now(void);
 void host_call(void);                         /* the cost of calling a library's function */
 void host_spend(host_time ticks);             /* a computation that takes so long: no other cog is kept waiting */
 void host_turns(unsigned turns);              /* so many turns of a loop of a library that is compiled as the program is */
-void host_sleep_until(host_time when);        /* a blocking wait; varied runs may end it later */
+void host_sleep_until(host_time when);        /* a blocking wait; varied runs may end it later or earlier */
 unsigned host_counter(void);                  /* CNT: the lower 32 bits of the time */
 void host_wait_counter(unsigned target);      /* waitcnt: until CNT equals the target, up to 53.7 s */
 

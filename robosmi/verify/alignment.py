@@ -1,0 +1,129 @@
+"""Which events of two runs belong together: those that say the same, in the same order.
+
+A servo may show what it was told for too short a time in one run and not at all in another, as the frames fall: such an event
+needs no counterpart. Whether what belongs together comes in time, and lasts as long, is `comparison`'s to judge.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from robosmi.verify.activity import HELD, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.driven_lines import lengths_alike
+
+_PULSE_US = 3.0
+_HZ = 0.015
+_NUMBERS = 0.01
+_NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
+_DUTY = 0.02
+_FASTEST_HZ = 5_000.0
+"""Edges that a program makes itself faster than this are only counted: nothing is claimed of how fast the source makes them."""
+_FEW_FRAMES = 2
+"""So few frames of a servo may be one less, which is not seen, where the other side's frames begin at another time."""
+_MOST_STEPS = 200_000
+
+
+def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
+    """Whether two events say the same, within what can be told apart."""
+    if one.pulses and other.pulses and (one.kind != other.kind or float(one.value[0]) > _FASTEST_HZ):
+        return one.pulses == other.pulses
+    if one.kind != other.kind:
+        return False
+    if one.kind == WAVE:
+        (hz, duty), (other_hz, other_duty) = one.value, other.value
+        near = abs(float(hz) - float(other_hz)) <= _HZ * max(float(hz), float(other_hz))
+        return near and abs(float(duty) - float(other_duty)) <= _DUTY
+    if one.kind == PULSES:
+        return abs(float(one.value[0]) - float(other.value[0])) <= _PULSE_US + 0.01 * abs(float(one.value[0]) - 1500)
+    if one.kind == HELD:
+        return one.value[0] == other.value[0] and lengths_alike(float(one.value[1]), float(other.value[1]))
+    if one.kind == READING:
+        return _reads_alike(str(one.value[0]), str(other.value[0]))
+    return one.value == other.value
+
+
+def _reads_alike(one: str, other: str) -> bool:
+    """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values."""
+    if one == other:
+        return True
+    if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
+        return False
+    for mine, theirs in zip(_NUMBER.findall(one), _NUMBER.findall(other), strict=True):
+        step = 10.0 ** -len(mine.partition(".")[2])
+        if abs(float(mine) - float(theirs)) > max(1.001 * step, _NUMBERS * abs(float(mine))):
+            return False
+    return True
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """What belongs together.
+
+    Attributes:
+        pairs: numbers of the events of both runs, without those that repeat what was said before something too short.
+        own, other: the numbers of the first events that have no counterpart; the lengths of the runs where all have.
+    """
+
+    pairs: list[tuple[int, int]]
+    own: int
+    other: int
+
+
+def aligned(
+    own: Sequence[ActivityEvent], other: Sequence[ActivityEvent], fitting: Callable[[int, int], bool] | None = None
+) -> Alignment:
+    """Find what belongs together: the longest way through both runs.
+
+    Args:
+        own, other: the events.
+        fitting: whether two events that say the same may belong together, by their numbers; all may if None.
+    """
+    best = ((-1, 0), 0, 0, None)  # type: tuple[tuple[int, int], int, int, _Way | None]
+    waiting: list[tuple[int, int, _Way | None]] = [(0, 0, None)]
+    seen: set[tuple[int, int, int, int]] = set()
+    while waiting and len(seen) < _MOST_STEPS:
+        first, second, way = waiting.pop()
+        last = (way.pair[0], way.pair[1]) if way is not None else (-1, -1)
+        if (first, second, *last) in seen:
+            continue
+        seen.add((first, second, *last))
+        reached = (first + second, way.length if way is not None else 0)
+        if reached > best[0]:
+            best = (reached, first, second, way)
+        if first == len(own) and second == len(other):
+            break
+        if second < len(other) and _needless(other, second, last[1]):
+            waiting.append((first, second + 1, way))
+        if first < len(own) and _needless(own, first, last[0]):
+            waiting.append((first + 1, second, way))
+        both = first < len(own) and second < len(other)
+        if both and alike(own[first], other[second]) and (fitting is None or fitting(first, second)):
+            waiting.append((first + 1, second + 1, _Way((first, second), way, (way.length if way is not None else 0) + 1)))
+    return Alignment(_pairs(best[3]), best[1], best[2])
+
+
+@dataclass(frozen=True)
+class _Way:
+    """A pair and those before it."""
+
+    pair: tuple[int, int]
+    before: _Way | None
+    length: int
+
+
+def _pairs(way: _Way | None) -> list[tuple[int, int]]:
+    found = []
+    while way is not None:
+        found.append(way.pair)
+        way = way.before
+    return found[::-1]
+
+
+def _needless(events: Sequence[ActivityEvent], number: int, last: int) -> bool:
+    """Whether an event needs no counterpart: it is too short, or says again what was said before one that is."""
+    event = events[number]
+    if event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES:
+        return True
+    return number - 1 > last >= 0 and alike(event, events[last])

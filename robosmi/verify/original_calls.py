@@ -1,0 +1,95 @@
+"""Which calls of library functions the original makes in a part of a run: what makes what is seen at its pins, and what waits.
+
+The run is repeated, and its process tells the calls that it is in. Their addresses become names and places with the tools that
+built the program.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_run import run_original
+from robosmi.verify.simulation import DeviceUse
+from robosmi.verify.tools import run
+
+_CALL_BYTES = 1
+"""The address before the one to which a call goes back is the call's."""
+
+
+@dataclass(frozen=True)
+class LibraryCall:
+    """A call that the program makes.
+
+    Attributes:
+        at_us: when, in microseconds of virtual time.
+        function: what it calls, as the program names it.
+        file, line: from where.
+        prints: whether it writes on the console.
+    """
+
+    at_us: float
+    function: str
+    file: str
+    line: int
+    prints: bool = False
+
+    def __str__(self) -> str:
+        return f"{self.function} ({Path(self.file).name}:{self.line})"
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form."""
+        place = {"file": Path(self.file).name, "line": self.line}
+        return {"function": self.function, **place, "at_ms": round(self.at_us / 1000, 3)}
+
+
+def library_calls(
+    program: OriginalProgram, devices: Sequence[DeviceUse], begin_us: float, end_us: float, limit_s: float = 60.0
+) -> list[LibraryCall]:
+    """The calls of a part of a run, by time; those that follow one another from the same place are one.
+
+    Args:
+        program: the original.
+        devices: what is connected to its pins.
+        begin_us, end_us: the part, in microseconds of virtual time.
+        limit_s: seconds of this machine's time.
+    """
+    made = run_original(program, end_us, devices, None, limit_s, begin_us).calls
+    functions = _functions(program)
+    places = _places(program, {site for _, site, _, _ in made})
+    found: list[LibraryCall] = []
+    for at_us, site, inside, prints in made:
+        called = LibraryCall(at_us, _named(functions, inside).removeprefix(program.model.prefix), *places[site], prints)
+        if not found or (called.function, called.line) != (found[-1].function, found[-1].line):
+            found.append(called)
+        elif prints:
+            found[-1] = replace(found[-1], prints=True)
+    return found
+
+
+def _functions(program: OriginalProgram) -> list[tuple[int, str]]:
+    said = run([program.model.tools()["names"], "-n", str(program.binary)]).stdout
+    words = [line.split() for line in said.splitlines()]
+    return [(int(each[0], 16), each[2]) for each in words if len(each) == 3 and each[1] in "TtWw"]
+
+
+def _named(functions: Sequence[tuple[int, str]], address: int) -> str:
+    number = bisect_right(functions, (address, chr(0x10FFFF)))
+    return functions[number - 1][1] if number else ""
+
+
+def _places(program: OriginalProgram, addresses: set[int]) -> dict[int, tuple[str, int]]:
+    """Address -> file and line."""
+    if not addresses:
+        return {}
+    listed = sorted(addresses)
+    command = [program.model.tools()["places"], "-e", str(program.binary), *(f"{each - _CALL_BYTES:#x}" for each in listed)]
+    found = {}
+    for address, line in zip(listed, run(command).stdout.splitlines(), strict=True):
+        file, _, number = line.split(" (")[0].rpartition(":")
+        found[address] = file, int(number) if number.isdigit() else 0
+    return found

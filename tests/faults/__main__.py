@@ -1,0 +1,132 @@
+"""How many faults `verify` notices: `python -m tests.faults [--count 100] [--seed 1] [--jobs 2] [--rewritings] [STUDY...]`.
+
+For each case study the program is migrated and verified, then one seeded fault at a time is put into the sketch or its
+adapters, and the program is compared again. Faults of all kinds take turns, until so many were compared; those whose lines no
+scenario executes, that do not compile, or that are the same machine code, are no faults and are counted. What came of each is
+kept in `kept/STUDY.json`; `equivalent.toml` lists by hand, with the reason, the faults that nothing outside can tell from the
+right program. A hundred take some minutes on two cores.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import sys
+import tempfile
+import time
+import tomllib
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
+from pathlib import Path
+
+from tests.faults.campaign import STUDIES, Outcome, Study, executed
+from tests.faults.rewritings import rewritings
+from tests.faults.seeding import KINDS, Fault, faults
+
+HERE = Path(__file__).parent
+KEPT = HERE / "kept"
+_NO_FAULT = ("same machine code", "not-compiled")
+
+
+def equivalent() -> dict[tuple[str, str], str]:
+    """(study, name of the fault) -> why nothing outside can tell it from the right program."""
+    listed = tomllib.loads((HERE / "equivalent.toml").read_text()).get("fault", [])
+    return {(each["study"], each["fault"]): each["reason"] for each in listed}
+
+
+def in_turns(listed: list[Fault], seed: int) -> Iterator[Fault]:
+    """The faults in random order, one of each kind in turn."""
+    chance = random.Random(seed)
+    by_kind = {kind: [fault for fault in listed if fault.kind == kind] for kind in KINDS}
+    for each in by_kind.values():
+        chance.shuffle(each)
+    while any(by_kind.values()):
+        for each in by_kind.values():
+            if each:
+                yield each.pop()
+
+
+def run(study: Study, count: int, seed: int, jobs: int) -> dict[str, object]:
+    """Try faults of a study until so many were compared, and tell what came of them."""
+    reached = study.reached()
+    listed = [fault for name, text in study.files.items() for fault in faults(name, text)]
+    there = [f for f in listed if executed(f.lines, study.files[f.file], reached, f.file, study.files)]
+    known = equivalent()
+    begun, dropped = time.monotonic(), dict.fromkeys(_NO_FAULT, 0)
+    tried: list[tuple[Fault, Outcome, str]] = []
+    names: set[str] = set()
+
+    def judge(fault: Fault) -> tuple[Fault, Outcome]:
+        return fault, study.judge({fault.file: fault.put_into(study.files[fault.file])})
+
+    waiting = in_turns(there, seed)
+    with ThreadPoolExecutor(jobs) as pool:
+        while len(tried) < count:
+            batch = [fault for fault, _ in zip(waiting, range(min(2 * jobs, count - len(tried))), strict=False)]
+            if not batch:
+                break
+            for fault, outcome in pool.map(judge, batch):
+                if outcome.verdict in _NO_FAULT:
+                    dropped[outcome.verdict] += 1
+                    continue
+                if fault.name in names:
+                    continue
+                names.add(fault.name)
+                reason = known.get((study.name, fault.name), "")
+                tried.append((fault, outcome, reason))
+                seen = "noticed" if outcome.verdict == "different" else "EQUIVALENT" if reason else "SURVIVES"
+                what = f"[{fault.kind}] line {fault.line}, {fault.name} ({outcome.verdict} {outcome.told})"
+                print(f"{study.name} {len(tried)} {seen} {what}", flush=True)
+    counted = [(f, o) for f, o, reason in tried if not reason or o.verdict == "different"]
+    noticed = [f for f, o in counted if o.verdict == "different"]
+    by_kind = {
+        kind: f"{sum(f.kind == kind for f in noticed)} of {sum(f.kind == kind for f, _ in counted)}"
+        for kind in KINDS
+        if any(f.kind == kind for f, _ in counted)
+    }
+    return {
+        "verdict": study.right.verdict.sentence(), "seed": seed, "possible": len(listed), "executed": len(there),
+        "dropped": dropped,
+        "compared": len(tried), "equivalent": len(tried) - len(counted), "noticed": len(noticed),
+        "score_pct": round(100 * len(noticed) / max(1, len(counted)), 1), "by_kind": by_kind,
+        "minutes": round((time.monotonic() - begun) / 60, 1),
+        "faults": [
+            {"kind": f.kind, "line": f.line, "fault": f.name, **{k: v for k, v in asdict(o).items() if v},
+             **({"equivalent": reason} if reason and o.verdict != "different" else {})}
+            for f, o, reason in tried
+        ],
+    }  # fmt: skip
+
+
+def main() -> int:
+    """Run the studies; 1 if a harmless rewriting was called different."""
+    parser = argparse.ArgumentParser(prog="python -m tests.faults")
+    parser.add_argument("studies", nargs="*", default=list(STUDIES))
+    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--scenarios", type=int, default=1, help="seed of the search for scenarios")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--rewritings", action="store_true", help="the harmless rewritings only")
+    asked = parser.parse_args()
+    alarms = 0
+    for name in asked.studies:
+        with tempfile.TemporaryDirectory(prefix="robosmi-faults-") as place:
+            study = Study.made(name, Path(place), asked.scenarios)
+            print(name, study.right.verdict.sentence(), flush=True)
+            if asked.rewritings:
+                for each in rewritings(name):
+                    outcome = study.judge(each.put_into(study.files))
+                    alarms += outcome.verdict != "no-difference-found"
+                    print(f"{name} {each.name} ({each.kind}): {outcome.verdict} {outcome.told}", flush=True)
+                continue
+            KEPT.mkdir(exist_ok=True)
+            result = run(study, asked.count, asked.seed, asked.jobs)
+            (KEPT / f"{name}.json").write_text(json.dumps(result, indent=1) + "\n")
+            print(name, {k: v for k, v in result.items() if k != "faults"}, flush=True)
+    return int(alarms > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

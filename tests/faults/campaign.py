@@ -1,0 +1,205 @@
+"""A case study whose migrated program is changed and compared again: what was migrated, the scenarios, the original's runs once.
+
+A change is compiled and run in the scenarios one after the other, first for a part of their time: the first difference ends it.
+What a run of the right program executes is known from one engine that tells it (avr8js).
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import robosmi
+from robosmi.errors import RobosmiError
+from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.verify import FOLDER, Case, Verified, _original, _Target, verify
+from robosmi.transformations.verification.jobs import job
+from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.original_side import run_source, run_varied
+from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.verify.scenario import read_scenario
+from robosmi.verify.simulation import engine_for, simulate
+from robosmi.verify.toolchain import compile_sketch
+
+ROOT = Path(__file__).resolve().parents[2]
+STUDIES = ("line_follower", "environmental_monitoring")
+_PART = 0.35
+"""The part of a scenario's time after which a changed program is looked at for the first time."""
+_LEAST_MS = 2_500.0
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a change.
+
+    Attributes:
+        verdict: `different`, `no-difference-found`, `not-decidable`, `not-compiled`, `same machine code`, or `error`.
+        told: the first difference in words, or why there is no verdict.
+        scenario, channel: where it was found.
+        functions: what the verdict says of who makes it.
+    """
+
+    verdict: str
+    told: str = ""
+    scenario: str = ""
+    channel: str = ""
+    functions: tuple[str, ...] = ()
+
+
+@dataclass
+class Study:
+    """A case study, ready for changes.
+
+    Attributes:
+        name: its name.
+        out: the output folder of its migration.
+        right: the verification of what was migrated.
+        cases: the scenarios with the original's runs.
+        files: name of each file of the sketch -> its text.
+    """
+
+    name: str
+    out: Path
+    place: Path
+    right: Verified
+    ports: list[BoundPort]
+    cases: list[Case]
+    files: Mapping[str, str]
+    machine_code: bytes = b""
+    _models: Any = field(default=None, repr=False)
+
+    @classmethod
+    def made(cls, name: str, place: Path, seed: int = 1, scenarios: Sequence[Path] = ()) -> Study:
+        """Migrate a case study and verify it.
+
+        Args:
+            name: one of `STUDIES`.
+            place: an empty folder.
+            seed: of the search for scenarios.
+            scenarios: files with scenarios to take instead.
+        """
+        shutil.copytree(ROOT / "docs" / "examples" / name, place / "input")
+        out = place / "out"
+        robosmi.migrate([place / "input" / f"{name}.c"], out, history=str(place / "history.sqlite"))
+        return cls.of(name, out, place, seed, scenarios)
+
+    @classmethod
+    def of(cls, name: str, out: Path, place: Path, seed: int = 1, scenarios: Sequence[Path] = ()) -> Study:
+        """A study of what was migrated already."""
+        right = verify(out, seed=seed, scenarios=scenarios)
+        models = load_models(out / "models" / "plan.xmi")
+        ports = bound_ports(models.plan, out / "models")
+        (place / "source").mkdir()
+        program = _original(models, out / "models", place / "source")
+        cases: list[Case] = []
+        for path in scenarios or sorted((out / "models" / FOLDER).glob("*.toml")):
+            scenario = read_scenario(path, "stored")
+            cases.append((scenario, run_varied(program, ports, scenario, run_source(program, ports, scenario))))
+        files = {path.name: path.read_text() for path in sorted((out / name).iterdir()) if path.suffix in (".ino", ".h", ".cpp")}
+        study = cls(name, out, place, right, ports, cases, files, _models=models)
+        with tempfile.TemporaryDirectory() as built:
+            report = compile_sketch(out, keep=Path(built))
+            assert report.hex is not None
+            study.machine_code = report.hex.read_bytes()
+        return study
+
+    def reached(self) -> dict[str, set[int]]:
+        """The lines of the sketch's files of which an instruction runs in some scenario."""
+        with tempfile.TemporaryDirectory() as built:
+            report = compile_sketch(self.out, keep=Path(built))
+            assert report.elf is not None
+            assert report.hex is not None
+            side = _Target(self._models, report, self.ports, "avr8js")
+            engine_for("atmega328p", "avr8js")
+            addresses: set[int] = set()
+            for scenario, _ in self.cases:
+                asked = job(report.elf, report.hex, side.board, scenario.horizon_ms * 1000, played(self.ports, scenario, True))
+                addresses |= set(simulate(replace(asked, reached=True), "avr8js", 300.0).reached)
+            told = subprocess.run(
+                ["avr-addr2line", "-i", "-e", report.elf],
+                input="\n".join(f"{address:#x}" for address in sorted(addresses)), capture_output=True, text=True, check=True,
+            ).stdout  # fmt: skip
+        lines: dict[str, set[int]] = {name: set() for name in self.files}
+        for path, line in re.findall(r"^(.*):(\d+)", told, re.MULTILINE):
+            if Path(path).name in lines:
+                lines[Path(path).name].add(int(line))
+        return lines
+
+    def judge(self, files: Mapping[str, str]) -> Outcome:
+        """Compile the sketch with other files, and compare it.
+
+        Args:
+            files: name of each changed file -> its text.
+        """
+        with tempfile.TemporaryDirectory(dir=self.place) as place:
+            out = Path(place) / "out"
+            (out / self.name).mkdir(parents=True)
+            shutil.copytree(self.out / "models", out / "models")
+            for path in (self.out / self.name).iterdir():
+                (out / self.name / path.name).write_text(files.get(path.name, path.read_text()))
+            (Path(place) / "built").mkdir()
+            report = compile_sketch(out, keep=Path(place) / "built")
+            if not report.ok or report.hex is None:
+                return Outcome("not-compiled")
+            if report.hex.read_bytes() == self.machine_code:
+                return Outcome("same machine code")
+            side = _Target(self._models, report, self.ports, None)
+            try:
+                return self._compared(side)
+            except RobosmiError as error:
+                return Outcome("error", error.message)
+
+    def _compared(self, side: _Target) -> Outcome:
+        doubt = ""
+        cases = [(replace(s, horizon_ms=max(_LEAST_MS, _PART * s.horizon_ms)), s, runs) for s, runs in self.cases]
+        for part in (True, False):
+            for short, scenario, runs in cases:
+                if part and short.horizon_ms >= scenario.horizon_ms:
+                    continue
+                asked = short if part else scenario
+                result = judged(asked, runs, side._run(asked), self.ports)
+                if result.first is not None:
+                    first = result.first
+                    functions = next((port.functions for port in self.ports if port.title == first.channel), ())
+                    told = f"{first.at_ms:.1f} ms, {first.channel}: {first.message}"
+                    return Outcome("different", told, scenario.name, first.channel, functions)
+                doubt = doubt or ("" if part else result.reason)
+        return Outcome("not-decidable", doubt) if doubt else Outcome("no-difference-found")
+
+
+def executed(lines: Sequence[int], text: str, reached: Mapping[str, set[int]], file: str, files: Mapping[str, str]) -> bool:
+    """Whether one of some lines runs in a scenario; a constant or macro does where a line that runs names it.
+
+    Args:
+        lines: the lines.
+        text: the file's text.
+        reached: what runs, by file.
+        file: the file's name.
+        files: the texts of all files.
+    """
+    if any(line in reached[file] for line in lines):
+        return True
+    rows = text.splitlines()
+    names = {
+        name
+        for line in lines
+        for name in re.findall(r"^(?:#define (\w+)|(?:static |const |volatile )*\w+ (\w+)(?:\[\w*\])? ?[=;])", rows[line - 1])
+        for name in name
+        if name
+    }
+    known = {row for name, shown in reached.items() for line in shown for row in files[name].splitlines()[line - 1 : line]}
+    for _ in range(3):  # a constant may be named by another
+        for other in files.values():
+            for row in other.splitlines():
+                if found := re.match(r"(?:#define (\w+)|(?:static |const |volatile )*\w+ (\w+)(?:\[\w*\])? ?[=;])", row):
+                    name = found[1] or found[2]
+                    if any(re.search(rf"\b{name}\b", each) for each in known):
+                        known.add(row)
+    return any(re.search(rf"\b{name}\b", row) for name in names for row in known)

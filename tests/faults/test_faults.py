@@ -1,0 +1,77 @@
+"""A small run of what `python -m tests.faults` does: faults of some kinds are noticed, harmless rewritings are not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from robosmi.verify.host_model import load_host_model
+from robosmi.verify.original_build import missing_tools
+from tests.faults.campaign import STUDIES, Study
+from tests.faults.rewritings import rewritings
+from tests.faults.seeding import KINDS, Fault, faults
+from tests.tools import require_engine, require_tools
+
+HERE = Path(__file__).parent
+FAULTS = {
+    "swapped pins": "const int BasicServo2WriteP1 = 8; // Basic Servo2: pulse on D8 const int BasicServo1WriteP1 = 9;",
+    "wrong unit": "pause(1000 / 1000)",
+    "mirrored servo": "1500 + beyond : 1500 - beyond",
+    "16-bit overflow": "(uint16_t)micros()",
+    "missing wait": "pause(500)",
+    "wrong constant": "drive_speed(24, 18)",
+    "wrong level": "low(LED); // switch on LED",
+}
+"""Kind -> a part of the text that tells one of that kind."""
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    """The line follower under one scenario."""
+    require_tools("avr-gcc", "arduino-core-avr", "gcc")
+    if advice := missing_tools(load_host_model("propeller")):
+        pytest.skip(advice)
+    require_engine("simavr")
+    return Study.made("line_follower", tmp_path_factory.mktemp("faults"), scenarios=[HERE / "light_and_dark.toml"])
+
+
+def test_the_right_program_shows_no_difference(study: Study) -> None:
+    assert study.right.verdict.verdict == "no-difference-found"
+    assert study.judge({}).verdict == "same machine code"
+
+
+@pytest.mark.parametrize("kind", FAULTS)
+def test_a_fault_is_noticed(study: Study, kind: str) -> None:
+    known = [fault for name, text in study.files.items() for fault in faults(name, text) if fault.kind == kind]
+    fault = next(each for each in known if FAULTS[kind] in each.now or FAULTS[kind] in each.was)
+    outcome = study.judge({fault.file: fault.put_into(study.files[fault.file])})
+    assert outcome.verdict == "different"
+    assert outcome.told
+
+
+@pytest.mark.parametrize("number", [0, 2, 5])
+def test_a_harmless_rewriting_is_not_called_different(study: Study, number: int) -> None:
+    outcome = study.judge(rewritings("line_follower")[number].put_into(study.files))
+    assert outcome.verdict == "no-difference-found", outcome.told
+
+
+def test_there_are_twenty_rewritings_of_several_kinds() -> None:
+    listed = [each for name in STUDIES for each in rewritings(name)]
+    assert len(listed) >= 20
+    assert len({each.kind for each in listed}) >= 6
+
+
+def test_each_fault_changes_the_text_and_tells_its_line() -> None:
+    text = "const int A = 3;\nvoid loop() {\n  pause(100);\n  if (x < 2) high(A);\n}\n"
+    found = faults("a.ino", text)
+    assert {"wrong constant", "wrong condition", "missing wait", "wrong level", "left out"} <= {fault.kind for fault in found}
+    assert {fault.kind for fault in found} <= set(KINDS)
+    for fault in found:
+        changed = fault.put_into(text)
+        assert changed != text
+        line = next(n for n, (a, b) in enumerate(zip(text.splitlines(), changed.splitlines(), strict=False), 1) if a != b)
+        assert line == fault.line
+    waits = [fault for fault in found if fault.kind == "missing wait"]
+    assert sorted(fault.now for fault in waits) == [";", "pause(150);", "pause(50);"]
+    assert isinstance(waits[0], Fault)

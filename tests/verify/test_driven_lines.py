@@ -1,0 +1,49 @@
+"""For how long a program drives a line that it shares with a device."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robosmi.verify.activity import HELD, ActivityEvent
+from robosmi.verify.alignment import alike
+from robosmi.verify.driven_lines import held_levels
+from robosmi.verify.simulation import PinChange, PinTrace
+
+
+def held(lengths: Iterable[tuple[float, int, float]]) -> list[tuple[float, int, float]]:
+    """What is seen of a line that is driven at a time, to a level, for so long, and let go: microseconds."""
+    changes = [c for at, level, us in lengths for c in (PinChange(at, "D4", level), PinChange(at + us, "D4", "z"))]
+    trace = PinTrace("e", "running", 4_000_000.0, tuple(changes), (), (), ())
+    return [(event.at_us, int(event.value[0]), float(event.value[1])) for event in held_levels(trace, "D4")]
+
+
+def test_a_sensor_that_is_charged_again_and_again_tells_one_length() -> None:
+    assert held((at * 2000.0, 1, 230 + at % 7) for at in range(100)) == [(0.0, 1, 231)]
+
+
+def test_a_single_one_that_an_interrupt_stretches_is_not_seen() -> None:
+    assert len(held((at * 2000.0, 1, 900 if at == 50 else 230) for at in range(100))) == 1
+
+
+def test_another_length_is_seen() -> None:
+    assert [us for _, _, us in held((at * 2000.0, 1, 230 if at < 50 else 1200) for at in range(100))] == [230, 1200]
+
+
+def test_a_sensor_that_is_asked_now_and_then_tells_each() -> None:
+    assert held([(500_000, 0, 18_200), (2_700_000, 0, 18_200)]) == [(500_000, 0, 18_200)]
+    assert [us for _, _, us in held([(500_000, 0, 18_200), (2_700_000, 0, 9_100)])] == [18_200, 9_100]
+
+
+def test_what_lasts_less_than_a_tenth_of_a_millisecond_is_not_looked_at() -> None:
+    assert held((at * 2000.0, 1, 15) for at in range(100)) == []
+
+
+def test_lengths_are_the_same_within_a_tenth_of_a_millisecond_and_five_per_cent() -> None:
+    def length(us: float, level: int = 1) -> ActivityEvent:
+        return ActivityEvent(0.0, HELD, (level, us))
+
+    assert alike(length(230), length(330))
+    assert not alike(length(230), length(360))
+    assert alike(length(18_000), length(18_900))
+    assert not alike(length(18_000), length(18_000, 0))
+    assert str(length(230)) == "held high for 230 us"

@@ -1,0 +1,66 @@
+"""Where in the source a difference comes from: the call that makes what differs, and the calls around it, which wait or decide.
+
+An adapter that is wrong is one of a function that is called there. Which of them it is cannot be told from outside: a lamp that
+is on for too short a time was switched by one function, and the wait between was another.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, SourceRuns
+from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.comparison import FirstDifference
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_calls import LibraryCall, library_calls
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.verdict import CallsAround
+
+_LONGEST_US = 3_000_000.0
+"""Calls that are further away are not told."""
+_MARGIN_US = 1_000.0
+_BEFORE, _AFTER = 6, 4
+_MACRO = re.compile(r"^__builtin_propeller_")
+"""How the platform's headers name what programs call by a shorter name."""
+
+
+def calls_around(
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, difference: FirstDifference
+) -> CallsAround:
+    """The calls of the source around a difference.
+
+    Args:
+        program: the original.
+        ports: its ports.
+        scenario: in which the difference is.
+        runs: those of the original in it.
+        difference: the difference.
+    """
+    at_us = difference.at_ms * 1000
+    events = runs.channels.get(difference.channel, [[[]]])[0][0]
+    earlier = max((event.at_us for event in events if event.at_us < at_us - 1), default=0.0)
+    later = min((event.at_us for event in events if event.at_us > at_us + 1), default=at_us)
+    begin_us = max(0.0, earlier - _MARGIN_US, at_us - _LONGEST_US)
+    end_us = min(later + _MARGIN_US, at_us + _LONGEST_US, scenario.horizon_ms * 1000)
+    if end_us <= begin_us:
+        return CallsAround()
+    made = library_calls(program, played(ports, scenario, target=False), begin_us, end_us)
+    calls = [replace(call, function=_MACRO.sub("", call.function)) for call in made]
+    name = difference.channel.removesuffix(DRIVEN)
+    functions = next((port.functions for port in ports if port.title == name), ())
+    printed = difference.channel == CONSOLE_CHANNEL
+    makes = [call for call in calls if printed and call.prints] or [call for call in calls if call.function in functions] or calls
+    before = [call for call in makes if call.at_us <= at_us + _MARGIN_US / 2]
+    maker = before[-1] if before else makes[0] if makes else None
+    told = {(call.function, call.file, call.line): call for call in calls if call.at_us <= at_us}
+    after = {(call.function, call.file, call.line): call for call in reversed(calls) if call.at_us > at_us}
+    near = [*sorted(told.values(), key=_when)[-_BEFORE:], *sorted(after.values(), key=_when)[:_AFTER]]
+    around = {(call.function, call.file, call.line): call for call in near if call != maker}
+    return CallsAround(maker, tuple(sorted(around.values(), key=_when)))
+
+
+def _when(call: LibraryCall) -> float:
+    return call.at_us

@@ -1,0 +1,58 @@
+"""What a search for scenarios is after, beside the lines and branches of the source: what the program does one after the other.
+
+A branch that was taken once, for the first time, says little: a robot that stops is to be seen stopping from each of its
+motions, and going on after it. So each three things that follow one another on a channel are a goal, and values at the sides of a
+border between two ways of the program.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Any
+
+from robosmi.transformations.verification.original_side import Place, channel_events
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.original_run import OriginalRun
+
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+_MOST_ON_A_CHANNEL = 24
+"""A program that prints or plays something else all the time is not to be followed for ever."""
+
+
+def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
+    """Each two and three things that follow one another on a channel: ("then", channel, what, what, what)."""
+    found: set[Place] = set()
+    for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
+        told = [_short(event) for event in events]
+        then: list[Place] = [("then", name, *each) for each in (*pairwise(told), *zip(told, told[1:], told[2:], strict=False))]
+        found.update(list(dict.fromkeys(then))[:_MOST_ON_A_CHANNEL])
+    return frozenset(found)
+
+
+def _short(event: ActivityEvent) -> str:
+    """What an event says, so that measured numbers make no new goals."""
+    value = event.value[0]
+    if event.kind in (LINE, READING):
+        return _NUMBER.sub("0", str(value))
+    if event.kind == PULSES:
+        return f"{event.kind} {round(float(value) / 10)}"
+    if event.kind == WAVE:
+        return f"{event.kind} {round(20 * math.log(max(1.0, float(value))))}"
+    if event.kind == BURST:
+        return event.kind
+    return f"{event.kind} {value}" if event.kind in (LEVEL, HELD) else str(event)
+
+
+def beside(border: float, facts: Mapping[str, Any]) -> tuple[float, float]:
+    """Values at both sides of a border, as near to it as boards that measure differently allow.
+
+    Args:
+        border: where the source goes another way.
+        facts: of the device that shows the values: `near_percent`, by how many per cent they are off; 100 is half and twice.
+    """
+    factor = 1 + float(facts.get("near_percent", 10)) / 100
+    return border / factor, border * factor
