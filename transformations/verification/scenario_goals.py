@@ -18,6 +18,9 @@ from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.original_run import OriginalRun
 
+THEN, BESIDE = "then", "beside"
+GOALS = (THEN, BESIDE)
+"""What goals that are no places of the source begin with."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _MOST_ON_A_CHANNEL = 24
 """A program that prints or plays something else all the time is not to be followed for ever."""
@@ -28,7 +31,7 @@ def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
     found: set[Place] = set()
     for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
         told = [_short(event) for event in events]
-        then: list[Place] = [("then", name, *each) for each in (*pairwise(told), *zip(told, told[1:], told[2:], strict=False))]
+        then: list[Place] = [(THEN, name, *each) for each in (*pairwise(told), *zip(told, told[1:], told[2:], strict=False))]
         found.update(list(dict.fromkeys(then))[:_MOST_ON_A_CHANNEL])
     return frozenset(found)
 

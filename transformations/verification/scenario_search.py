@@ -17,7 +17,7 @@ from typing import Any
 from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
-from robosmi.transformations.verification.scenario_goals import behaviour, beside
+from robosmi.transformations.verification.scenario_goals import BESIDE, GOALS, behaviour, beside
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
@@ -27,6 +27,7 @@ _APART_MS = 250.0
 _MOST = 120
 """So many scenarios are tried at most."""
 _PATIENCE = 30
+_RETRIES = 30
 _PROBE_MS = 600.0
 """A short run that tells which way a program goes, beside what a device holds its value for."""
 _TEXT_MS = 900.0
@@ -97,6 +98,7 @@ class _Search:
     found: FoundScenarios = field(default_factory=FoundScenarios)
     reached_by: list[frozenset[Place]] = field(default_factory=list)
     only_racy: set[Place] = field(default_factory=set)
+    retried: int = 0
 
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
@@ -110,7 +112,7 @@ class _Search:
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
             return places
-        if places <= self.seen | self.only_racy:
+        if places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
         runs = run_varied(self.program, self.ports, scenario, run)
         if runs.racy_channels:
@@ -123,6 +125,11 @@ class _Search:
         found.scenarios.append((scenario, runs))
         self.reached_by.append(places)
         return places
+
+    def _worth_another(self, places: frozenset[Place]) -> bool:
+        """Whether to try again what only racy scenarios have reached: of the source itself, and not for ever."""
+        self.retried += any(place[0] not in GOALS for place in places - self.seen)
+        return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
 
     def with_borders(self, each: _Input) -> _Input:
         """Halve the span between two values at which the source goes different ways, down to where these meet.
@@ -146,7 +153,7 @@ class _Search:
                 begin, end = (middle, end) if places == ways[low] else (begin, middle)
             sides = [round(value, 1) for value in beside(end, facts)]
             values += sides
-            there: Place = ("beside", each.name, each.setting, round(end))
+            there: Place = (BESIDE, each.name, each.setting, round(end))
             points = tuple((at * max(each.hold_ms, self.horizon / 4), value) for at, value in enumerate([*sides, sides[0]]))
             self.try_signals({each.name: {each.setting: points}}, frozenset([there]))
         return replace(each, values=tuple(values))
