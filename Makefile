@@ -4,6 +4,7 @@
 # make bench  the figures of the README, measured
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
+# make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, and each one broken on purpose, by hand (not in CI)
 # make adapter-data  the built data of adapter files, after one was changed
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
@@ -14,7 +15,7 @@ BIN := $(VENV)/bin
 # Nothing here reads or writes the data of the person who runs it: history, imported libraries, parts and platforms.
 export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
-.PHONY: demo test lint bench evaluate fuzz adapters adapter-data wheel readme metamodels system-packages npm-packages clean
+.PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data wheel readme metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -71,6 +72,10 @@ adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone
 	$(BIN)/python -m tests.adapters.boards
 	$(BIN)/python -m tests.adapters.mutants
+
+faults: $(VENV)/.ready system-packages
+	$(BIN)/python -m tests.faults
+	$(BIN)/python -m tests.faults --rewritings
 
 adapter-data: $(VENV)/.ready
 	$(BIN)/python -m robosmi.transformations.knowledge.adapter_data platform_repo/*/adapters/*

@@ -14,11 +14,10 @@ import json
 import random
 import sys
 import tempfile
-import time
 import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from tests.faults.campaign import STUDIES, Outcome, Study, executed
@@ -48,56 +47,106 @@ def in_turns(listed: list[Fault], seed: int) -> Iterator[Fault]:
                 yield each.pop()
 
 
-def run(study: Study, count: int, seed: int, jobs: int) -> dict[str, object]:
-    """Try faults of a study until so many were compared, and tell what came of them."""
+def run(study: Study, count: int, seed: int, jobs: int, kept: Path) -> dict[str, object]:
+    """Try faults of a study until so many were compared that are not listed as equivalent, and tell what came of them.
+
+    Args:
+        study: the case study.
+        count: how many.
+        seed: of their order.
+        jobs: how many at once.
+        kept: the file with the results; those of the same program are taken from it.
+    """
     reached = study.reached()
     listed = [fault for name, text in study.files.items() for fault in faults(name, text)]
     there = [f for f in listed if executed(f.lines, study.files[f.file], reached, f.file, study.files)]
+    done = _outcomes(kept, study)
     known = equivalent()
-    begun, dropped = time.monotonic(), dict.fromkeys(_NO_FAULT, 0)
-    tried: list[tuple[Fault, Outcome, str]] = []
-    names: set[str] = set()
+    made = _Table(study, seed, len(listed), len(there), known)
 
     def judge(fault: Fault) -> tuple[Fault, Outcome]:
-        return fault, study.judge({fault.file: fault.put_into(study.files[fault.file])})
+        return fault, done.get(fault.name) or study.judge({fault.file: fault.put_into(study.files[fault.file])})
 
     waiting = in_turns(there, seed)
     with ThreadPoolExecutor(jobs) as pool:
-        while len(tried) < count:
-            batch = [fault for fault, _ in zip(waiting, range(min(2 * jobs, count - len(tried))), strict=False)]
+        while made.counted < count:
+            batch = [fault for fault, _ in zip(waiting, range(min(2 * jobs, count - made.counted)), strict=False)]
             if not batch:
                 break
             for fault, outcome in pool.map(judge, batch):
-                if outcome.verdict in _NO_FAULT:
-                    dropped[outcome.verdict] += 1
-                    continue
-                if fault.name in names:
-                    continue
-                names.add(fault.name)
-                reason = known.get((study.name, fault.name), "")
-                tried.append((fault, outcome, reason))
-                seen = "noticed" if outcome.verdict == "different" else "EQUIVALENT" if reason else "SURVIVES"
-                what = f"[{fault.kind}] line {fault.line}, {fault.name} ({outcome.verdict} {outcome.told})"
-                print(f"{study.name} {len(tried)} {seen} {what}", flush=True)
-    counted = [(f, o) for f, o, reason in tried if not reason or o.verdict == "different"]
-    noticed = [f for f, o in counted if o.verdict == "different"]
-    by_kind = {
-        kind: f"{sum(f.kind == kind for f in noticed)} of {sum(f.kind == kind for f, _ in counted)}"
-        for kind in KINDS
-        if any(f.kind == kind for f, _ in counted)
-    }
+                if line := made.add(fault, outcome):
+                    print(line, flush=True)
+            kept.write_text(json.dumps(made.result(), indent=1) + "\n")
+    return made.result()
+
+
+def _outcomes(kept: Path, study: Study) -> dict[str, Outcome]:
+    """What is known of the faults of this very program under these very scenarios."""
+    told = json.loads(kept.read_text()) if kept.is_file() else {}
+    if told.get("program") != study.digest:
+        return {}
     return {
-        "verdict": study.right.verdict.sentence(), "seed": seed, "possible": len(listed), "executed": len(there),
-        "dropped": dropped,
-        "compared": len(tried), "equivalent": len(tried) - len(counted), "noticed": len(noticed),
-        "score_pct": round(100 * len(noticed) / max(1, len(counted)), 1), "by_kind": by_kind,
-        "minutes": round((time.monotonic() - begun) / 60, 1),
-        "faults": [
-            {"kind": f.kind, "line": f.line, "fault": f.name, **{k: v for k, v in asdict(o).items() if v},
-             **({"equivalent": reason} if reason and o.verdict != "different" else {})}
-            for f, o, reason in tried
-        ],
-    }  # fmt: skip
+        each["fault"]: Outcome(
+            each["verdict"],
+            each.get("told", ""),
+            each.get("scenario", ""),
+            each.get("channel", ""),
+            tuple(each.get("functions", ())),
+        )
+        for each in told["faults"]
+    }
+
+
+@dataclass
+class _Table:
+    """What came of the faults so far."""
+
+    study: Study
+    seed: int
+    possible: int
+    executed: int
+    known: dict[tuple[str, str], str]
+    tried: dict[str, tuple[Fault, Outcome, str]] = field(default_factory=dict)
+    dropped: dict[str, int] = field(default_factory=lambda: dict.fromkeys(_NO_FAULT, 0))
+
+    @property
+    def counted(self) -> int:
+        """How many count."""
+        return sum(not reason for _, _, reason in self.tried.values())
+
+    def add(self, fault: Fault, outcome: Outcome) -> str:
+        """Take an outcome; a line that tells it, empty where it is no fault or the same as another."""
+        if outcome.verdict in _NO_FAULT:
+            self.dropped[outcome.verdict] += 1
+            return ""
+        if fault.name in self.tried:
+            return ""
+        reason = "" if outcome.verdict == "different" else self.known.get((self.study.name, fault.name), "")
+        self.tried[fault.name] = fault, outcome, reason
+        seen = "noticed" if outcome.verdict == "different" else "EQUIVALENT" if reason else "SURVIVES"
+        what = f"[{fault.kind}] line {fault.line}, {fault.name} ({outcome.verdict} {outcome.told})"
+        return f"{self.study.name} {len(self.tried)} {seen} {what}"
+
+    def result(self) -> dict[str, object]:
+        """The table."""
+        counted = [(fault, outcome) for fault, outcome, reason in self.tried.values() if not reason]
+        noticed = [fault for fault, outcome in counted if outcome.verdict == "different"]
+        by_kind = {
+            kind: f"{sum(f.kind == kind for f in noticed)} of {sum(f.kind == kind for f, _ in counted)}"
+            for kind in KINDS
+            if any(f.kind == kind for f, _ in counted)
+        }
+        return {
+            "verdict": self.study.right.verdict.sentence(), "program": self.study.digest, "seed": self.seed,
+            "possible": self.possible, "executed": self.executed, "dropped": self.dropped, "faults_that_count": len(counted),
+            "noticed": len(noticed), "score_pct": round(100 * len(noticed) / max(1, len(counted)), 1),
+            "equivalent": len(self.tried) - len(counted), "by_kind": by_kind,
+            "faults": [
+                {"kind": f.kind, "line": f.line, "fault": f.name, **{k: v for k, v in asdict(o).items() if v},
+                 **({"equivalent": reason} if reason else {})}
+                for f, o, reason in self.tried.values()
+            ],
+        }  # fmt: skip
 
 
 def main() -> int:
@@ -117,13 +166,12 @@ def main() -> int:
             print(name, study.right.verdict.sentence(), flush=True)
             if asked.rewritings:
                 for each in rewritings(name):
-                    outcome = study.judge(each.put_into(study.files))
+                    outcome = study.judge(each.put_into(study.files), early=False)
                     alarms += outcome.verdict != "no-difference-found"
                     print(f"{name} {each.name} ({each.kind}): {outcome.verdict} {outcome.told}", flush=True)
                 continue
             KEPT.mkdir(exist_ok=True)
-            result = run(study, asked.count, asked.seed, asked.jobs)
-            (KEPT / f"{name}.json").write_text(json.dumps(result, indent=1) + "\n")
+            result = run(study, asked.count, asked.seed, asked.jobs, KEPT / f"{name}.json")
             print(name, {k: v for k, v in result.items() if k != "faults"}, flush=True)
     return int(alarms > 0)
 

@@ -6,6 +6,7 @@ What a run of the right program executes is known from one engine that tells it 
 
 from __future__ import annotations
 
+import hashlib
 import re
 import shutil
 import subprocess
@@ -110,6 +111,12 @@ class Study:
             study.machine_code = report.hex.read_bytes()
         return study
 
+    @property
+    def digest(self) -> str:
+        """What stands for the program and the scenarios."""
+        told = [*self.files.items(), *((scenario.name, scenario.text()) for scenario, _ in self.cases)]
+        return hashlib.sha256(repr(told).encode()).hexdigest()[:16]
+
     def reached(self) -> dict[str, set[int]]:
         """The lines of the sketch's files of which an instruction runs in some scenario."""
         with tempfile.TemporaryDirectory() as built:
@@ -132,11 +139,12 @@ class Study:
                 lines[Path(path).name].add(int(line))
         return lines
 
-    def judge(self, files: Mapping[str, str]) -> Outcome:
+    def judge(self, files: Mapping[str, str], early: bool = True) -> Outcome:
         """Compile the sketch with other files, and compare it.
 
         Args:
             files: name of each changed file -> its text.
+            early: whether to look at a part of each scenario first, which is faster where a difference is likely.
         """
         with tempfile.TemporaryDirectory(dir=self.place) as place:
             out = Path(place) / "out"
@@ -152,14 +160,14 @@ class Study:
                 return Outcome("same machine code")
             side = _Target(self._models, report, self.ports, None)
             try:
-                return self._compared(side)
+                return self._compared(side, early)
             except RobosmiError as error:
                 return Outcome("error", error.message)
 
-    def _compared(self, side: _Target) -> Outcome:
+    def _compared(self, side: _Target, early: bool) -> Outcome:
         doubt = ""
         cases = [(replace(s, horizon_ms=max(_LEAST_MS, _PART * s.horizon_ms)), s, runs) for s, runs in self.cases]
-        for part in (True, False):
+        for part in (True, False) if early else (False,):
             for short, scenario, runs in cases:
                 if part and short.horizon_ms >= scenario.horizon_ms:
                     continue

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 _HIDDEN = re.compile(
@@ -37,6 +37,7 @@ class Fault:
         was, now: the changed part of the text, before and after.
         line: where the first change is, from 1.
         lines: the lines that have to be executed for the fault to matter, one of them at least.
+        place: which one it is of those of the file that read alike, from 1.
     """
 
     file: str
@@ -46,11 +47,12 @@ class Fault:
     now: str
     line: int
     lines: tuple[int, ...]
+    place: int = 1
 
     @property
     def name(self) -> str:
         """What tells it from others, whatever line it stands on."""
-        return f"{self.file}: {self.was} -> {self.now}"
+        return f"{self.file}: {self.was} -> {self.now}" + (f" (place {self.place})" if self.place > 1 else "")
 
     def put_into(self, text: str) -> str:
         """The text with the fault."""
@@ -67,13 +69,16 @@ def faults(name: str, text: str) -> list[Fault]:
         text: the file.
     """
     code = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
-    found = []
+    found: dict[tuple[Edit, ...], Fault] = {}
     for kind, made in _KINDS.items():
         for edits in made(code):
             edits = tuple(sorted(edits, key=lambda each: each.begin))
             if fault := _fault(name, text, kind, edits):
-                found.append(fault)
-    return found
+                found.setdefault(edits, fault)
+    places: dict[str, list[int]] = {}
+    for fault in found.values():
+        places.setdefault(fault.name, []).append(fault.edits[0].begin)
+    return [replace(each, place=1 + sorted(places[each.name]).index(each.edits[0].begin)) for each in found.values()]
 
 
 def _fault(name: str, text: str, kind: str, edits: tuple[Edit, ...]) -> Fault | None:

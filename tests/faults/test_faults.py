@@ -52,7 +52,7 @@ def test_a_fault_is_noticed(study: Study, kind: str) -> None:
 
 @pytest.mark.parametrize("number", [0, 2, 5])
 def test_a_harmless_rewriting_is_not_called_different(study: Study, number: int) -> None:
-    outcome = study.judge(rewritings("line_follower")[number].put_into(study.files))
+    outcome = study.judge(rewritings("line_follower")[number].put_into(study.files), early=False)
     assert outcome.verdict == "no-difference-found", outcome.told
 
 
