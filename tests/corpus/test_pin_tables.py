@@ -21,7 +21,7 @@ from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.pin_uses import pin_uses
 
 TABLES = sorted((Path(__file__).parent / "pin_tables").glob("*.csv"))
-BOUND = 47
+BOUND = 123
 """So many ports rules bound when this was written, all of them as meant."""
 
 

@@ -167,7 +167,7 @@ def _pin(binding: migration.PortBinding) -> platform.Pin | None:
 
 @plans.critique(id="RS263", location=place, advice="choose another library for one of them")
 def TimersAreNotShared(p: migration.MigrationPlan) -> Any:
-    """No two libraries take the same timer."""
+    """No two libraries that the sketch includes, or that a person chose, take the same timer."""
     clashes = []
     users = timer_users(p)
     for timer in sorted({timer for timers, _ in users.values() for timer in timers}):
@@ -183,7 +183,7 @@ def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...
     found = {
         c.chosen.name: (tuple(c.chosen.timers), c.chosen.takesWhen)
         for c in plan.libraryChoices
-        if c.chosen is not None and c.chosen.timers
+        if c.chosen is not None and (c.included or c.chosenBy is migration.ChosenBy.person) and c.chosen.timers
     }
     chosen = {c.component for c in plan.libraryChoices if c.chosen is not None}
     w = wired(plan)
@@ -244,7 +244,7 @@ def _for(choice: migration.LibraryChoice) -> str:
 @plans.critique(id="RS266", location=place, advice="move it to another pin")
 def SerialPinsAreFree(p: migration.MigrationPlan) -> Any:
     """The pins of the serial port to the computer are free in a program that talks over it."""
-    talking = next(_terminal_functions(p), None)
+    talking = next(terminal_functions(p), None)
     if talking is None:
         return True
     for connection in p.connections:
@@ -257,7 +257,7 @@ def SerialPinsAreFree(p: migration.MigrationPlan) -> Any:
     return True
 
 
-def _terminal_functions(plan: migration.MigrationPlan) -> Iterator[str]:
+def terminal_functions(plan: migration.MigrationPlan) -> Iterator[str]:
     """The functions that the program calls and that take text for the terminal as their first argument."""
     for use in plan.adapterUses:
         function = use.function

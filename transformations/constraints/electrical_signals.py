@@ -135,5 +135,11 @@ def BearsTheSignals(c: hardware.Component) -> Any:
     return True
 
 
+_OUTPUTS = frozenset(["do", "sdo", "so", "miso", "out", "echo", "rdy"])
+"""Connectors by which devices give signals, besides those of serial lines and states."""
+
+
 def _gives(name: str) -> bool:
-    return name.strip().lower().startswith(("tx", "state", "stat", "irq", "int"))
+    """Whether a connector is one by which a device tells something, so that the board drives nothing there."""
+    word = name.strip().lower()
+    return word in _OUTPUTS or word.startswith(("tx", "dout", "sout", "state", "stat", "irq", "int"))

@@ -11,6 +11,7 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import migration, platform
 from robosmi.model import EmfModel
 from robosmi.query import root_of
+from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.validate import EVL, Fail
 
 ports = EVL()
@@ -19,7 +20,7 @@ ports = EVL()
 bindings = ports.context(migration.PortBinding)
 connections = ports.context(migration.Connection)
 MANY = 3
-"""So many components on one pin are told of: of two, one may well be a pull-up or an indicator."""
+"""So many components on one pin are a warning: of two, one may well be a pull-up or an indicator."""
 
 
 def port_faults(plan: migration.MigrationPlan) -> list[Finding]:
@@ -78,12 +79,44 @@ def PortIsDecidedOnce(b: migration.PortBinding) -> Any:
     return True
 
 
-@connections.constraint(id="RS715", severity=Severity.warning, advice="see whether the drawing says what is meant")
-def PinReachesFewComponents(c: migration.Connection) -> Any:
-    """A pin that is no bus reaches one component, or two."""
-    same = [other for other in plan_of(c).connections if other.pin is not None and other.pin is c.pin]
-    titles = list(dict.fromkeys(o.component.title for o in same if o.component is not None))
-    if same[:1] != [c] or len(titles) < MANY or any(other.signal is migration.Signal.bus for other in same):
+@bindings.constraint(
+    id="RS720", severity=Severity.warning, advice="bind it to another pin",
+    guard=lambda b: b.chosenBy is migration.ChosenBy.person and bound_pin(b) is not None,
+)  # fmt: skip
+def SerialLineIsFree(b: migration.PortBinding) -> Any:
+    """A port is not on a pin of the serial line to the computer in a program that talks over it."""
+    pin, talking = bound_pin(b), next(terminal_functions(plan_of(b)), None)
+    assert pin is not None
+    if talking is None or not pin.reserved or "uart" not in pin.abilities:
+        return True
+    return Fail(f"the {named(b)} is on {pin.label} of the serial line that the program talks over ({talking})", pin=pin.label)
+
+
+@connections.critique(
+    id="RS724", info=True, advice="see whether the drawing says what is meant; bind ports by the mapping's name"
+)
+def PinReachesOneComponent(c: migration.Connection) -> Any:
+    """A pin that is no bus reaches one component: a port that is bound by such a pin is called after the first of several."""
+    titles = _on_pin(c)
+    if len(titles) != MANY - 1:
         return True
     assert c.pin is not None
     return Fail(f"pin {c.pin.label} reaches {len(titles)} components: {', '.join(titles)}", pin=c.pin.label)
+
+
+@connections.constraint(id="RS715", severity=Severity.warning, advice="see whether the drawing says what is meant")
+def PinReachesFewComponents(c: migration.Connection) -> Any:
+    """A pin that is no bus reaches one component, or two."""
+    titles = _on_pin(c)
+    if len(titles) < MANY:
+        return True
+    assert c.pin is not None
+    return Fail(f"pin {c.pin.label} reaches {len(titles)} components: {', '.join(titles)}", pin=c.pin.label)
+
+
+def _on_pin(c: migration.Connection) -> list[str]:
+    """The titles of the components on the pin of a connection; empty for a bus, and for all but the first connection of a pin."""
+    same = [other for other in plan_of(c).connections if other.pin is not None and other.pin is c.pin]
+    if same[:1] != [c] or any(other.signal is migration.Signal.bus for other in same):
+        return []
+    return list(dict.fromkeys(str(o.component.title) for o in same if o.component is not None))

@@ -1,26 +1,18 @@
 """Which open port is on which free connection, weighed by what both are called and for what the program uses the port.
 
 An assignment, not a list of guesses: a port is bound to a connection only where each is the other's single best, so that two
-ports never share a pin and one of two like components is never taken. Words for kinds of components are data
-(`parts/port_roles.toml`).
+ports never share a pin and one of two like components is never taken. Where no name or library speaks for one, a port and a
+component are bound that fit nothing else, if such ports are usually on such components. What speaks for a pair, and against it,
+is told by `port_evidence`.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
-from functools import lru_cache
-from pathlib import Path
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
 
-from robosmi import resources
 from robosmi.metamodels import migration
-from robosmi.project import read_data
+from robosmi.transformations.m2m.port_evidence import Fit, Seat, fit, may_meet
 
-_WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
-_EMPTY_WORDS = {"port", "pin", "basic", "on", "of", "the", "to", "in", "out", "pulse", "signal", "sig", "read", "write", "board"}
-_SENDS, _RECEIVES = {"tx", "txd", "txo", "dout", "sout"}, {"rx", "rxd", "rxi", "din", "sin"}
-"""Connectors by which a component sends to the board, and those by which it receives from it."""
 NAME_CONFIDENCE = 0.9
 """Confidence of a binding by a name or by a role that fits one free component only."""
 BOTH_CONFIDENCE = 0.95
@@ -29,37 +21,14 @@ LEFT_CONFIDENCE = 0.85
 """Confidence where only one component is left once others are bound."""
 
 
-class Seat(NamedTuple):
-    """A port that looks for its connection.
-
-    Attributes:
-        binding: its decision, open.
-        words: what the program and its platform call it.
-        parameters: what the functions call the parameter that is given it.
-        role: the kind of component that the functions expect, empty for any.
-    """
-
-    binding: migration.PortBinding
-    words: Sequence[str]
-    parameters: Sequence[str]
-    role: str
-
-
-class Fit(NamedTuple):
-    """How a port fits a connection: points (0: in direction only) and what speaks for it."""
-
-    points: float
-    reasons: tuple[str, ...]
-    role: bool
-
-
-def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: float) -> None:
+def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: float, *, complete: bool = True) -> None:
     """Bind what the evidence decides, and give each of the others its options, best first.
 
     Args:
         seats: the open ports.
         free: the connections that no port is bound to.
         limit: a binding is made when its confidence is at least this.
+        complete: whether no other port can be reached; else nothing is bound because it is left over.
     """
     waiting, left, first = list(seats), list(free), True
     while True:
@@ -68,10 +37,14 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         pairs = [p for p in pairs if _confidence(fits[p], first) >= limit]
         pins = [left[k].pin for _, k in pairs]
         pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
+        left_over = not pairs and complete and limit <= LEFT_CONFIDENCE
+        if left_over:
+            pairs = [(i, k) for i, k in fits if _only(fits, waiting, left, i, k)]
+            fits.update({(i, k): Fit(1.0, (_usual(waiting[i]), *fits[i, k].reasons), False) for i, k in pairs})
         if not pairs:
             break
         for i, k in pairs:
-            _bind(waiting[i].binding, left[k], fits[i, k], first)
+            _bind(waiting[i].binding, left[k], fits[i, k], first and not left_over)
         waiting = [s for i, s in enumerate(waiting) if i not in {p[0] for p in pairs}]
         taken = [left[k] for _, k in pairs]
         left = [c for c in left if c not in taken and (c.pin is None or c.pin not in [t.pin for t in taken])]
@@ -94,6 +67,21 @@ def _best(fits: dict[tuple[int, int], Fit], i: int, k: int) -> bool:
     return all(f.points < points for (a, b), f in fits.items() if (a == i) != (b == k))
 
 
+def _only(
+    fits: Mapping[tuple[int, int], Fit], seats: Sequence[Seat], free: Sequence[migration.Connection], i: int, k: int
+) -> bool:
+    """Whether a port is usually on such a component, and neither can belong to anything else that is left."""
+    component = free[k].component
+    if not may_meet(seats[i], free[k]) or sum(c.component is component for c in free) > 1:
+        return False
+    rivals = [(a, b) for a, b in fits if (a == i) != (b == k)]
+    return not any(may_meet(seats[a], free[b]) is not False for a, b in rivals)
+
+
+def _usual(seat: Seat) -> str:
+    return f"such a port is usually on: {', '.join(sorted(seat.usual or [seat.role]))}"
+
+
 def _confidence(found: Fit, first: bool) -> float:
     if not first:
         return LEFT_CONFIDENCE
@@ -105,67 +93,3 @@ def _bind(binding: migration.PortBinding, connection: migration.Connection, foun
     binding.choice, binding.open = connection.name, False
     binding.confidence, binding.chosenBy = _confidence(found, first), migration.ChosenBy.rule
     binding.evidence.extend([*found.reasons, "no other free component fits as well, and no other port"])
-
-
-def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
-    """How a port fits a connection; None where direction, role or side speak against it."""
-    signal = seat.binding.signal.name
-    if signal != "bus" and connection.signal.name not in (signal, "bus"):
-        return None
-    mine, theirs = _said(seat.words), _said(component_texts(connection))
-    connectors = _said(c.name for c in connection.connectors)
-    if (signal == "read" and connectors & _RECEIVES) or (signal == "write" and connectors & _SENDS):
-        return None
-    words, groups = known_roles()
-    for group in groups:
-        if mine & group and theirs & group and not mine & theirs & group:
-            return None
-    qualifiers = frozenset().union(*groups)
-    theirs_roles = {role for role, known in words.items() if theirs & known}
-    if seat.role and theirs_roles and seat.role not in theirs_roles:
-        return None
-    by_role = bool(seat.role) and seat.role in theirs_roles
-    by_name = {role for role, known in words.items() if mine & known} & theirs_roles if not by_role else set()
-    shared = (mine & theirs) - qualifiers
-    reasons = [f"the functions it is given to expect: {seat.role}"] if by_role else []
-    if shared:
-        reasons.append(f"shares '{', '.join(sorted(shared))}' with the port's name")
-    elif by_name:
-        reasons.append(f"its name means: {', '.join(sorted(by_name))}")
-    points = 2.0 * by_role + len(shared) + (len(by_name) if not shared else 0)
-    if points and (same := (mine | _said(seat.parameters)) & connectors - _SENDS - _RECEIVES):
-        reasons.append(f"its connector is called '{', '.join(sorted(same))}', too")
-        points += 0.5 * len(same)
-    if points and (side := mine & theirs & qualifiers):
-        reasons.append(f"both are called '{', '.join(sorted(side))}'")
-        points += 0.5 * len(side)
-    return Fit(points, tuple(reasons), by_role)
-
-
-def _said(texts: Iterable[str]) -> set[str]:
-    return {word for text in texts for word in name_words(text)}
-
-
-def name_words(name: str) -> set[str]:
-    """The words of a name, lower case, without those that say nothing of the device."""
-    return {w.lower() for w in _WORDS.findall(name) if not w.isdigit() and len(w) > 1} - _EMPTY_WORDS
-
-
-def component_texts(connection: migration.Connection) -> list[str]:
-    """What a component is called: by its title, its part's title, its family."""
-    component = connection.component
-    if component is None:
-        return []
-    return [component.title, component.partTitle, component.family]
-
-
-def known_roles() -> tuple[dict[str, frozenset[str]], tuple[frozenset[str], ...]]:
-    """Kind of component -> the words it goes by; and groups of words of which one excludes the others (left, right)."""
-    path = resources.find("platform_repo", "parts/port_roles.toml")
-    return _known_roles(path, path.stat().st_mtime_ns)
-
-
-@lru_cache(maxsize=2)
-def _known_roles(path: Path, _: int) -> tuple[dict[str, frozenset[str]], tuple[frozenset[str], ...]]:
-    data = read_data(path)
-    return {role: frozenset(words) for role, words in data["roles"].items()}, tuple(map(frozenset, data["apart"]))

@@ -11,10 +11,13 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration, platform
+from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.m2m.port_assignment import Seat, assign
+from robosmi.transformations.m2m.port_assignment import assign
+from robosmi.transformations.m2m.port_evidence import Seat
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
+from robosmi.transformations.queries.value_flows import PinArgument
 
 _SIGNALS = {"in": "read", "out": "write"}
 
@@ -55,16 +58,21 @@ def bind_ports(
             _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
     taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
     free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
-    roles: dict[str, str] = api.settings.get("ports", {}).get("roles", {})
-    seats = [
-        Seat(b, _words(p, api), _parameters(p, found), _role(p, roles, api))
-        for p, b in zip(ports, bindings, strict=True)
-        if b.open
-    ]
+    seats = [_seat(p, b, found, api) for p, b in zip(ports, bindings, strict=True) if b.open]
     for seat in seats:
         seat.binding.role = seat.role
-    assign(seats, free, limit)
+    assign(seats, free, limit, complete=not found.anything)
     return bindings
+
+
+def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex) -> Seat:
+    facts = api.settings.get("ports", {})
+    given = _arguments(port, found)
+    siblings = [p.name for function in {a.function for a in given} for p in _pins(function, api)]
+    siblings += [p.name for p in found.ports if p.origin == "declaration"]
+    role = _role(port, facts.get("roles", {}), api)
+    names = [argument.parameter.name for argument in given]
+    return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})))
 
 
 def _layer(layer: Mapping[str, str], ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, str]:
@@ -180,14 +188,27 @@ def _words(port: Port, api: ApiIndex) -> list[str]:
     return [port.name, *port.names, port.what, *sorted(headers)]
 
 
-def _parameters(port: Port, found: ProgramPorts) -> list[str]:
-    """What the functions call the parameters that are given a port."""
+def _arguments(port: Port, found: ProgramPorts) -> list[PinArgument]:
+    """The arguments of functions of the platform that may be a port."""
     return [
-        argument.parameter.name
+        argument
         for each in found.flows
         for argument, known in zip(each.flow.arguments, each.values, strict=True)
         if port.pin is not None and port.pin in {value.number for value in known}
     ]
+
+
+def _pins(function: str, api: ApiIndex) -> list[PinParameter]:
+    facts = [api.pins(function, entry.header) for entry in api.entries(function)]
+    return [parameter for one in facts if one is not None for parameter in one.parameters]
+
+
+def _usual(port: Port, usual: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """The kinds of components that the functions which are given a port are usually used with; empty where they do not agree."""
+    called = {use.function for use in port.uses}
+    called = called - set(usual.get("anything", ())) or called
+    kinds = [frozenset(usual[function]) for function in called if function in usual]
+    return frozenset.intersection(*kinds) if kinds and len(kinds) == len(called) else frozenset()
 
 
 def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
@@ -197,5 +218,5 @@ def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
     found = set()
     for use in port.uses:
         headers = [e.header for e in api.entries(use.function)]
-        found |= {roles[header] for header in headers if header in roles}
+        found |= {roles[name] for name in (use.function, *headers) if name in roles}
     return found.pop() if len(found) == 1 else ""

@@ -91,6 +91,19 @@ def chosen_as(choice: str, text: str) -> migration.MigrationPlan:
     return a_plan(portBindings=binding)
 
 
+def beside_the_console(function: str) -> migration.MigrationPlan:
+    """A plan whose port is on a pin of the serial line by a person's word, and whose program calls a function."""
+    made = a_plan(portBindings=lambda p: [migration.PortBinding(name="n", pin=pins(p)[0], choice="D1")])
+    made.portBindings[0].chosenBy = migration.ChosenBy.person
+    pins(made)[0].reserved = "serial line"
+    pins(made)[0].abilities.append("uart")
+    meaning = platform.Meaning.text if function == "print" else platform.Meaning.pin
+    declared = platform.ApiFunction(name=function, parameters=[platform.ApiParameter(name="a", meaning=meaning)])
+    made.source = platform.Platform(name="source", headers=[platform.Header(name="h.h", functions=[declared])])
+    made.adapterUses.append(migration.AdapterUse(name=function, function=declared, calls=[ccode.Call(calleeName=function)]))
+    return made
+
+
 def adapted(*names: str) -> migration.MigrationPlan:
     """A plan whose function `f` is adapted by adapters of these names, one use each."""
 
@@ -206,7 +219,9 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS718": (lambda: adapted("f"), lambda: adapted("f", "f")),
     "RS719": (lambda: numbered(7), lambda: numbered(8)),
     "RS716": (lambda: chosen_as("D2", "7"), lambda: chosen_as("D2", "D1")),
-    "RS715": (lambda: on_one_pin(2), lambda: on_one_pin(3)),
+    "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
+    "RS724": (lambda: on_one_pin(1), lambda: on_one_pin(2)),
+    "RS715": (lambda: on_one_pin(1), lambda: on_one_pin(3)),
     "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),
     "RS713": (
         lambda: a_program(function("f"), function("f", storage=ccode.Storage.staticStorage), function("g")),

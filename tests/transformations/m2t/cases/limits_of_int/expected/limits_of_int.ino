@@ -13,5 +13,5 @@ void setup() {
 
 void loop() {
   high(port(limits[0]));
-  low(tops[0]);
+  low(port(tops[0]));
 }

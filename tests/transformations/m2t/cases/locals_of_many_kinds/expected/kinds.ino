@@ -33,6 +33,6 @@ void loop() {
   x = first + second + left;
   y = x + count_ + next() + HIGH_;
   z = y + fast + kept++;
-  act(z);
+  act(port(z));
   print("%s %s %d\n", text, other, z);
 }

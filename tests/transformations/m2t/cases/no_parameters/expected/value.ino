@@ -12,5 +12,5 @@ void setup() {
 }
 
 void loop() {
-  pause(read_pin(3));
+  pause(read_pin(port(3)));
 }

@@ -1,0 +1,2 @@
+#include "simpletools.h"
+int main() { high(26); }

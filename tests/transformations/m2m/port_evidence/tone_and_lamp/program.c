@@ -1,0 +1,2 @@
+#include "simpletools.h"
+int main() { freqout(4, 500, 3000); high(26); }

@@ -1,0 +1,2 @@
+#include "simpletools.h"
+int main() { high(3); high(26); }

@@ -1,0 +1,44 @@
+"""What a drawing decides of the ports of a program: each case says which pin a port is bound to, or that it has to stay open."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.metamodels import migration
+from robosmi.transformations.m2m.port_evidence import name_words
+
+CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda path: path.name)
+def test_evidence_binds_a_port_or_leaves_it_open(case: Path) -> None:
+    wiring = case / "wiring.csv"
+    wanted = dict(re.findall(r"^# port (\S+) = (\S+)$", wiring.read_text(), re.MULTILINE))
+    plan = robosmi.plan_migration([case / "program.c"], hardware=wiring).plan
+    found = {b.name: b.pin.label if b.pin is not None else "open" for b in plan.portBindings if b.open or b.pin is not None}
+    assert {name: pin for name, pin in found.items() if name in wanted} == wanted
+    for binding in plan.portBindings:
+        if binding.pin is not None:
+            assert binding.chosenBy is migration.ChosenBy.rule
+            assert binding.evidence
+            assert 0.8 <= binding.confidence < 1
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("PINBUTTON", {"button"}),
+        ("redled", {"red", "led"}),
+        ("leftServo", {"left", "servo"}),
+        ("servoleft", {"servo", "left"}),
+        ("ledger", {"ledger"}),
+        ("LED2", {"led"}),
+        ("spin", {"spin"}),
+    ],
+)
+def test_names_are_taken_apart_where_all_of_them_is_known(name: str, words: set[str]) -> None:
+    assert name_words(name) == words
