@@ -55,7 +55,7 @@ class Fit(NamedTuple):
     role: bool
 
 
-class Known(NamedTuple):
+class PortWords(NamedTuple):
     """The data: kind of component -> its words; groups of words of which one excludes the others; purpose of a connector -> words
     and what the board does there."""
 
@@ -131,7 +131,7 @@ def _is_serial(connection: migration.Connection) -> bool:
     return any(w & _SENDS for w in every) and any(w & _RECEIVES for w in every) and bool(own & (_SENDS | _RECEIVES))
 
 
-def _same_direction(signal: str, connection: migration.Connection, own: set[str], serial: bool, known: Known) -> bool:
+def _same_direction(signal: str, connection: migration.Connection, own: set[str], serial: bool, known: PortWords) -> bool:
     """Whether what the program does with a port can be done at a connection; connectors of known purpose say it themselves."""
     if serial or not signal:
         sends, receives = bool(own & _SENDS), bool(own & _RECEIVES)
@@ -145,11 +145,11 @@ def _same_direction(signal: str, connection: migration.Connection, own: set[str]
     return signal == "bus" or signal in there or "bus" in there
 
 
-def _purposes(words: set[str], known: Known) -> set[str]:
+def _purposes(words: set[str], known: PortWords) -> set[str]:
     return {purpose for purpose, (called, _) in known.connectors.items() if words & called}
 
 
-def _goes_together(seat: Seat, connection: migration.Connection, known: Known) -> bool:
+def _goes_together(seat: Seat, connection: migration.Connection, known: PortWords) -> bool:
     """Whether a component has connectors for several ports of one function, so that one purpose is no chance."""
     component = connection.component
     every = _purposes(_texts(c.name for c in component.connectors), known) if component is not None else set()
@@ -223,16 +223,16 @@ def component_texts(connection: migration.Connection) -> list[str]:
     return [component.title, component.partTitle, component.family]
 
 
-def known_roles() -> Known:
+def known_roles() -> PortWords:
     """The words of kinds, sides and connectors."""
     path = resources.find("platform_repo", "parts/port_roles.toml")
     return _known_roles(path, path.stat().st_mtime_ns)
 
 
 @lru_cache(maxsize=2)
-def _known_roles(path: Path, _: int) -> Known:
+def _known_roles(path: Path, _: int) -> PortWords:
     data = read_data(path)
-    return Known(
+    return PortWords(
         {role: frozenset(words) for role, words in data["roles"].items()},
         tuple(map(frozenset, data["apart"])),
         {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()},
