@@ -221,6 +221,21 @@ def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> Non
     assert [(each["source"], "return 45;" in each["text"]) for each in shown] == [(whose, True)]
 
 
+@pytest.mark.needs_tool
+def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    migrated(project)
+    write_body(project, "mx_tilt", "return tilt_of(axisPin);")
+    outcome = run("adapters", "save", project / "out", "--as", "project")
+    assert outcome.code == 3
+    assert "the body of 'mx_tilt' does not compile alone" in outcome.err
+    assert "'tilt_of' was not declared" in outcome.err
+    assert "nothing was saved" in outcome.err
+    assert not (project / "adapters").exists()
+    write_body(project, "mx_tilt", "return 45;")
+    assert run("adapters", "save", project / "out", "--as", "project").code == 0
+
+
 def test_nothing_to_save_and_no_project_say_so(project: Path) -> None:
     migrated(project)
     outcome = run("adapters", "save", project / "out", "--json")

@@ -20,6 +20,7 @@ from robosmi.model.files import write_atomic
 from robosmi.project import FILE_NAME, defaults, load_project
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
+from robosmi.transformations.chains.own_adapters import check_saved
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, AdapterPiece, adapter_file
 from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIndex, adapter_index, own_folders
@@ -146,7 +147,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
 
     Raises:
         SourceError: the folder has no plan, or there is no project file for `project`.
-        PlatformDataError: an adapter file that is there is wrong, or a body makes none.
+        PlatformDataError: an adapter file that is there is wrong, or a body makes none or does not compile.
     """
     plan = load_models(output / FOLDER / PLAN).plan
     folder = _folder(output, whose)
@@ -172,6 +173,8 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         )  # fmt: skip
     for path, text in files.items():
         adapter_file(path, text)
+    if files:
+        check_saved(files, {(str(row["header"]), str(row["function"])) for row in told.adapters}, folder, plan, output)
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         write_atomic(path, text.encode())

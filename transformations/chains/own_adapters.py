@@ -8,19 +8,20 @@ from __future__ import annotations
 
 import re
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import MissingToolError, PlatformDataError, SourceError
-from robosmi.metamodels import platform
+from robosmi.metamodels import migration, platform
 from robosmi.project import Project
+from robosmi.transformations.knowledge.adapter_data import adapter_paths
 from robosmi.transformations.knowledge.adapter_files import MARK, AdapterPiece
-from robosmi.transformations.knowledge.adapter_index import BUILT_IN, AdapterIndex, adapter_index
+from robosmi.transformations.knowledge.adapter_index import BUILT_IN, OWN, AdapterIndex, adapter_index
 from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.target_platform import TargetFacts
+from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
@@ -62,20 +63,88 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
     own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
     if not own or target.language not in _PROGRAMS:
         return
-    pieces = choice.pieces.needed([(piece.header, piece.name) for piece in own], choice.mcu).pieces
+    fault = first_fault(own, choice.pieces, choice.mcu, target, board)
+    if fault is not None:
+        piece, finding = fault
+        raise PlatformDataError(
+            f"the text of '{piece.name}' does not compile: {finding.message}",
+            location=finding.location,
+            fix=_fix(finding.message, piece, choice.pieces),
+        )
+
+
+def first_fault(
+    own: Sequence[AdapterPiece], known: AdapterPieces, mcu: str, target: TargetFacts, board: platform.Board
+) -> tuple[AdapterPiece, Finding] | None:
+    """The first of some pieces that does not compile with what it needs, and what the compiler says at its line.
+
+    Args:
+        own: the pieces.
+        known: all pieces that there are.
+        mcu: name of the microcontroller.
+        target: the target.
+        board: its board.
+
+    Returns:
+        None where all compile, and where there is no compiler to ask.
+    """
+    pieces = known.needed([(piece.header, piece.name) for piece in own], mcu).pieces
     text = adapter_text([adapter_element(piece) for piece in pieces], {}, UNBOUND)
     try:
         wrong = _errors(text, target, board)
     except (MissingToolError, SourceError):  # not installed, or found data that names programs and that nobody has trusted
-        return
+        return None
     for finding in wrong:
         piece, line = _piece_at(pieces, text, finding.location.line if finding.location is not None else None)
         if piece is not None and piece in own:
-            raise PlatformDataError(
-                f"the text of '{piece.name}' does not compile: {finding.message}",
-                location=Location(piece.location.path, line),
-                fix=_fix(finding.message, piece, choice.pieces),
-            )
+            return piece, Finding(finding.rule, finding.severity, finding.message, Location(piece.location.path, line))
+    return None
+
+
+def check_saved(
+    files: Mapping[Path, str], saved: Collection[tuple[str, str]], folder: Path, plan: migration.MigrationPlan, output: Path
+) -> None:
+    """Compile bodies of a person before they are kept for later programs.
+
+    Args:
+        files: the adapter files as they would be written.
+        saved: header and function of each body.
+        folder: where they go; other files that are there may be needed.
+        plan: the plan of the program that the bodies were written in.
+        output: its folder.
+
+    Raises:
+        PlatformDataError: one does not compile.
+    """
+    assert plan.board is not None
+    assert plan.source is not None
+    assert plan.targetDescription is not None
+    target = target_facts(str(plan.targetDescription.name))
+    if target.language not in _PROGRAMS:
+        return
+    with tempfile.TemporaryDirectory() as place:
+        copy = Path(place) / OWN
+        for path in adapter_paths(folder) if folder.is_dir() else ():
+            _put(copy / path.relative_to(folder), inputs.read_text(path, inputs.DATA))
+        for path, text in files.items():
+            _put(copy / path.relative_to(folder), text)
+        index = adapter_index(target.platform, str(plan.source.name), beside=Path(place), language=target.language)
+        known = AdapterPieces(index)
+        here = [piece for piece in known if Path(piece.location.path).is_relative_to(copy)]
+        own = [piece for piece in here if piece.kind == "adapter" and (piece.header, piece.name) in saved]
+        mcu = str(plan.board.microcontroller.name) if plan.board.microcontroller is not None else ""
+        fault = first_fault(own, known, mcu, target, plan.board)
+    if fault is not None:
+        piece, finding = fault
+        raise PlatformDataError(
+            f"the body of '{piece.name}' does not compile alone: {finding.message}", location=Location(str(output)),
+            fix="correct it in the sketch, or keep it there: nothing was saved",
+        )  # fmt: skip
+
+
+def _put(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
 
 
 def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Finding]:

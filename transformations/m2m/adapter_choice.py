@@ -24,6 +24,8 @@ from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.signature_text import parameter_type, taken_apart
 
 Status = migration.AdapterStatus
+_LONG = re.compile(r"(?<!long )\blong(?! long)(?: int)?\b")
+_UNSIGNED = re.compile(r"\bunsigned(?! int| char| short| long)\b")
 _WORDS = re.compile(r"\b(?:extern|register|signed)\b")
 ADAPTERS = ("filled", "placeholders")
 """What adapters can be: with bodies as far as there are any, or all still to be written."""
@@ -106,7 +108,9 @@ class AdapterChoice:
             use.reason = misfit
             return
         own = use.signatureSource is migration.SignatureSource.program
-        other = _plain(spelling(p) for p in _types_of(use)) not in [_types(signature) for signature in taken]
+        mine = _plain(spelling(p) for p in _types_of(use))
+        one = _one_width if self.widened else list
+        other = one(mine) not in [one(_types(signature)) for signature in taken]
         if own and other:
             use.reason = f"the program declares it as '{use.signature}', and its adapter is for '{taken[0]}'"
             return
@@ -217,6 +221,12 @@ def _types_of(use: migration.AdapterUse) -> list[migration.TargetType | None]:
 
 def _plain(types: Iterable[str]) -> list[str]:
     return [" ".join(_WORDS.sub(" ", each).replace("*", " * ").split()) for each in types]
+
+
+def _one_width(types: Iterable[str]) -> list[str]:
+    """Types with `long` as `int`: on the source both have 32 bits, and the text is written with that width."""
+    alike = (_LONG.sub("int", each) for each in types)
+    return [_UNSIGNED.sub("unsigned int", each) for each in alike]
 
 
 def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> None:

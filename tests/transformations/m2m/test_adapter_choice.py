@@ -197,3 +197,11 @@ def test_no_local_hides_what_the_changed_text_calls(tmp_path: Path) -> None:
     robosmi.migrate([tmp_path / "program.c"], tmp_path / "out")
     sketch = (tmp_path / "out" / "program" / "program.ino").read_text()
     assert 'shown(int32_t port_) { print("%d", port_); return input(port(port_)); }' in sketch
+
+
+@pytest.mark.parametrize(("widths", "filled"), [("fix", True), ("keep", False)])
+def test_long_and_int_are_one_type_where_the_text_has_the_widths_of_the_source(tmp_path: Path, widths: str, filled: bool) -> None:
+    declared = '#include "simpletools.h"\nlong int pulse_in(int pin, long state);\n'
+    text = declared + 'int main() { while (1) print("%d", pulse_in(3, 1)); }\n'
+    use = uses(planned(tmp_path, text, widths=widths))["pulse_in"]
+    assert (use.adapter is not None) is filled
