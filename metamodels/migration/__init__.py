@@ -223,6 +223,8 @@ class MigrationPlan(Element, metaclass=MetaEClass):
     """What a person should see on the bench, one for each component that the program uses, before the robot runs on its own."""
     findings: MutableSequence[PlanFinding] = EReference(upper=-1, containment=True)
     """What is worth knowing."""
+    build: Build | None = EReference(containment=True)
+    """What the program took when it was compiled last, as it stands; none where it was not, or was changed since."""
     trace: Trace | None = EReference(containment=True)
     """Which elements each decision and each generated line comes from."""
     bench: bool = EAttribute(eType=EBoolean)
@@ -259,6 +261,7 @@ class MigrationPlan(Element, metaclass=MetaEClass):
             tasks: Iterable[PlanTask] | None = None,
             checks: Iterable[PlanTask] | None = None,
             findings: Iterable[PlanFinding] | None = None,
+            build: Build | None = None,
             trace: Trace | None = None,
             bench: bool | None = None,
         ) -> None: ...
@@ -847,6 +850,33 @@ class PlanTask(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
+class Build(Element, metaclass=MetaEClass):
+    """What a compiled program takes of its board."""
+
+    board: str = EAttribute(eType=EString, lower=1)
+    """Name of the board that it was compiled for."""
+    flashBytes: int = EAttribute(eType=EInt)
+    """Bytes of program memory."""
+    flashLimit: int = EAttribute(eType=EInt)
+    """Bytes of program memory that the board has for it."""
+    ramBytes: int = EAttribute(eType=EInt)
+    """Bytes of RAM without its stack and heap."""
+    ramLimit: int = EAttribute(eType=EInt)
+    """Bytes of RAM that the board has."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            board: str | None = None,
+            flashBytes: int | None = None,
+            flashLimit: int | None = None,
+            ramBytes: int | None = None,
+            ramLimit: int | None = None,
+        ) -> None: ...
+
+
 class PlanFinding(PlanTask):
     """Something worth knowing that needs no work."""
 
@@ -968,6 +998,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     MigrationPlan.tasks.eType = PlanTask
     MigrationPlan.checks.eType = PlanTask
     MigrationPlan.findings.eType = PlanFinding
+    MigrationPlan.build.eType = Build
     MigrationPlan.trace.eType = Trace
     Decision.options.eType = Option
     Decision.changes.eType = TextChange

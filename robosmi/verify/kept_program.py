@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import tempfile
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,7 @@ class BuildRecord:
         stand_ins: libraries that were not installed, so that stand-ins are in the program.
         sources: file of the sketch's folder -> SHA-256.
         program: SHA-256 of the `.hex`.
+        sizes: `flash_bytes`, `flash_limit`, `ram_bytes`, `ram_limit`; empty in a record of an earlier version.
     """
 
     board: str
@@ -50,12 +51,13 @@ class BuildRecord:
     stand_ins: tuple[str, ...]
     sources: dict[str, str]
     program: str
+    sizes: dict[str, int] = field(default_factory=dict)
 
     def to_bytes(self) -> bytes:
         """The record's file."""
         values = {
             "schema": SCHEMA, "board": self.board, "fits": self.fits, "stand_ins": list(self.stand_ins),
-            "sources": self.sources, "program": self.program,
+            "sources": self.sources, "program": self.program, "sizes": self.sizes,
         }  # fmt: skip
         return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
 
@@ -101,7 +103,12 @@ def compile_into(
         if report.elf is not None and report.hex is not None:
             program = inputs.read_bytes(report.hex, inputs.OUTPUT)
             stand_ins = tuple(library.name for library in report.libraries if library.source == STAND_IN)
-            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, hashlib.sha256(program).hexdigest())
+            sizes = {
+                "flash_bytes": report.flash_bytes or 0, "flash_limit": report.flash_limit,
+                "ram_bytes": report.ram_bytes or 0, "ram_limit": report.ram_limit,
+            }  # fmt: skip
+            made = hashlib.sha256(program).hexdigest()
+            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes)
             contents |= {
                 report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT),
                 report.hex.name: program,
@@ -147,7 +154,15 @@ def read_record(folder: Path, sketch: Sketch) -> BuildRecord | None:
     Raises:
         SourceError: it is damaged.
     """
-    path = folder / _record_name(sketch)
+    return record_at(folder / _record_name(sketch))
+
+
+def record_at(path: Path) -> BuildRecord | None:
+    """The record in a file, or None where there is none.
+
+    Raises:
+        SourceError: it is damaged.
+    """
     fix = "compile the sketch again"
     try:
         data = json_of(inputs.read_bytes(path, inputs.RECORD).decode())
@@ -156,6 +171,7 @@ def read_record(folder: Path, sketch: Sketch) -> BuildRecord | None:
         return BuildRecord(
             str(data["board"]), bool(data["fits"]), tuple(map(str, data["stand_ins"])),
             {str(name): str(digest) for name, digest in data["sources"].items()}, str(data["program"]),
+            {str(name): int(size) for name, size in data.get("sizes", {}).items()},
         )  # fmt: skip
     except FileNotFoundError:
         return None

@@ -47,6 +47,7 @@ class Outcome:
         reasons: `header/function` -> why it has none.
         missing: functions of the program that no file of the sketch has.
         fits_on: where the sketch is too big for the board, one that it fits, or `none`.
+        untrue: sums of the report, its JSON and the plan that do not add up, and a first screen of more lines than one.
         valid: whether gcc takes the source with the platform's real headers; None where these or gcc are not there.
     """
 
@@ -61,6 +62,7 @@ class Outcome:
     reasons: Mapping[str, str] = field(default_factory=dict)
     missing: tuple[str, ...] = ()
     fits_on: str = ""
+    untrue: tuple[str, ...] = ()
     valid: bool | None = None
 
     @property
@@ -216,8 +218,20 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
         reasons={key: str(use.reason) for key, use in served.items() if use.reason},
         missing=_missing(made),
         fits_on=(report.fits_on or "none") if report.ok and not report.fits else "",
+        untrue=_untrue(made),
         valid=valid(files, corpus),
     )
+
+
+def _untrue(made: Generated) -> tuple[str, ...]:
+    """What does not add up in a report, and whether its first screen is longer than one."""
+    from robosmi.transformations.m2t.first_screen import LINES
+    from tests.transformations.m2t.truth import report_faults
+
+    report = made.contents[f"{made.models.plan.name}/MIGRATION.md"].decode()
+    first = re.split(r"^## (?:Findings|[\w ]+, continued)$", report, maxsplit=1, flags=re.MULTILINE)[0].rstrip().splitlines()
+    faults = report_faults(made.models.plan, made.result()["plan"], report)
+    return (*faults, *([f"first screen: {len(first)} lines"] if len(first) > LINES else []))
 
 
 def _missing(made: Generated) -> tuple[str, ...]:

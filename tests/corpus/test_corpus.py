@@ -28,6 +28,7 @@ def test_corpus() -> None:
     table = run(Path(corpus))
     assert table.crashed() == []
     assert [(o.path, o.lost) for o in table.outcomes if o.lost] == []
+    assert [(o.path, o.untrue) for o in table.outcomes if o.untrue] == []
     assert len(table.outcomes) >= MEASURED
     assert [said for o in table.outcomes for said in o.of_adapters] == []
     assert table.share >= BODIES, "\n".join(table.lines())

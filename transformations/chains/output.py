@@ -30,6 +30,7 @@ from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
+from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
 from robosmi.transformations.m2t.terminal_text import terminal_lines
@@ -157,6 +158,10 @@ def produce(
         if hand.names or hand.done:
             made = generator(plan, models.files)
         kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files, hand.base)
+        if (build := built(output, plan.name, kept.files)) is not None or plan.build is not None:
+            plan.build = build
+            made = generator(plan, models.files)
+            kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files, hand.base)
         kept.findings += hand.findings
         _trace_texts(plan, made, kept.files)
         contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}

@@ -62,6 +62,7 @@ class BoardNeeds:
         loop: how long each pass of its loop waits; None for a program that runs once.
         stacks: bytes of the stacks of code that ran on other cores, all that may run at once.
         ram: bytes of RAM that the board has, 0 where that is not known.
+        build: what the compiled program takes; None before it is compiled.
     """
 
     pins: PinNeeds
@@ -69,6 +70,7 @@ class BoardNeeds:
     loop: Time | None
     stacks: int = 0
     ram: int = 0
+    build: migration.Build | None = None
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form."""
@@ -79,6 +81,10 @@ class BoardNeeds:
             },
             "timers": [{"timer": t.timer, "takers": list(t.takers)} for t in self.timers],
             "stacks": {"bytes": self.stacks, "ram_bytes": self.ram},
+            "compiled": None if self.build is None else {
+                "board": self.build.board, "flash_bytes": self.build.flashBytes, "flash_limit": self.build.flashLimit,
+                "ram_bytes": self.build.ramBytes, "ram_limit": self.build.ramLimit,
+            },
             "loop": None if self.loop is None else {
                 "waits_low_ms": round(self.loop.low / 1000, 3), "waits_high_ms": round(self.loop.high / 1000, 3),
                 "unbounded": [{"what": w.what, "line": w.line} for w in self.loop.unbounded],
@@ -94,7 +100,8 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
     """
     shared, chip = plan.concurrency, plan.board.microcontroller if plan.board is not None else None
     stacks = int(shared.slots * shared.stackBytes) if shared is not None else 0
-    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), stacks, int(chip.ramBytes) if chip is not None else 0)
+    ram = int(chip.ramBytes) if chip is not None else 0
+    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), stacks, ram, plan.build)
 
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
@@ -139,6 +146,8 @@ def needs_in_words(needs: BoardNeeds) -> str:
     """The needs as one line of a report."""
     pins = needs.pins
     said = []
+    if (build := needs.build) is not None:
+        said.append(f"flash {build.flashBytes} of {build.flashLimit} bytes, RAM {build.ramBytes} of {build.ramLimit}, compiled")
     if pins.of_board and (pins.used or pins.drawn or pins.wanted):
         more = f", {pins.wanted} more wanted" if pins.wanted else ""
         spare = f", {pins.drawn} wired to what no port uses" if pins.drawn else ""
@@ -172,6 +181,9 @@ def _seconds(microseconds: float) -> str:
 def shortages(needs: BoardNeeds) -> list[str]:
     """What the board cannot give, as sentences without a full stop."""
     found = []
+    if (build := needs.build) is not None:
+        sizes = (("flash", build.flashBytes, build.flashLimit), ("RAM", build.ramBytes, build.ramLimit))
+        found += [f"{size} bytes of {what}, and the board has {limit}" for what, size, limit in sizes if size > limit]
     if needs.pins.missing:
         needed = needs.pins.used + needs.pins.drawn + needs.pins.wanted
         few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"

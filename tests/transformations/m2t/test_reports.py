@@ -17,6 +17,8 @@ from robosmi.metamodels import migration
 from robosmi.transformations.m2t.first_screen import LINES
 from robosmi.transformations.queries.plan import open_choices
 from robosmi.transformations.queries.verdicts import VERDICTS, constructs
+from tests.running import run, tree
+from tests.tools import require_tools
 from tests.transformations.m2t.truth import report_faults
 
 CASES = sorted(path for path in (Path(__file__).parent / "reports").iterdir() if path.is_dir())
@@ -128,3 +130,24 @@ def test_a_warning_about_a_place_makes_its_construct_one_with_care(tmp_path: Pat
     plan.findings.append(warning)
     found = next(c for c in constructs(plan, files) if c.element is pause)
     assert (found.verdict, found.reason) == ("adapted_with_care", "too wide")
+
+
+def test_a_compiled_program_says_what_it_takes_until_it_changes(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    folder, output = tmp_path / "project", tmp_path / "out"
+    folder.mkdir()
+    source = folder / "robot.c"
+    source.write_bytes((Path(__file__).parent / "reports" / "open_ports" / "robot.c").read_bytes())
+    robosmi.migrate([source], output)
+    compiled = run("compile", output, "--json").result
+    needs = robosmi.migrate([source], output).result()["plan"]["needs"]
+    assert (needs["compiled"]["flash_bytes"], needs["compiled"]["ram_bytes"]) == (compiled["flash_bytes"], compiled["ram_bytes"])
+    report = (output / "robot" / "MIGRATION.md").read_text()
+    assert f"flash {compiled['flash_bytes']} of {compiled['flash_limit']} bytes, RAM {compiled['ram_bytes']}" in report
+    before = tree(output)
+    robosmi.migrate([source], output)
+    robosmi.generate_sketch(output / "models" / "plan.xmi", output)
+    assert tree(output) == before
+    source.write_text(source.read_text().replace("pause(50)", "pause(60)"))
+    assert robosmi.migrate([source], output).result()["plan"]["needs"]["compiled"] is None
+    assert "compiled" not in (output / "robot" / "MIGRATION.md").read_text().partition("## ")[0]

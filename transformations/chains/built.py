@@ -1,0 +1,41 @@
+"""What the program in an output folder took when it was compiled last, for the plan: where it still is the program that is made.
+
+`compile` keeps the sizes in its record beside the program. A report has them only while every file that was compiled is as it
+was.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+
+from robosmi.errors import RobosmiError
+from robosmi.metamodels import migration
+from robosmi.verify.kept_program import FOLDER, record_at
+
+_SIZES = {"flashBytes": "flash_bytes", "flashLimit": "flash_limit", "ramBytes": "ram_bytes", "ramLimit": "ram_limit"}
+
+
+def built(output: Path, name: str, files: Mapping[str, bytes]) -> migration.Build | None:
+    """What a program took, or None where it was not compiled as it stands.
+
+    Args:
+        output: the output folder.
+        name: of the program, which is its folder's, too.
+        files: relative path -> bytes of what is made there.
+    """
+    try:
+        record = record_at(output / FOLDER / f"{name}.build.json")
+    except RobosmiError:
+        return None  # a damaged record says nothing; who compiles or uploads is told of it
+    if record is None or not record.sizes or not _same(record.sources, name, files):
+        return None
+    return migration.Build(board=record.board, **{feature: record.sizes.get(key, 0) for feature, key in _SIZES.items()})
+
+
+def _same(compiled: Mapping[str, str], name: str, files: Mapping[str, bytes]) -> bool:
+    """Whether the files that were compiled are those that are made; a person's own files beside them do not count."""
+    made = {path.removeprefix(f"{name}/"): data for path, data in files.items() if path.startswith(f"{name}/")}
+    there = {path: hashlib.sha256(data).hexdigest() for path, data in made.items() if not path.endswith(".md")}
+    return all(compiled.get(path) == digest for path, digest in there.items())
