@@ -97,12 +97,17 @@ CASES: dict[str, tuple[Case, tuple[str, ...]]] = {}
 """Name of each case -> the case, and `header/name` of the adapters that it proves."""
 
 
-def proves(*adapters: str) -> Callable[[Case], Case]:
-    """Register a case as proof of adapters: it fails when one of them is broken."""
+BESIDE: dict[str, tuple[str, ...]] = {}
+"""Name of a case -> `header/name` of adapters that it uses and does not prove, where a target may lack them."""
+
+
+def proves(*adapters: str, beside: Sequence[str] = ()) -> Callable[[Case], Case]:
+    """Register a case as proof of adapters: it fails when one of them is broken. It may use others `beside`."""
 
     def register(case: Case) -> Case:
         assert case.__name__ not in CASES
         CASES[case.__name__] = case, adapters
+        BESIDE[case.__name__] = tuple(beside)
         return case
 
     return register

@@ -69,7 +69,7 @@ int32_t n, left, right;
 void say(int32_t number) {{ Serial.print(number); Serial.print(' '); }}
 void setup() {{ Serial.begin(115200); {begin} }}
 void loop() {{ say(pulse_in(2, 1)); say(pulse_in(3, 1)); high(4); pause(1); say(rc_time(4, 1)); say(ping_cm(7)); say(count(8, 4));
-  Serial.println(); n++; {go_on} }}
+  Serial.print('\\n'); n++; {go_on} }}
 """
     used = [*TIMED, "simpletools.h/high", "simpletools.h/pause", *uses]
     trace = uno.run(program, used, seconds * 1000, [*inputs(seconds * 1000), *devices])
@@ -88,29 +88,39 @@ void loop() {{ say(pulse_in(2, 1)); say(pulse_in(3, 1)); high(4); pause(1); say(
     assert {line[4] for line in told} <= {int(edges) - 1, int(edges), int(edges) + 1}
 
 
-@proves(*TIMED)
+CLOCK = ["mstimer.h/mstime_start", "mstimer.h/mstime_get"]
+
+
+@proves(*TIMED, beside=CLOCK)
 def timed_inputs_are_true_beside_a_clock_of_milliseconds(uno: Uno) -> None:
-    beside(uno, "mstime_start();", "left += mstime_get();", ["mstimer.h/mstime_start", "mstimer.h/mstime_get"], [], 8, 2)
+    beside(uno, "mstime_start();", "left += mstime_get();", CLOCK, [], 8, 2)
 
 
-@proves(*TIMED)
+SERVOS = ["servo.h/servo_set", "servo.h/servo_setramp"]
+
+
+@proves(*TIMED, beside=SERVOS)
 def timed_inputs_are_true_beside_servos_that_move(uno: Uno) -> None:
     begin = "servo_set(9, 1500); servo_set(10, 1200); servo_set(11, 1700); servo_setramp(10, 4); servo_setramp(11, 3);"
     go_on = "servo_set(9, 1500 + n % 50 * 8); servo_set(10, n & 32 ? 1000 : 2000); servo_set(11, n & 32 ? 1000 : 2000);"
-    beside(uno, begin, go_on, ["servo.h/servo_set", "servo.h/servo_setramp"], [], BESIDE_INTERRUPTS, 6)
+    beside(uno, begin, go_on, SERVOS, [], BESIDE_INTERRUPTS, 6)
 
 
-@proves(*TIMED)
+DRIVING = [f"abdrive.h/drive_{name}" for name in ("goto", "gotoMode", "getTicks", "speed")]
+
+
+@proves(*TIMED, beside=DRIVING)
 def timed_inputs_are_true_while_a_drive_drives(uno: Uno) -> None:
     begin = "drive_gotoMode(0); drive_goto(900, 800);"
     go_on = "drive_getTicks(&left, &right); if (n % 60 == 59) drive_speed(n % 4 * 30, 60 - n % 5 * 10);"
-    used = [f"abdrive.h/drive_{name}" for name in ("goto", "gotoMode", "getTicks", "speed")]
-    beside(replace(uno, ports=DRIVE), begin, go_on, used, WHEELS, BESIDE_INTERRUPTS, 6)
+    beside(replace(uno, ports=DRIVE), begin, go_on, DRIVING, WHEELS, BESIDE_INTERRUPTS, 6)
 
 
-@proves(*TIMED)
+TURNING = [f"servo360.h/servo360_{name}" for name in ("connect", "speed", "angle")]
+
+
+@proves(*TIMED, beside=TURNING)
 def timed_inputs_are_true_beside_servos_with_feedback(uno: Uno) -> None:
     begin = "servo360_connect(5, A0); servo360_connect(6, A1); servo360_speed(5, 180);"
     go_on = "if (n % 30 == 0) servo360_angle(6, n * 3);"
-    used = [f"servo360.h/servo360_{name}" for name in ("connect", "speed", "angle")]
-    beside(uno, begin, go_on, used, FEEDBACK, BESIDE_INTERRUPTS, 6)
+    beside(uno, begin, go_on, TURNING, FEEDBACK, BESIDE_INTERRUPTS, 6)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 
 from tests.adapters import bench_c
-from tests.adapters.bench import CASES, Uno, broken, notices, pieces
+from tests.adapters.bench import BESIDE, CASES, Uno, broken, notices, pieces
 from tests.adapters.bench_c import UnoInC
 from tests.adapters.cases import load_cases
 
@@ -20,7 +20,7 @@ def main(only: str = "") -> int:
     for bench, all_pieces in ((Uno, pieces()), (UnoInC, bench_c.pieces())):
         known = {f"{piece.header}/{piece.name}": piece for piece in all_pieces}
         for name, (case, adapters) in CASES.items():
-            there = only in name and set(adapters) <= known.keys()
+            there = only in name and {*adapters, *BESIDE[name]} <= known.keys()
             for adapter in adapters if there else ():
                 for way, text in broken(known[adapter]).items() if known[adapter].kind == "adapter" else ():
                     tried += 1

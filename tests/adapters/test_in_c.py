@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.adapters.bench import CASES, NOTHING_TO_DO, broken, notices
+from tests.adapters.bench import BESIDE, CASES, NOTHING_TO_DO, broken, notices
 from tests.adapters.bench_c import MCUS, UnoInC, alone, pieces
 from tests.adapters.cases import load_cases
 from tests.tools import require_engine, require_tools
@@ -14,7 +14,7 @@ from tests.tools import require_engine, require_tools
 load_cases()
 KNOWN = {f"{piece.header}/{piece.name}": piece for piece in pieces()}
 KEYS = [(piece.header, piece.name) for piece in pieces() if piece.kind != "helper"]
-IN_C = sorted(name for name, (_, adapters) in CASES.items() if adapters and set(adapters) <= KNOWN.keys())
+IN_C = sorted(name for name, (_, adapters) in CASES.items() if adapters and {*adapters, *BESIDE[name]} <= KNOWN.keys())
 
 
 @pytest.fixture(autouse=True)

@@ -387,15 +387,28 @@ static inline uint32_t edge_cycles(void) {  // the time in cycles, as of the cal
   return cycles - turns * 6u;
 }
 
-//# helper holds
-//#   needs: Io propeller.h/clock_us
-static inline bool holds(Io io, uint8_t level, uint32_t begun, uint32_t limit) {  // waits while the pin has the level; true after the limit
-  uint16_t burst = limit > 20000 ? 2000 : 60;                                   // the clock is looked at rarely: that costs 4 us
+//# helper leaves
+//#   needs: Io edge_cycles propeller.h/clock_us
+//#   fidelity: an edge is known to 1 us; one that came while an interrupt ran, to half of the time that it took
+static inline bool leaves(Io io, uint8_t level, uint32_t begun, uint32_t limit, uint32_t *at) {  // waits while the pin has the level
+  uint16_t burst = limit > 20000 ? 2000 : 60;  // the clock is looked at rarely: that costs 4 us
+  uint8_t tick = TCNT0, now, turns = 0;         // the last look with that level: so many turns of 14 cycles behind that step of Timer0
   do {
-    for (uint16_t turn = burst; turn; turn--)
-      if ((*io.in & io.mask) != level) return false;
+    for (uint16_t turn = burst; turn; turn--) {
+      now = TCNT0;
+      if ((*io.in & io.mask) != level) {
+        *at = edge_cycles();
+        *at -= (uint16_t)((uint16_t)*at - tick * 64u - turns * 14u) % 16384 / 2;
+        return true;
+      }
+      turns++;
+      if (now == tick) continue;
+      tick = now;
+      turns = 0;
+    }
   } while (clock_us() - begun < limit);
-  return true;
+  *at = edge_cycles();
+  return false;
 }
 
 //# helper in_units
@@ -408,38 +421,41 @@ static inline int32_t in_units(uint32_t cycles) {
 //# adapter pulse_in
 //#   for: int pulse_in(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io propeller.h/clock_us holds edge_cycles in_units io_timeout_ticks
+//#   needs: Io propeller.h/clock_us leaves in_units io_timeout_ticks
 //#   pin: pin digital in
-//#   fidelity: within 1 us; 0 when no pulse begins in time, the part seen when it does not end
+//#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
+//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
 //#   limit: other cogs wait meanwhile
 static inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io = io_at(pin);
   if (!io.mask) return 0;
   io_drive(io, false);
   uint8_t level = state ? io.mask : 0, other = io.mask ^ level;
-  uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = clock_us();
-  if (holds(io, level, begun, limit) || holds(io, other, begun, limit)) return 0;
-  uint32_t from = edge_cycles();
-  holds(io, level, begun, limit);
-  return in_units(edge_cycles() - from);
+  uint32_t limit = (uint32_t)io_timeout_ticks / 80, begun = clock_us(), from, to;
+  if (!leaves(io, level, begun, limit, &from) || !leaves(io, other, begun, limit, &from)) return 0;
+  leaves(io, level, begun, limit, &to);
+  return in_units(to - from);
 }
 
 //# adapter rc_time
 //#   for: long rc_time(int pin, int state)
 //#   kind: oneToMany
-//#   needs: Io propeller.h/clock_us holds edge_cycles in_units io_timeout_ticks
+//#   needs: Io propeller.h/clock_us leaves edge_cycles in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
+//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
 //#   limit: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
 static inline int32_t rc_time(int32_t pin, int32_t state) {
   Io io = io_at(pin);
   if (!io.mask) return 0;
-  uint32_t begun = clock_us();
+  uint8_t old = SREG;
+  cli();
   io_drive(io, false);
-  uint32_t from = edge_cycles();
-  holds(io, state ? io.mask : 0, begun, (uint32_t)io_timeout_ticks / 80);
-  return in_units(edge_cycles() - from);
+  uint32_t from = edge_cycles(), begun = clock_us(), to;
+  SREG = old;
+  leaves(io, state ? io.mask : 0, begun, (uint32_t)io_timeout_ticks / 80, &to);
+  return in_units(to - from);
 }
 
 //# adapter pulse_out
