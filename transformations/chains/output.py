@@ -33,6 +33,7 @@ from robosmi.recommend.history import History
 from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
+from robosmi.transformations.m2t.program_files import BENCH
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
@@ -112,7 +113,9 @@ class Generated:
 def _kind(name: str) -> str:
     if name.startswith(f"{LAST}/"):
         return "record"
-    if Path(name).name == "Makefile":
+    if name.startswith(f"{BENCH}/"):
+        return "bench"
+    if Path(name).name in ("Makefile", "platformio.ini"):
         return "project"
     return "source" if name.startswith(f"{FOLDER}/source/") else KINDS.get(Path(name).suffix, "record")
 

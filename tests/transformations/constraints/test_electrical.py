@@ -25,6 +25,7 @@ from robosmi.transformations.queries.electrical import stated_volts, wiring
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.validate import Constraint
+from tests.running import run
 from tests.transformations.constraints.draw import drawings
 from tests.transformations.t2m.fritzing.support import CASES
 
@@ -238,3 +239,28 @@ def test_names_of_parts_do_not_make_a_supply_of_ground() -> None:
         sensor = next(c for c in circuit.components if c.title == "TMP36")
         volts = {connector.name: w.volts(net) for connector, net in w.nets(sensor)}
     assert json.loads(json.dumps(volts)) == {"VCC": 0.0, "VOUT": None, "GND": 5.0}
+
+
+@pytest.mark.parametrize(
+    ("part", "connector", "board", "found"),
+    [
+        ("RFID RC522", "SDA", "uno", True),
+        ("RFM95 LoRa Radio", "MOSI", "uno", True),
+        ("Nokia 5110 LCD", "DIN", "mega", True),
+        ("CC1101 Radio Module", "SI", "leonardo", True),
+        ("ESP8266 WiFi Module", "RX", "nano", True),
+        ("RFID RC522", "SDA", "fio", False),  # a board of 3.3 V
+        ("RFM95 LoRa Radio Breakout", "MOSI", "uno", False),  # which shifts the levels
+        ("nRF24L01 Module", "MOSI", "uno", False),  # whose inputs bear 5 V
+        ("LIS3DH Breakout", "SDI", "uno", False),
+    ],
+)
+def test_parts_of_3_3_volts_on_pins_of_5_volts_are_found_where_nothing_shifts_the_levels(
+    part: str, connector: str, board: str, found: bool, tmp_path: Path
+) -> None:
+    table = tmp_path / "wiring.csv"
+    table.write_text(f"pin,part,title,connector,board\nD10,{part},it,{connector},{board}\nD9,{part},it,RST,{board}\n")
+    said = [finding for finding in run("hardware", table, "--json").document["findings"] if finding["rule"] == "RS255"]
+    assert len(said) == int(found)
+    if found:
+        assert said[0]["message"].startswith("D10 drives " + connector)

@@ -54,6 +54,15 @@ def test_its_libraries_are_those_of_the_sketch_project(example: str, examples: P
     assert listed == [f"{name} @ {version.rstrip(')')}" for name, _, version in (line.partition(" (") for line in wanted)]
 
 
+def test_the_files_are_named_for_what_they_are(tmp_path: Path) -> None:
+    outcome = run("migrate", IDLE, "-o", tmp_path / "out", "--bench", "--json")
+    artifacts = outcome.document["artifacts"]
+    kinds = {Path(entry["path"]).relative_to(tmp_path / "out").as_posix(): entry["kind"] for entry in artifacts}
+    assert kinds["idle/idle.ino"] == "sketch"
+    assert (kinds["idle/sketch.yaml"], kinds["idle/platformio.ini"]) == ("project", "project")
+    assert {kinds[f"bench/idle_bench/{name}"] for name in ("idle_bench.ino", "sketch.yaml")} == {"bench"}
+
+
 def test_a_c_program_has_a_makefile_and_no_such_file(tmp_path: Path) -> None:
     robosmi.migrate([IDLE], tmp_path / "out", target="avr-c")
     assert not list((tmp_path / "out").rglob("platformio.ini"))
