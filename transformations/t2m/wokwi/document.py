@@ -21,7 +21,7 @@ from robosmi.data_text import json_at
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
-MOST_PARTS = 100_000
+MOST_PARTS = 20_000
 """Parts, and connections, of a diagram; the largest public one has under a thousand."""
 
 _FIX = "open the project in Wokwi and copy its diagram.json again"

@@ -215,7 +215,7 @@ def test_five_hundred_parts_take_half_a_second_and_too_many_are_refused(tmp_path
     assert best <= 0.5, f"{best:.2f} s"
     many = ",".join(['{"type":"wokwi-led","id":"a"}'] * (MOST_PARTS + 1))
     path.write_text(f'{{"editor": "wokwi", "parts": [{many}]}}')
-    with pytest.raises(SourceError, match="more than 100,000 parts"):
+    with pytest.raises(SourceError, match="more than 20,000 parts"):
         read_circuit(path)
 
 
