@@ -16,7 +16,7 @@ from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
 from robosmi.transformations.knowledge.target_platform import PLAIN_C, TargetFacts, TargetNames
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
+from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations, type_of
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import declare, type_names
@@ -234,32 +234,81 @@ def type_uses(
         elif entry is not None and entry.header in target.standard_headers:
             text, status = f"#include <{entry.header}>", migration.AdapterStatus.filled
         else:
-            text, status = _type(name, views, sources, pointed=name in pointed), migration.AdapterStatus.todo
+            text, status = _type(name, views, sources, target, pointed=name in pointed), migration.AdapterStatus.todo
             if target.language == PLAIN_C and text.startswith("struct "):  # in C the tag alone names no type
                 text = f"typedef {text.removesuffix(';')} {name};"
         made.append(migration.SymbolUse(name=name, placeholder=text, status=status, adapter=piece))
+    if any(f"{ANY_VALUE} " in str(each.placeholder) for each in made):
+        filled = migration.AdapterStatus.filled
+        made.insert(0, migration.SymbolUse(name=ANY_VALUE, placeholder=_ANY_VALUE, status=filled))
     return made
 
 
-def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], *, pointed: bool) -> str:
+ANY_VALUE = "AnyValue"
+_ANY_VALUE = f"""// Holds a member of a type that is to be written, whatever the program gives it: a pointer, a function or a number
+struct {ANY_VALUE} {{
+  intptr_t value;
+  {ANY_VALUE}(int32_t number = 0) : value(number) {{}}
+  template <class T> {ANY_VALUE}(T *pointer) : value((intptr_t)pointer) {{}}
+  template <class T> operator T *() const {{ return (T *)value; }}
+  uint8_t &operator[](int32_t place) const {{ return ((uint8_t *)value)[place]; }}
+  explicit operator bool() const {{ return value != 0; }}
+  template <class... T> int32_t operator()(T... given) const {{ return ((int32_t (*)(T...))value)(given...); }}
+}};"""
+
+
+def pointers_in(views: Iterable[CodeView]) -> set[str]:
+    """Names of members that some text gives a pointer or a function."""
+    assigned = (a for view in views for a in view.of_kind(ccode.Assignment) if isinstance(a.left, ccode.Member))
+    return {str(a.left.name) for a in assigned if isinstance(a.left, ccode.Member) and _is_pointer(a.right)}
+
+
+def _is_pointer(value: ccode.Expression | None) -> bool:
+    if isinstance(value, ccode.StringLiteral) or (
+        isinstance(value, ccode.NameReference) and isinstance(value.target, ccode.Function)
+    ):
+        return True
+    kind = type_of(value, {})
+    return kind is not None and (kind.depth > 0 or kind.function)
+
+
+def _type(
+    name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], target: TargetFacts, *, pointed: bool
+) -> str:
     uses = [t for v in views for t in v.of_kind(ccode.TypeUse) if t.declaration is not None and t.declaration.name == name]
     fields = members(name, views, sources)
     listed = _listed(name, views)
-    fields += [f"int32_t value{number}" for number in range(len(fields) + 1, listed + 1)]
+    anything = target.language != PLAIN_C
+    if anything:
+        pointers = pointers_in(views)
+        fields = [f"{ANY_VALUE} {word}" if (word := _member_name(field)) in pointers else field for field in fields]
+    kind = ANY_VALUE if anything and any(map(_is_pointer, listed)) else "int32_t"
+    values = [f"{kind} value{number}" for number in range(1, len(listed) + 1)]
+    fields += values[len(fields) :]
     tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)
     if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not _computed(name, views)):
         return f"struct {name} {{{''.join(f' {f};' for f in fields)}{' ' * bool(fields)}}};"
     return f"typedef int32_t {name};"
 
 
-def _listed(name: str, views: Iterable[CodeView]) -> int:
-    """How many values a list gives to a variable of the type, at most."""
+def _member_name(declarator: str) -> str:
+    """The name of a member as `record_members` declares it."""
+    return (re.findall(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0]) or [""])[-1]
+
+
+def _listed(name: str, views: Iterable[CodeView]) -> list[ccode.Expression]:
+    """The longest list of values that a variable of the type is given."""
     variables = (v for view in views for v in view.of_kind(ccode.Variable) if isinstance(v.initializer, ccode.InitializerList))
     kinds = [(v.valueType, v.initializer) for v in variables if v.valueType is not None]
     lists = [
-        value for kind, value in kinds if kind.declaration is not None and kind.declaration.name == name and not kind.arrayDims
+        list(value.elements)
+        for kind, value in kinds
+        if isinstance(value, ccode.InitializerList)
+        and kind.declaration is not None
+        and kind.declaration.name == name
+        and not kind.arrayDims
     ]
-    return max((len(value.elements) for value in lists if isinstance(value, ccode.InitializerList)), default=0)
+    return max(lists, key=len, default=[])
 
 
 def _computed(name: str, views: Iterable[CodeView]) -> bool:

@@ -166,7 +166,10 @@ def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> 
     record = owner.declaration if owner is not None else None
     if not isinstance(record, ccode.Record):
         return None
-    return next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
+    found = next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
+    if found is None or owner is None or not found.array:  # an array is as constant and as changing as what it is in
+        return found
+    return replace(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)
 
 
 def declared_with_others(variable: ccode.Variable) -> bool:

@@ -138,12 +138,12 @@ const PortRegister DIRA = {true};
 //# register _OUTA
 //#   needs: PortRegister OUTA
 //#   fidelity: as OUTA
-const PortRegister &_OUTA = OUTA;
+static const PortRegister &_OUTA = OUTA;
 
 //# register _DIRA
 //#   needs: PortRegister DIRA
 //#   fidelity: as DIRA
-const PortRegister &_DIRA = DIRA;
+static const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq
 //#   for: void waitpeq(unsigned int state, unsigned int mask)

@@ -1311,6 +1311,7 @@ struct CogInfo {
   template <class Number>
   operator Number *() const { return (Number *)number; }
   explicit operator bool() const { return number; }
+  explicit operator int32_t() const { return (int32_t)(intptr_t)number; }
 };
 
 //# helper cog_numbers
