@@ -21,6 +21,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.errors import InternalError, ModelError, RobosmiError
@@ -28,7 +29,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.chains.output import Generated
 from robosmi.transformations.t2m.c_source.side_file import project_beside, read_side
 
-_MAIN = re.compile(rb"^[^\S\n]*(?:int|void)\s+main\s*\(", re.MULTILINE)
+_MAIN = re.compile(rb"^[^\S\n]*(?:[A-Za-z_]\w*\s+)*(?:int|void)\s+main\s*\(", re.MULTILINE)
 _QUOTED = re.compile(r"['‘][^'’]*['’]")
 
 
@@ -48,7 +49,9 @@ class Outcome:
         missing: functions of the program that no file of the sketch has.
         fits_on: where the sketch is too big for the board, one that it fits, or `none`.
         untrue: sums of the report, its JSON and the plan that do not add up, and a first screen of more lines than one.
-        valid: whether gcc takes the source with the platform's real headers; None where these or gcc are not there.
+        valid: whether gcc takes the source with the platform's real headers, and there is a main; None where these or gcc are
+            not there.
+        refusal: what gcc says first of a source that it does not take.
     """
 
     path: str
@@ -64,6 +67,7 @@ class Outcome:
     fits_on: str = ""
     untrue: tuple[str, ...] = ()
     valid: bool | None = None
+    refusal: str = ""
 
     @property
     def of_adapters(self) -> list[str]:
@@ -111,7 +115,10 @@ class Table:
         if not valid:
             return []
         compiled = sum(o.state == "compiled" for o in valid)
-        return [f"of {len(valid)} programs that gcc -m32 takes, {compiled} compile ({100 * compiled / len(valid):.1f}%)"]
+        return [
+            f"of {len(valid)} programs that gcc -m32 takes, {compiled} compile ({100 * compiled / len(valid):.1f}%)",
+            *(f"  not taken by gcc, {o.state}: {o.path}: {o.refusal}" for o in self.outcomes if o.valid is False),
+        ]
 
     def lines(self) -> list[str]:
         """The table as text."""
@@ -163,14 +170,22 @@ def _gcc(corpus: Path) -> list[str] | None:
     return ["gcc", *flags, f"-I{own}", *(f"-I{folder}" for folder in libraries)]
 
 
-def valid(files: tuple[Path, ...], corpus: Path) -> bool | None:
-    """Whether gcc takes a program; a `.side` file says where its own headers are."""
+def refusal(files: tuple[Path, ...], corpus: Path) -> str | None:
+    """What gcc says first of a program that it does not take, empty for one that it takes; None where gcc cannot be asked.
+
+    A `.side` file says where a program's own headers are. Without a main once it is preprocessed, a text is no program.
+    """
     call = _gcc(corpus)
     if call is None:
         return None
     side = project_beside(str(files[0]))
     more = [f"-I{folder}" for folder in read_side(side).include_dirs] if side else []
-    return subprocess.run([*call, *more, *map(str, files)], capture_output=True, check=False).returncode == 0
+    said = subprocess.run([*call, *more, *map(str, files)], capture_output=True, text=True, check=False, errors="replace")
+    if said.returncode:
+        return next((line for line in said.stderr.splitlines() if "error" in line), "error").partition("error: ")[2]
+    plain = [option for option in call if option != "-fsyntax-only"]
+    text = subprocess.run([*plain, *more, "-E", "-P", str(files[0])], capture_output=True, check=False).stdout
+    return "" if re.search(rb"\bmain\s*\([^;]*?\)\s*\{", text) else "there is no main"
 
 
 def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
@@ -181,19 +196,21 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     from tests.transformations.m2t.truth import verdict_faults
 
     path = str(files[0].relative_to(corpus))
+    reason = refusal(files, corpus)
+    taken: dict[str, Any] = {"valid": None if reason is None else not reason, "refusal": reason or ""}
     try:
         made = robosmi.migrate(list(files), output)
         again = robosmi.generate_sketch(output / "models" / "plan.xmi", output.with_name(f"{output.name}-again"))
         if again.contents != made.contents:
-            return Outcome(path, "crashed", message="the stored plan gives another sketch")
+            return Outcome(path, "crashed", message="the stored plan gives another sketch", **taken)
         if robosmi.migrate(list(files), output).contents != made.contents:
-            return Outcome(path, "crashed", message="a second run gives another sketch")
+            return Outcome(path, "crashed", message="a second run gives another sketch", **taken)
     except (InternalError, ModelError) as error:
-        return Outcome(path, "crashed", message=str(error))
+        return Outcome(path, "crashed", message=str(error), **taken)
     except RobosmiError as error:
-        return Outcome(path, "refused", message=str(error))
+        return Outcome(path, "refused", message=str(error), **taken)
     except Exception:
-        return Outcome(path, "crashed", message=traceback.format_exc())
+        return Outcome(path, "crashed", message=traceback.format_exc(), **taken)
     report = robosmi.compile_sketch(output)
     said: dict[Severity, list[str]] = {s: [] for s in Severity}
     for finding in report.diagnostics:
@@ -219,7 +236,7 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
         missing=_missing(made),
         fits_on=(report.fits_on or "none") if report.ok and not report.fits else "",
         untrue=_untrue(made),
-        valid=valid(files, corpus),
+        **taken,
     )
 
 

@@ -107,6 +107,16 @@ def test_a_macro_that_is_used_for_other_things_is_said_where_no_change_fits(tmp_
     assert [f.location.line for f in lost if f.location is not None] == [1]
 
 
+def test_a_macro_that_writes_its_changed_argument_is_said(tmp_path: Path) -> None:
+    program = tmp_path / "shown.c"
+    program.write_text(
+        '#include <stdio.h>\n#define SHOW(x) printf(#x " = %d\\n", (int)(x))\n#define NAMED(name, value) printf(#name, value)\n'
+        "int a = 3;\nint main(void) {\n  SHOW(a);\n  SHOW((int)a * 2);\n  NAMED(a, (int)1);\n  return 0;\n}\n"
+    )
+    plan = robosmi.plan_migration([program]).plan
+    assert [int(f.line) for f in plan.findings if f.rule == "RS329"] == [7]
+
+
 @pytest.mark.parametrize(
     ("before", "after"),
     [

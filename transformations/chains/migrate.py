@@ -48,7 +48,7 @@ from robosmi.transformations.m2m.output_settings import set_rest_levels, set_ser
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_texts import looked_up
-from robosmi.transformations.m2m.widths import Widened, lost_findings
+from robosmi.transformations.m2m.widths import Widened, lost_findings, text_findings
 from robosmi.transformations.queries.plan import binding_json, library_json
 from robosmi.transformations.queries.ports import ProgramPorts
 
@@ -255,6 +255,7 @@ def models(
         message = f"the target '{target.target}' has no libraries: those of the project file are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))
     findings += lost_findings(widenings, list(program.program.units), program.copies)
+    findings += text_findings(widenings, list(program.program.units), program.copies)
     findings += history_findings(earlier)
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, inside, is_header
@@ -249,6 +250,7 @@ RULES: dict[str, EditRule] = {
     "qualify-type": _qualify_type,
     "linkage-of-c": _branch_out,
     "open-size": _open_size,
+    "positional": lambda element, choice, text: positional(element, text.data) or [],
     "convert": _convert,
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,

@@ -14,6 +14,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
 from robosmi.transformations.m2m import old_c, shared_names
+from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
@@ -236,11 +237,19 @@ def _fresh(wanted: str, taken: Collection[str]) -> str:
     return wanted
 
 
-RULES: tuple[Rule, ...] = (_tags, _enumerations, _conversions, *old_c.RULES, *shared_names.RULES)
+def _designated(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Lists whose values name elements of an array, or leave out members: C++ counts them."""
+    for variable in view.of_kind(ccode.Variable):
+        if variable.initializer is not None and positional(variable, data):
+            yield Change(variable, "positional", "", "C++ gives the values of a list in their order")
+
+
+RULES: tuple[Rule, ...] = (_tags, _designated, _enumerations, _conversions, *old_c.RULES, *shared_names.RULES)
 TEXT_RULES = frozenset(
     {
         "empty-parentheses",
         "parameters-behind",
+        "positional",
         "rename-tag",
         "implicit-int",
         "return-at-end",
@@ -270,7 +279,12 @@ def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
 
 
 def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
+    mended = [
+        (int(v.startOffset), int(v.endOffset)) for v in view.of_kind(ccode.Variable) if v.initializer and positional(v, data)
+    ]
     for value in (*view.of_kind(ccode.UnknownExpression), *view.of_kind(ccode.InitializerList)):
+        if any(start <= value.startOffset < end for start, end in mended):
+            continue
         text = data[value.startOffset : value.endOffset].decode("latin-1")
         if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):
             yield value, "a list that names the elements of an array by their index is no C++"

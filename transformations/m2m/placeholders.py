@@ -245,7 +245,7 @@ def type_uses(
 
 
 ANY_VALUE = "AnyValue"
-_ANY_VALUE = f"""// Holds a member of a type that is to be written, whatever the program gives it: a pointer, a function or a number
+_ANY_VALUE = f"""// Holds a member of a type that is to be written: a pointer, a function or a number
 struct {ANY_VALUE} {{
   intptr_t value;
   {ANY_VALUE}(int32_t number = 0) : value(number) {{}}
@@ -272,9 +272,7 @@ def _is_pointer(value: ccode.Expression | None) -> bool:
     return kind is not None and (kind.depth > 0 or kind.function)
 
 
-def _type(
-    name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], target: TargetFacts, *, pointed: bool
-) -> str:
+def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], target: TargetFacts, *, pointed: bool) -> str:
     uses = [t for v in views for t in v.of_kind(ccode.TypeUse) if t.declaration is not None and t.declaration.name == name]
     fields = members(name, views, sources)
     listed = _listed(name, views)

@@ -14,6 +14,7 @@ from itertools import accumulate
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.width_changes import WidthEdit, Writer
 from robosmi.transformations.m2m.width_formats import handing_on
@@ -109,6 +110,54 @@ def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
                     fix="write it with int32_t, or with a cast, in the source"),
         )  # fmt: skip
     return [found[key] for key in sorted(found)]
+
+
+def text_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Mapping[str, bytes]) -> list[Finding]:
+    """RS329: uses of macros that write an argument as a text (`#x`), where the argument is written otherwise.
+
+    Args:
+        widened: what was found.
+        units: of the program.
+        texts: path of a unit -> its bytes.
+    """
+    found = []
+    for unit in units:
+        changed = [(int(c.startOffset), int(c.endOffset)) for w in widened.widenings for c in w.changes if c.unit is unit]
+        for use in unit.macroUses if changed else ():
+            written = _as_text(use.macro) if use.macro is not None else frozenset()
+            for number, (start, end) in enumerate(_arguments(texts[unit.path], use)) if written else ():
+                if number in written and any(start <= first and last <= end for first, last in changed):
+                    place = Location(unit.path, int(use.line), int(use.column))
+                    message = (
+                        f"'{use.name}' writes its argument as a text, and that is another one where numbers keep their widths"
+                    )
+                    found.append(
+                        Finding("RS329", Severity.warning, message, place, fix="give the macro the text that it is to write")
+                    )
+                    break
+    return found
+
+
+def _as_text(macro: ccode.Macro) -> frozenset[int]:
+    """Which parameters of a macro its body makes a text of."""
+    words = set(re.findall(r"(?<!#)#\s*([A-Za-z_]\w*)", str(macro.body or ""))) if macro.functionLike else set()
+    return frozenset(number for number, name in enumerate(macro.parameters) if name in words)
+
+
+def _arguments(data: bytes, use: ccode.MacroUse) -> list[tuple[int, int]]:
+    """Where the arguments of a macro's use stand."""
+    begin = int(use.startOffset)
+    inside = [t for t in tokens(data[begin : use.endOffset]) if t[0] != "comment"]
+    found: list[tuple[int, int]] = []
+    depth, start = 0, 0
+    for _, first, last, text in inside:
+        depth += text in ("(", "[", "{")
+        if depth == 1 and text in (",", ")"):
+            found.append((begin + start, begin + first))
+        if depth == 1 and text in ("(", ","):
+            start = last
+        depth -= text in (")", "]", "}")
+    return found
 
 
 _LOST = {

@@ -3,7 +3,7 @@ enum colour { RED, GREEN = 5, BLUE };
 enum level { BELOW = -1, ZERO, ABOVE = 40000, TOP = 100000 };
 typedef enum { STOP, GO = 70000, LEFT = GO + 5 } command_t;
 enum { LIMIT = 1 << 16, MASK = LIMIT - 1 };
-static int points[BLUE + 1] = { 1, 2, 3, 4, 5, 60000, 7 };
+static int points[BLUE + 1] = { 1, 2, [GREEN] = 60000, [BLUE] = 7 };
 const char *name(enum colour c) { switch (c) { case RED: return "red"; case GREEN: return "green"; case BLUE: return "blue"; } return "?"; }
 enum level next(enum level l) { return l + 1; }
 int main()

@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 struct config { int32_t pin; int32_t speed; };
-int32_t table[4] = { [2] = 5 };
+int32_t table[4] = { {}, {}, 5 };
 struct config left = { .speed = 24, .pin = 3 };
 
 void setup() {
