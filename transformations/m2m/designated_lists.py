@@ -70,6 +70,15 @@ def _constants(variable: ccode.Variable) -> Mapping[str, int]:
     return found
 
 
+def _integer(text: str) -> int | None:
+    """The value of an integer literal of C, None for any other text."""
+    digits = text.rstrip("uUlL")
+    try:
+        return int(digits, 8 if digits.isdecimal() and len(digits) > 1 and digits[0] == "0" else 0)
+    except ValueError:
+        return None
+
+
 def _list(
     words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes
 ) -> list[tuple[int, int, str]]:
