@@ -291,7 +291,8 @@ def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], ta
 
 def _member_name(declarator: str) -> str:
     """The name of a member as `record_members` declares it."""
-    return (re.findall(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0]) or [""])[-1]
+    words: list[str] = re.findall(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0])
+    return words[-1] if words else ""
 
 
 def _listed(name: str, views: Iterable[CodeView]) -> list[ccode.Expression]:
