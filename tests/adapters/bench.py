@@ -128,7 +128,7 @@ def notices(case: Case, adapter: str, text: str, bench: type[Uno] = Uno) -> bool
     return False
 
 
-_SIGNATURE = re.compile(r"\b(?P<name>\w+)\s*\((?P<parameters>[^()]*)\)\s*\{")
+_SIGNATURE = re.compile(r"\b(?P<name>\w+)\s*\((?P<parameters>(?:[^()]|\([^()]*\))*)\)\s*\{")
 _LAST_NAME = re.compile(r"(\w+)\s*$")
 
 

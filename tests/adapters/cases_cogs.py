@@ -87,6 +87,7 @@ pthread_t one, two, three; char said[40];
 void *twice(void *arg) { for (uint8_t i = 0; i < 3; i++) { strcat(said, (char *)arg); delay(2); } return (char *)arg + 1; }
 void *leaves(void *arg) { strcat(said, "x"); pthread_yield(); pthread_exit(pthread_self() == two ? arg : 0); return 0; }
 void *alone(void *) { pthread_detach(pthread_self()); strcat(said, "d"); return 0; }
+void *turns(void *arg) { strcat(said, (char *)arg); pthread_yield(); strcat(said, (char *)arg); return 0; }
 void setup() {
   Serial.begin(115200); static char a[] = "ab", b[] = "cd"; void *result = 0; void *other = 0;
   int32_t r = pthread_create(&one, NULL, twice, a) + pthread_create(&two, NULL, leaves, b);
@@ -95,9 +96,11 @@ void setup() {
   Serial.print(said); Serial.print(r); Serial.print(result == a + 1); Serial.print(other == b); said[0] = 0;
   Serial.print(pthread_create(&three, NULL, alone, b)); delay(3); Serial.print(said); Serial.print(pthread_join(three, &other));
   Serial.print(pthread_create(&three, NULL, alone, b)); delay(2); Serial.print(pthread_create(&three, NULL, alone, b));
+  delay(3); said[0] = 0; pthread_create(&one, NULL, turns, a); pthread_create(&two, NULL, turns, b); pthread_join(one, &other);
+  pthread_join(two, &other); Serial.print(said);
 } void loop() { }
 """
-    assert cogs(uno, program, THREADS) == "0 11 " + "abxabab" + "011" + "0d22" + "00"
+    assert cogs(uno, program, THREADS) == "0 11 " + "abxabab" + "011" + "0d22" + "00" + "abcdabcd"
 
 
 LOCKS = [f"pthread.h/pthread_mutex_{name}" for name in ("init", "lock", "trylock", "unlock", "destroy")]

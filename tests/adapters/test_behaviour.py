@@ -34,6 +34,11 @@ def test_every_adapter_is_proved() -> None:
     assert bodies - proved == NOTHING_TO_DO
 
 
+def test_every_adapter_can_be_broken() -> None:
+    """Also one whose parameters are functions."""
+    assert [piece.name for piece in pieces() if piece.kind == "adapter" and not broken(piece)] == []
+
+
 @pytest.mark.parametrize("name", sorted(CASES)[::10])
 def test_some_cases_fail_when_an_adapter_is_broken(name: str) -> None:
     """A sample; `python -m tests.adapters.mutants` does it for all of them."""

@@ -559,6 +559,39 @@ static inline bool wave_start(volatile uint8_t *in, uint8_t mask, int32_t freque
   return true;
 }
 
+//# helper wave
+//#   mcu: atmega32u4
+//#   include: <avr/interrupt.h>
+//#   timer: Timer3
+//#   vector: TIMER3_COMPA_vect
+//#   fidelity: a square wave at one pin
+static volatile uint8_t *wave_in;
+static volatile uint8_t wave_mask;
+
+ISR(TIMER3_COMPA_vect) {
+  *wave_in = wave_mask;  // a one written to PINx inverts PORTx
+}
+
+static inline void wave_stop(void) {
+  TIMSK3 = 0;
+}
+
+static inline bool wave_start(volatile uint8_t *in, uint8_t mask, int32_t frequency) {  // false outside of 31 Hz to 65,535 Hz
+  wave_stop();
+  if (frequency < 31 || frequency > 65535) return false;
+  uint32_t counts = (F_CPU / frequency + 1) / 2;
+  bool slow = counts > 65536;
+  wave_in = in;
+  wave_mask = mask;
+  OCR3A = (uint16_t)((slow ? (counts + 4) / 8 : counts) - 1);
+  TCNT3 = 0;
+  TCCR3A = 0;
+  TCCR3B = _BV(WGM32) | (slow ? _BV(CS31) : _BV(CS30));
+  TIFR3 = _BV(OCF3A);
+  TIMSK3 = _BV(OCIE3A);
+  return true;
+}
+
 //# adapter freqout
 //#   for: void freqout(int pin, int msTime, int frequency)
 //#   kind: oneToMany
