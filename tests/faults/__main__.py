@@ -21,7 +21,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from tests.faults.campaign import STUDIES, Outcome, Study, executed
-from tests.faults.rewritings import rewritings
+from tests.faults.harmless import rewritings
 from tests.faults.seeding import KINDS, Fault, faults
 
 HERE = Path(__file__).parent

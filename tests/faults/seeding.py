@@ -69,12 +69,12 @@ def faults(name: str, text: str) -> list[Fault]:
         text: the file.
     """
     code = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
-    found: dict[tuple[Edit, ...], Fault] = {}
+    found: dict[str, Fault] = {}  # by what becomes of the file: two kinds may mean the same
     for kind, made in _KINDS.items():
         for edits in made(code):
             edits = tuple(sorted(edits, key=lambda each: each.begin))
             if fault := _fault(name, text, kind, edits):
-                found.setdefault(edits, fault)
+                found.setdefault(fault.put_into(text), fault)
     places: dict[str, list[int]] = {}
     for fault in found.values():
         places.setdefault(fault.name, []).append(fault.edits[0].begin)

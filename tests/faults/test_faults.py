@@ -9,8 +9,8 @@ import pytest
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.original_build import missing_tools
 from tests.faults.campaign import STUDIES, Study
-from tests.faults.rewritings import rewritings
-from tests.faults.seeding import KINDS, Fault, faults
+from tests.faults.harmless import rewritings
+from tests.faults.seeding import KINDS, faults
 from tests.tools import require_engine, require_tools
 
 HERE = Path(__file__).parent
@@ -63,7 +63,7 @@ def test_there_are_twenty_rewritings_of_several_kinds() -> None:
 
 
 def test_each_fault_changes_the_text_and_tells_its_line() -> None:
-    text = "const int A = 3;\nvoid loop() {\n  pause(100);\n  if (x < 2) high(A);\n}\n"
+    text = "const int A = 3;\nvoid loop() {\n  pause(100);\n  if (x < 2) high(A);\n  x = A;\n}\n"
     found = faults("a.ino", text)
     assert {"wrong constant", "wrong condition", "missing wait", "wrong level", "left out"} <= {fault.kind for fault in found}
     assert {fault.kind for fault in found} <= set(KINDS)
@@ -74,4 +74,4 @@ def test_each_fault_changes_the_text_and_tells_its_line() -> None:
         assert line == fault.line
     waits = [fault for fault in found if fault.kind == "missing wait"]
     assert sorted(fault.now for fault in waits) == [";", "pause(150);", "pause(50);"]
-    assert isinstance(waits[0], Fault)
+    assert len({fault.put_into(text) for fault in found}) == len({fault.name for fault in found}) == len(found)
