@@ -79,6 +79,8 @@ class ActivityEvent:
             return "high" if value else "low"
         if self.kind == PULSES:
             return f"pulses of {value:.0f} us"
+        if self.kind == WAVE and not value:
+            return f"{100 * float(self.value[1]):.3g} % high on average"
         if self.kind == WAVE:
             return (
                 f"{value:.6g} Hz" if float(self.value[1]) == 0.5 else f"{value:.6g} Hz, {100 * float(self.value[1]):.3g} % high"

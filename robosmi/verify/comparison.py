@@ -103,6 +103,10 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
                 own_ms = source[after[0]].at_us - source[number].at_us
                 other_ms = run[after[1]].at_us - run[other].at_us
                 spans[number] = max(spans[number], abs(other_ms - own_ms) / 1000)
+        if found.pairs:  # what comes later than the run lasts is off by no less than its last event
+            own, other = found.pairs[-1]
+            off_ms = abs(run[other].at_us - source[own].at_us) / 1000
+            times[own + 1 :] = [max(time, off_ms) for time in times[own + 1 :]]
     return [EventTolerance(2 * time, 2 * span) for time, span in zip(times, spans, strict=True)]
 
 
@@ -124,7 +128,7 @@ def compare(
             what the source does after it.
     """
     allowed = tolerances(source, varied)
-    if allowed is None or _ends_differ(source, varied, horizon_ms):
+    if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
         return ChannelComparison(channel, RACY, events=max(0, len(source) - 1))
     off = allowed or [EventTolerance()]
 
@@ -191,12 +195,18 @@ def _lasts_alike(event: ActivityEvent, after: ActivityEvent, source_ms: float, t
     return abs(target_ms - source_ms) <= _DURATION * source_ms + _RESOLUTION_MS + coarse + beyond_ms
 
 
-def _ends_differ(source: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]], horizon_ms: float) -> bool:
-    """Whether a varied run has events more or less, other than at its very end."""
+def _ends_differ(
+    source: Sequence[ActivityEvent],
+    varied: Sequence[Sequence[ActivityEvent]],
+    horizon_ms: float,
+    allowed: Sequence[EventTolerance],
+) -> bool:
+    """Whether a varied run has events more or less, other than so near to its end that they may come after it."""
+    late_ms = max((each.time_ms for each in allowed), default=0.0)
     for run in varied:
         found = aligned(source, run)
         for events, number in ((source, found.own), (run, found.other)):
-            if number < len(events) and events[number].at_us / 1000 < horizon_ms - 3 * _tau(events[number], 20.0):
+            if number < len(events) and events[number].at_us / 1000 < horizon_ms - 3 * _tau(events[number], 20.0) - late_ms:
                 return True
     return False
 

@@ -25,9 +25,10 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.difference_calls import calls_around
-from robosmi.transformations.verification.jobs import job
+from robosmi.transformations.verification.jobs import job, shows_console
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
+    CONSOLE_CHANNEL,
     Place,
     SourceRuns,
     channel_events,
@@ -138,6 +139,8 @@ def verify(
             return Verified(verdict, report)
         side = _Target(models, report, ports, engine)
         verdict.engine = side.engine
+        if not side.shows_console:
+            verdict.not_compared.append(CONSOLE_CHANNEL)
         (folder / "source").mkdir()
         try:
             program = _original(models, plan_file.parent, folder / "source")
@@ -152,6 +155,8 @@ def verify(
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         traces = side.run([scenario for scenario, _ in cases])
         for (scenario, runs), trace in zip(cases, traces, strict=True):
+            if not side.shows_console:
+                runs.channels.pop(CONSOLE_CHANNEL, None)
             verdict.scenarios.append(judged(scenario, runs, trace, ports))
         for (scenario, runs), told in zip(cases, verdict.scenarios, strict=True):
             if verdict.first_difference == (told, told.first) and told.first is not None:
@@ -222,7 +227,9 @@ class _Target:
         stored = self.models.plan.board
         self.board = stored if stored is not None and stored.name == self.report.board else load_board(self.report.board)
         chip = self.board.microcontroller
-        self.engine = engine_for(str(chip.name) if chip is not None else "", self.wanted).name
+        mcu = str(chip.name) if chip is not None else ""
+        self.engine = engine_for(mcu, self.wanted).name
+        self.shows_console = shows_console(mcu)
 
     def run(self, scenarios: Sequence[Scenario]) -> list[PinTrace]:
         """The migrated program in each scenario, as many at once as there are cores."""

@@ -33,6 +33,11 @@ def simulated_microcontrollers() -> list[str]:
     return sorted(_facts()[1])
 
 
+def shows_console(mcu: str) -> bool:
+    """Whether what a program prints can be seen on simulators of a microcontroller."""
+    return bool(_facts()[1].get(mcu, {}).get("console", True))
+
+
 def job(elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = ()) -> Job:
     """The job of running a program on a board.
 

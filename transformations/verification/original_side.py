@@ -12,7 +12,7 @@ from typing import Any
 
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
-from robosmi.verify.activity import IDLE, LINE, SIGHTS, ActivityEvent, activity, console_lines, text_lines
+from robosmi.verify.activity import IDLE, LINE, SIGHTS, WAVE, ActivityEvent, Sight, activity, console_lines, merged, text_lines
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
 from robosmi.verify.driven_lines import held_levels
 from robosmi.verify.original_build import OriginalProgram
@@ -76,11 +76,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         ports: the ports.
         target: whether the trace is the target's.
     """
-    found = {
-        port.title: [activity(trace, port.target if target else port.source, sight) for sight in SIGHTS]
-        for port in ports
-        if port.watched
-    }
+    found = {port.title: [_at_port(trace, port, target, sight) for sight in SIGHTS] for port in ports if port.watched}
     for port in ports:
         if port.target and device_facts().get(port.device, {}).get("driven"):
             found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
@@ -94,6 +90,14 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
             found[title] = [_told(trace, number, facts, measures)]
     found[CONSOLE_CHANNEL] = [console_lines(trace, measures)]
     return found
+
+
+def _at_port(trace: PinTrace, port: BoundPort, target: bool, sight: Sight) -> list[ActivityEvent]:
+    """What the program does at a port; where it stands for a voltage, the frequency of a wave is left out."""
+    seen = activity(trace, port.target if target else port.source, sight)
+    if not port.averaged:
+        return seen
+    return merged([replace(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in seen])
 
 
 def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool) -> list[ActivityEvent]:

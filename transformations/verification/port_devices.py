@@ -48,6 +48,7 @@ class BoundPort:
         group: the device's name where it has several ports: the first one's `source`; empty where it has this one alone.
         settings: of the device, as far as the program says them.
         shown: whether what the program does there is compared although a device is there.
+        averaged: whether it stands for a voltage, so that of a wave there only the share that is high counts.
     """
 
     name: str
@@ -62,6 +63,7 @@ class BoundPort:
     group: str = ""
     settings: Mapping[str, Any] = field(default_factory=dict)
     shown: bool = False
+    averaged: bool = False
 
     @property
     def watched(self) -> bool:
@@ -97,6 +99,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         if use.pin is not None:
             uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
     table = _table(str(plan.source.name))
+    averaged = set(table.texts("averaged", ()))
     rules, lines = table.tables("device", needed=False), set(table.table("lines").texts("functions", ()))
     found: dict[str, BoundPort] = {}
     for binding in plan.portBindings:
@@ -115,6 +118,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             str(binding.name), source, str(pin.label) if pin is not None else "",
             str(component.title or component.partTitle) if component is not None else "",
             str(component.elementId) if component is not None else "", tuple(used), device, called, line,
+            averaged=bool(used) and bool(averaged & used.keys()),
         )  # fmt: skip
         found.setdefault(source, port)
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
