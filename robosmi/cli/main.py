@@ -18,6 +18,7 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from robosmi.cli import streams
+from robosmi.cli.examples import EXAMPLES
 from robosmi.cli.failures import as_error
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import (
@@ -57,6 +58,7 @@ COMMANDS = {
     "metamodels": "hand out the metamodels, or generate Python packages from one",
     "trust": "let what a found folder holds run, as it is now",
     "doctor": "what is installed and what is missing",
+    "completion": "a script that lets bash, zsh or fish complete commands and options",
 }
 
 ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
@@ -70,6 +72,13 @@ ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
     (UploadError, "RS909"),
     (RobosmiError, "RS970"),
 )
+
+
+class _Help(argparse.HelpFormatter):
+    """Help whose example stands in one line, so that it can be copied."""
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        return f"{indent}{text}" if text.startswith("example: ") else super()._fill_text(text, width, indent)
 
 
 class _Parser(argparse.ArgumentParser):
@@ -95,7 +104,10 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"robosmi {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=_Parser)
     for name, summary in COMMANDS.items():
-        sub = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
+        sub = commands.add_parser(
+            name, help=summary, description=summary[0].upper() + summary[1:] + ".", epilog=f"example: {EXAMPLES[name]}",
+            formatter_class=_Help,
+        )  # fmt: skip
         sub.add_argument("--json", action="store_true", help="print one JSON document to stdout and nothing else")
         sub.add_argument("-v", "--verbose", action="store_true", help="show every finding, and not only the first of many alike")
         sub.add_argument(
