@@ -60,13 +60,13 @@ def _finding(finding: Finding, colour: bool) -> Iterator[str]:
         yield terminal(f"  do: {finding.fix}")
 
 
-def takes_colour(stream: TextIO) -> bool:
+def takes_colour(stream: TextIO | None) -> bool:
     """Whether a stream is shown in colour: a terminal that NO_COLOR does not forbid, or any where FORCE_COLOR asks for it.
 
-    https://no-color.org; a terminal called `dumb` takes none.
+    https://no-color.org; a terminal called `dumb` takes none, and neither does None, a stream that is closed.
     """
     if os.environ.get("NO_COLOR"):
         return False
     if os.environ.get("FORCE_COLOR"):
         return True
-    return stream.isatty() and os.environ.get("TERM") != "dumb"
+    return stream is not None and stream.isatty() and os.environ.get("TERM") != "dumb"
