@@ -1,8 +1,8 @@
 """Plans that version 0.1.0 stored load in today's metamodels, and what is generated of them is what 0.1.0 generated.
 
-`plans_0_1_0/NAME/` has the models as that version wrote them and the sketch that its `generate` made of them, without its report: the two case
-studies, programs in which each kind of change of text occurs, choices by flags, and plans that a person edited. `output_0_1_0`
-is an output folder as a whole.
+`plans_0_1_0/NAME/` has the models as that version wrote them and the sketch that its `generate` made of them, without its report:
+the two case studies, programs in which each kind of change of text occurs, choices by flags, and plans that a person edited.
+`output_0_1_0` is an output folder as a whole.
 """
 
 from __future__ import annotations
