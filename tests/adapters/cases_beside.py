@@ -1,7 +1,8 @@
 """Timed inputs while something works in the background: servos, drives, servos with feedback, a clock of milliseconds.
 
 Interrupts come between an edge and the look at it, which is then known to half of their time: 12 us for that of Servo.h (20 to
-24 us), up to 22 us where it meets another one. That is stated as a limit of the adapters, and held here, where 1 % is less.
+24 us), 22 us where it meets another one, 32 us with signals of feedback. That is stated as a limit of the adapters, and held
+here, where 1 % is less.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from tests.adapters.bench import Uno, proves
 
 TIMED = ["simpletools.h/pulse_in", "simpletools.h/rc_time", "simpletools.h/count", "ping.h/ping_cm"]
 SHORT, LONG = 300.0, 1900.0
-BESIDE_INTERRUPTS = 22.0
+BESIDE_INTERRUPTS, BESIDE_FEEDBACK = 22.0, 32.0
 DECAY, CENTIMETRES, HALF_PERIOD = 2500.0, 83.5, 0.11
 WHEELS = [
     DeviceUse("wheel", {"servo": "D5", "encoder": "A0"}, {}),
@@ -123,4 +124,4 @@ TURNING = [f"servo360.h/servo360_{name}" for name in ("connect", "speed", "angle
 def timed_inputs_are_true_beside_servos_with_feedback(uno: Uno) -> None:
     begin = "servo360_connect(5, A0); servo360_connect(6, A1); servo360_speed(5, 180);"
     go_on = "if (n % 30 == 0) servo360_angle(6, n * 3);"
-    beside(uno, begin, go_on, TURNING, FEEDBACK, BESIDE_INTERRUPTS, 6)
+    beside(uno, begin, go_on, TURNING, FEEDBACK, BESIDE_FEEDBACK, 6)

@@ -495,7 +495,7 @@ inline int32_t in_units(uint32_t cycles) {
 //#   needs: Io TimedInput leaves in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
-//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
+//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit: other cogs wait meanwhile
 inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io(pin);
@@ -516,7 +516,7 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
 //#   needs: Io TimedInput leaves edge_cycles in_units io_timeout_ticks
 //#   pin: pin digital in
 //#   fidelity: within 2 us
-//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
+//#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
 inline int32_t rc_time(int32_t pin, int32_t state) {

@@ -186,7 +186,8 @@ static int32_t io_timeout_ticks = 20000000L;
 
 // int pulse_in(int pin, int state)
 // Within 2 us; 0 when no pulse begins in time, the part seen when it does not end
-// Limit: an edge within an interrupt is known to half of its time: 12 us beside servos, up to 22 us where interrupts meet
+// Limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with
+// feedback
 // Limit: other cogs wait meanwhile
 inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io(pin);
