@@ -33,7 +33,7 @@ def rules(f: Flock) -> None:
     def _(o: Any, m: Any) -> None:
         m.sourcePin = o.port
 
-    @f.migrate("Decision", ignoring=["confidence"])
+    @f.migrate("Decision")
     def _(o: Any, m: Any) -> None:
         m.confidence = o.percent / 100
 
