@@ -217,8 +217,8 @@ inline uint8_t MMA7455_getMode() {
 //#   kind: oneToMany
 //#   needs: MMA7455_readByte
 //#   fidelity: exact: 64 for 1 g
-inline void MMA7455_getxyz10(int16_t *x, int16_t *y, int16_t *z) {
-  int16_t *values[3] = {x, y, z};
+template <class Short> inline void MMA7455_getxyz10(Short *x, Short *y, Short *z) {
+  Short *values[3] = {x, y, z};
   for (uint8_t axis = 0; axis < 3; axis++) {
     uint8_t low_byte = MMA7455_readByte(2 * axis), high_byte = MMA7455_readByte(2 * axis + 1);
     if (high_byte & 2) high_byte |= 0xFC;
