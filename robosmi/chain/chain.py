@@ -60,6 +60,7 @@ class Chain:
         self.name = name
         self.place = place
         self.steps: list[Step] = []
+        self.defaults: dict[str, Any] = {}
 
     # Declaration
 
@@ -167,10 +168,16 @@ class Chain:
         """  # fmt: skip
         self._add(step, "generate", function, models, folder=folder, templates=templates, reads=reads)
 
-    def given(self, *names: str) -> None:
-        """Declare values that are given from outside when a run starts."""
-        for name in names:
+    def given(self, *names: str, **defaults: Any) -> None:
+        """Declare values that are given from outside when a run starts.
+
+        Args:
+            names: those that must be given.
+            defaults: those that need not be, with what they are then.
+        """
+        for name in (*names, *defaults):
             self.steps.append(Step(f"given {name}", GIVEN, makes=name))
+        self.defaults |= defaults
 
     def call(self, function: Callable[..., Any], *, makes: str, step: str = "") -> None:
         """Make a value of others by a plain function.
@@ -330,7 +337,7 @@ class Chain:
             self.check(), self.dependencies(), self.folder, self.name,
             dry_run=dry_run, keep=keep, force=force, fix=fix, progress=progress,
         )  # fmt: skip
-        run.give(**values)
+        run.give(**{**self.defaults, **values})
         return run
 
 

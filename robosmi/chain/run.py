@@ -326,12 +326,14 @@ class ChainRun:
             raise
         except Exception as error:
             before = self.graph.needed([f"model {step.makes}"]) if own else set()
-            if not (named := [f"'{s.name}'" for s in own if f"step {s.name}" in before]):
+            replaced = [s for s in own if f"step {s.name}" in before]
+            if not replaced:
                 raise
+            named = [f"'{s.name}'" for s in replaced]
             from robosmi.query.erl import failed
 
             what = f"the step '{step.name}' of the chain '{self.name}', in which {' and '.join(named)} was replaced,"
-            raise failed(error, what, step.function) from error
+            raise failed(error, what, step.function, owner=replaced[0].function) from error
         if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
             from robosmi.query.erl import place_of
 

@@ -162,7 +162,12 @@ class RuleBlocks(list[Callable[[], Any]]):
 
 
 def failed(
-    error: BaseException, what: str, function: Callable[..., Any], element: Any = None, models: Iterable[Model] = ()
+    error: BaseException,
+    what: str,
+    function: Callable[..., Any],
+    element: Any = None,
+    models: Iterable[Model] = (),
+    owner: Callable[..., Any] | None = None,
 ) -> RobosmiError:
     """The error of a rule that raises: which one, for which element, at which line, why.
 
@@ -176,6 +181,7 @@ def failed(
         function: the function that is the rule.
         element: the element it was run for, None for none.
         models: the models of the run.
+        owner: whose fault it is, where that is another function than the rule.
     """
     if isinstance(error, (RuleError, InternalError)):
         return error
@@ -185,7 +191,7 @@ def failed(
         return RuleError(f"{what} fails{about}: {error.message}", location=place, fix=error.fix or _CORRECT)
     said = f"{what} fails{about}: {type(error).__name__}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
-    if _is_own(getattr(inspect.unwrap(function), "__module__", None)) and not world:
+    if _is_own(getattr(inspect.unwrap(owner or function), "__module__", None)) and not world:
         return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
     if (inside := _raised_inside(error)) is not None:
         fix = f"look at what this line gives to robosmi, where it was raised ({inside}); if that is right, it is a bug to report"

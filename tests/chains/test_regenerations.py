@@ -49,11 +49,15 @@ SAME_HEADS = replace(
     made=MADE.replace(b"one", b"three").replace(b"two", b"one"),
     after=GOOD.replace(b"one", b"three").replace(b"two", b"one"),
 )
+BY_WORDS = Round(
+    "o", b"port 'a' line 3\n", b"port 'a' line 3 // mine\n", b"port 'a' line 4\n", b"port 'a' line 4 // mine\n", {"RS512"}
+)
+"""A line in which a person and the run changed different words."""
 OFF = replace(INSIDE, edited=SWITCHED, made=REGIONS, after=REGIONS, rules={"RS518"})
 
 
 def test_no_edit_is_lost_in_sixty_regenerations() -> None:
-    tally = run(60, seed=20, each=6)
+    tally = run(60, seed=21, each=6)
     assert tally.wrong == []
     assert set(KINDS) <= set(tally.edits)
     assert {"kept", "RS511", "stopped"} <= set(tally.outcomes), "the runs reach too little"
@@ -74,6 +78,7 @@ def test_no_edit_is_lost_in_sixty_regenerations() -> None:
         INSIDE,
         OFF,
         SAME_HEADS,
+        BY_WORDS,
         replace(ONE, edited=EDITED[:-1], after=b"<<<<<<< yours\n" + GOOD, rules={"RS511"}, old=[EDITED[:-1]]),
     ],
 )
@@ -102,6 +107,10 @@ def test_the_judge_finds_no_fault_where_an_edit_is_kept_or_reported(good: Round)
         (replace(ONE, edited=None, after=MADE, rules=set()), "without a word"),
         (replace(INSIDE, after=IN_THE_OTHER), "misplaced: '  EDIT'"),
         (replace(INSIDE, after=SWAPPED), "lost: '  EDIT'"),
+        (replace(BY_WORDS, after=b"port 'a' line 4\n"), "lost: "),
+        (replace(BY_WORDS, after=b"port 'a' line 5\n"), "lost: "),
+        (replace(BY_WORDS, after=b"port 'a' line 3 // mine\n"), "not made: "),
+        (replace(BY_WORDS, after=b"port 'a' line 5 // mine\n"), "not made: "),
         (replace(OFF, rules=set()), "lost: '// protected region r off begin'"),
         (replace(OFF, edited=IN_R.replace(b"r on begin", b"r off begin")), "lost: '  EDIT'"),
         (replace(OFF, edited=SWITCHED.replace(b"r end", b"r end EDIT")), "lost: '// protected region r end EDIT'"),

@@ -6,6 +6,7 @@ person's edits before the run and after it, and the old file kept beside it, wit
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -19,6 +20,7 @@ OLD_KEPT = {"RS511", "RS518"}
 TOLD = {"RS510", "RS513", "RS519", "RS520", *OLD_KEPT, *LEFT}
 """Findings that tell a person to look at the file."""
 _MARKS = ("<<<<<<< yours", "||||||| last generated", "=======", ">>>>>>> generated")
+_WORD = re.compile(r"\w+|[^\w\s]")
 _REGION = re.compile(r"protected region (\S+) (on begin|off begin|end)\b")
 
 
@@ -100,7 +102,7 @@ def _lost(one: Round) -> Iterator[str]:
     for line in edited:
         if line in said:
             continue
-        if edited[line] > base[line] and after[line] < edited[line] - max(0, base[line] - made[line]):
+        if edited[line] > base[line] and after[line] < edited[line] - max(0, base[line] - made[line]) and not _merged(line, one):
             yield f"lost: {line!r}"
     if one.rules & TOLD:
         return
@@ -108,6 +110,22 @@ def _lost(one: Round) -> Iterator[str]:
         if edited[line] < base[line] and line.strip() and after[line] > edited[line] + max(0, made[line] - base[line]):
             yield f"back: {line!r}"
     yield from _misplaced(one)
+
+
+def _merged(line: str, one: Round, *, made: bool = False) -> bool:
+    """Whether the words that a person, or the run, put into a line stand in order in a line into which both put some.
+
+    Args:
+        line: of the edited file, or of what was made.
+        one: the round.
+        made: whether it is a line that was made.
+    """
+    base, edited, new, after = (lines(data or b"") for data in (one.base, one.edited, one.made, one.after))
+    gone = [each for each in base if each not in (new if made else edited)]
+    before = difflib.get_close_matches(line, gone, n=1, cutoff=0.3)
+    added = [word for word in _WORD.findall(line) if word not in _WORD.findall(before[0])] if before else []
+    candidates = [_WORD.findall(each) for each in after if each not in {*base, *edited, *new}]
+    return bool(added) and any([word for word in words if word in added] == added for words in candidates)
 
 
 def _switched_off(one: Round) -> set[str]:
@@ -218,5 +236,6 @@ def _new(one: Round) -> Iterator[str]:
     base, edited, made = (Counter(outside(lines(data))) for data in (one.base, one.edited, one.made))
     after = Counter(lines(one.after))
     for line in made:
-        if made[line] > base[line] and after[line] < made[line] - max(0, base[line] - edited[line]):
+        gone = made[line] > base[line] and after[line] < made[line] - max(0, base[line] - edited[line])
+        if gone and not _merged(line, one, made=True):
             yield f"not made: {line!r}"

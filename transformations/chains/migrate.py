@@ -54,7 +54,7 @@ from robosmi.transformations.queries.ports import ProgramPorts
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
-    "adapters", "widths", "bench",
+    "adapters", "widths",
 )  # fmt: skip
 """What a migration is told from outside; `migration_chain` says what each is used for."""
 
@@ -65,7 +65,7 @@ def migration_chain() -> Chain:
     A step can be replaced by its name (`Chain.replace`) with a function of whatever values it needs that returns the same.
     """
     chain = Chain(None, "migrate")
-    chain.given(*GIVEN)
+    chain.given(*GIVEN, bench=False)
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(source_api, makes="api", step="look up the source platform")
     chain.call(target, makes="target", step="look up the target")

@@ -73,8 +73,7 @@ def _recognised(path: Path, first: list[str]) -> list[str]:
     Nothing is told of a file that cannot be read, which its reader says better.
     """
     try:
-        with inputs.open_file(path) as stream:
-            head = stream.read(HEAD)
+        head = inputs.read_bytes(path, inputs.DRAWING)[:HEAD]  # whole, so that its reader need not open it again
     except (OSError, ValueError):
         return []
     others = [name for name in registry().names(DRAWING) if name not in first]
