@@ -73,7 +73,7 @@ def test_syntax_errors_are_findings_of_a_sketch_that_is_made_all_the_same(cases:
     outcome = run("migrate", cases / "syntax.c", "-o", tmp_path / "out", "--json")
     assert outcome.code == 1
     assert any(f["severity"] == "error" and f["location"]["line"] == 4 for f in outcome.document["findings"])
-    assert "RS101" in (tmp_path / "out" / "syntax" / "MIGRATION.md").read_text()
+    assert "RS504" in (tmp_path / "out" / "syntax" / "MIGRATION.md").read_text()
 
 
 def test_a_program_without_main_is_not_migrated(cases: Path, tmp_path: Path) -> None:

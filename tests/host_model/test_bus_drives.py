@@ -93,7 +93,7 @@ def test_distances_and_ramps() -> None:
 def test_a_person_can_talk_to_the_controller() -> None:
     typing = DeviceUse("typing", {}, {"points": [[1700, "spd\r"], [1900, "exit\r"]]})
     text = 'int main() { dhb10_terminal(SIDE_TERM); print("back"); while (1) pause(9); }'
-    found = run(HEAD.format("arlodrive.h") + text, 2500, [controller({"spd": ["1 2"]}), typing])
+    found = run(HEAD.format("arlodrive.h") + text, 4000, [controller({"spd": ["1 2"]}), typing])
     assert commands(found.trace) == ["spd", "exit"]
     lines = found.trace.text.split("\r")
     assert [lines[0], lines[1], lines[2], lines[-1]] == ["Arlo Command Mode", "Ready", "> spd", "back"]

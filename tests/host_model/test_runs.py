@@ -204,7 +204,7 @@ def test_a_missing_compiler_is_told_with_what_to_install(tmp_path: Path, monkeyp
 
 
 def test_a_compiler_without_the_word_size_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("ld", "nm", "objcopy", "gcov", "ar"):
+    for name in ("ld", "nm", "objcopy", "gcov", "ar", "addr2line"):
         (tmp_path / name).symlink_to("/bin/true")
     compiler = tmp_path / "gcc"
     compiler.write_text(

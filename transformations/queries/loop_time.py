@@ -13,11 +13,14 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_contents
+from robosmi.query.deep import in_thread
 from robosmi.transformations.queries.main_program import main_structure
 from robosmi.transformations.queries.values import Values
 
 TICKS = 80
 """Ticks of the source's clock in a microsecond, where its platform names none."""
+_LEVELS = 20
+"""Calls within calls in one stack; each takes frames for all statements that it stands in."""
 _UNITS = {platform.Meaning.milliseconds: 1000.0, platform.Meaning.microseconds: 1.0}
 
 
@@ -86,6 +89,7 @@ class LoopTimes:
             str(use.name): use.function for use in plan.adapterUses if use.function is not None
         }
         self._functions: dict[int, Time] = {}
+        self._depth = 0
 
     def of(self, element: Any) -> Time:
         """The time of a statement or expression, nothing for None."""
@@ -168,7 +172,9 @@ class LoopTimes:
             if known is None:
                 again = Wait(_call_name(call), int(call.line))
                 self._functions[id(callee)] = Time(unbounded=(again,))  # for a function that calls itself
-                known = self.of(callee.body)
+                self._depth += 1  # functions that call one another nest deeper than Python's stack
+                known = self.of(callee.body) if self._depth % _LEVELS else in_thread(self.of, callee.body)
+                self._depth -= 1
                 if not known.high and known.unbounded == (again,):
                     known = NOTHING
                 self._functions[id(callee)] = known

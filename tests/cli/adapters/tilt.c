@@ -1,10 +1,10 @@
 #include "simpletools.h"
-#include "mx2125.h"
+#include "propeller1.h"
 
 int main() {
   while (1) {
-    int acceleration = mx_accel(5);
-    int tilt = mx_tilt(6);
-    pause(acceleration + tilt);
+    int acceleration = getpin(5);
+    togglepin(6);
+    pause(acceleration);
   }
 }
