@@ -1,6 +1,6 @@
 """Which registered reader reads a file: a drawing by what it begins with, a program by its ending.
 
-Endings are data (`[readers]` of defaults.toml, a name or a list of names); what a file begins with is told by recognisers that
+Endings are data (`[readers]` of defaults.toml, a name or a list of names; whole names of files go before them); what a file begins with is told by recognisers that
 drawing readers bring along. The ending of a drawing says which of them is asked first, and who refuses a file that none
 recognises. Nothing is read here but a file's first bytes.
 """
@@ -60,7 +60,9 @@ def is_drawing(path: Path) -> bool:
 
 
 def _by_ending(path: Path, kind: str) -> list[str]:
-    return [name for name in _listed(defaults()["readers"].get(path.suffix.lower(), ())) if name in registry().names(kind)]
+    readers = defaults()["readers"]
+    named = readers.get(path.name.lower(), readers.get(path.suffix.lower(), ()))
+    return [name for name in _listed(named) if name in registry().names(kind)]
 
 
 def _listed(names: Any) -> list[str]:

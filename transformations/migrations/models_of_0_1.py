@@ -22,6 +22,7 @@ from robosmi.transformations.m2m.adapter_uses import own_types, target_type
 from robosmi.transformations.m2m.edit_rules import RULES, undefine
 from robosmi.transformations.m2m.hoisting import HOIST, SPLIT, hoist
 from robosmi.transformations.m2m.text_changes import bind_texts, change_texts
+from robosmi.transformations.queries.binding_edits import referred
 from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.signature_text import parameter_name, parameter_type, taken_apart
 from robosmi.transformations.queries.source_text import SourceText
@@ -76,6 +77,8 @@ def rules(f: Flock) -> None:
             repository = plan.target.eContainer() if plan.target is not None else None
             described = repository.targets if isinstance(repository, platform.PlatformRepository) else ()
             plan.targetDescription = next((t for t in described if t.board is plan.board), None)
+            for binding in plan.portBindings:
+                binding.choice = referred(binding) or binding.choice  # then the reference alone counted
             if plan.program is not None:
                 bind_texts(plan, texts(plan.program))
 
