@@ -1,8 +1,8 @@
 """Which registered reader reads a file: a drawing by what it begins with, a program by its ending.
 
-Endings are data (`[readers]` of defaults.toml, a name or a list of names; whole names of files go before them); what a file begins
-with is told by recognisers that drawing readers bring along. The ending of a drawing says which of them is asked first, and who
-refuses a file that none recognises. Nothing is read here but a drawing, to look at its first bytes.
+Endings are data (`[readers]` of defaults.toml, a name or a list of names; whole names of files go before them); what a file
+begins with is told by recognisers that drawing readers bring along. The ending of a drawing says which of them is asked first,
+and who refuses a file that none recognises. Nothing is read here but a drawing, to look at its first bytes.
 """
 
 from __future__ import annotations
