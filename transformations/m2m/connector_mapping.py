@@ -237,6 +237,8 @@ def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
     analog = label[0] == "A" and label[1:].isdecimal()  # not any pin that can: on some boards D4 can, and is used as D4
     if default == "write" and analog and about in known.read_on_analog and about not in known.not_read_on_analog:
         return "read"
+    if told == "read":
+        return told  # also of a part that is driven: a servo tells where it stands, and a pin that drives that wire destroys it
     return told if told is not None and default != "write" else default
 
 

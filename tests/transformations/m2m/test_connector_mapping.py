@@ -351,3 +351,15 @@ def test_components_by_name() -> None:
 )
 def test_identifiers(title: str, wanted: str) -> None:
     assert identifier(title) == wanted
+
+
+def test_a_wire_by_which_a_driven_part_tells_something_is_read(tmp_path: Path) -> None:
+    """A pin that drives the feedback of a servo destroys it."""
+    table = tmp_path / "servo.csv"
+    table.write_text("pin,part,title,connector\nD9,Feedback 360 Servo,wheel,pulse\nD2,Feedback 360 Servo,wheel,feedback\n")
+    circuit, _ = read_table(table)
+    made, _ = map_connectors(circuit)
+    assert {c.connectors[0].name: (c.signal.name, c.name) for c in made} == {
+        "pulse": ("write", "wheelWriteP1"),
+        "feedback": ("read", "wheelReadP2"),
+    }
