@@ -219,12 +219,19 @@ def _made_by_runs(name: str) -> bool:
 def _replaced(output: Path, name: str, going: Iterable[str]) -> list[Finding]:
     """What a person is told of sketches of other names in this folder, whose files go."""
     others = {path.partition("/")[0] for path in going} - {name, FOLDER, LAST.partition("/")[0]}
-    return [
+    tried = [
+        Finding(
+            "RS526", Severity.warning, "the sketch that tries one component at a time is removed: this run was not asked for it",
+            Location(str(output / BENCH)), fix="migrate with --bench to keep it",
+        )
+        for _ in others & {BENCH}
+    ]  # fmt: skip
+    return tried + [
         Finding(
             "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run makes '{name}' here",
             Location(str(output / other)), fix="give each program an output folder of its own",
         )
-        for other in sorted(others)
+        for other in sorted(others - {BENCH})
     ]  # fmt: skip
 
 

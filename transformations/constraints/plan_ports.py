@@ -92,6 +92,37 @@ def SerialLineIsFree(b: migration.PortBinding) -> Any:
     return Fail(f"the {named(b)} is on {pin.label} of the serial line that the program talks over ({talking})", pin=pin.label)
 
 
+@bindings.constraint(
+    id="RS725", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None,
+    advice="take a sensor with one signal wire, join both wires as its maker allows, or write the body for two pins",
+)  # fmt: skip
+def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> Any:
+    """A function that sends and listens on one wire has a component that answers on that wire."""
+    plan, pin = plan_of(b), bound_pin(b)
+    both = {str(use.name) for use in plan.adapterUses if use.adapter is not None and _on_one_wire(use.adapter)}
+    calls = (call for flow in plan.portFlows if b in flow.bindings for call in flow.calls)
+    call = next((call for call in calls if call.calleeName in both), None)
+    component = next((c.component for c in plan.connections if c.pin is pin and c.component is not None), None)
+    if call is None or component is None:
+        return True
+    wires = {c.signal: c for c in plan.connections if c.component is component and c.pin is not None}
+    sent, heard = wires.get(migration.Signal.write), wires.get(migration.Signal.read)
+    if sent is None or heard is None or sent.pin is heard.pin:
+        return True
+    assert sent.pin is not None
+    assert heard.pin is not None
+    where = f"'{component.title}' has two: {_wire(sent)} on {sent.pin.label} and {_wire(heard)} on {heard.pin.label}"
+    return Fail(f"{call.calleeName} sends and listens on one wire ({named(b)}), and {where}")
+
+
+def _on_one_wire(adapter: platform.Adapter) -> bool:
+    return any(pin.direction is platform.Direction.both and pin.componentRole for pin in adapter.pins)
+
+
+def _wire(connection: migration.Connection) -> str:
+    return next((str(c.name) for c in connection.connectors), str(connection.name))
+
+
 @connections.critique(
     id="RS724", info=True, advice="see whether the drawing says what is meant; bind ports by the mapping's name"
 )

@@ -104,6 +104,27 @@ def beside_the_console(function: str) -> migration.MigrationPlan:
     return made
 
 
+def ranged(*signals: migration.Signal) -> migration.MigrationPlan:
+    """A plan whose port is bound to the first pin, for a function on one wire; its component has so many wires."""
+    sensor = hardware.Component(elementId="1", title="eye")
+
+    def wired(plan: migration.MigrationPlan) -> list[migration.Connection]:
+        return [
+            migration.Connection(name=f"eye{n}", component=sensor, pin=pins(plan)[n], signal=signal)
+            for n, signal in enumerate(signals)
+        ]
+
+    made = a_plan(connections=wired, portBindings=lambda p: [migration.PortBinding(name="n", pin=pins(p)[0], choice="D0")])
+    assert made.target is not None
+    wire = platform.AdapterPin(name="pin", direction=platform.Direction.both, componentRole="ranger")
+    adapter = platform.Adapter(name="ping_cm", pins=[wire])
+    made.target.adapters.append(adapter)
+    call = ccode.Call(calleeName="ping_cm")
+    made.adapterUses.append(migration.AdapterUse(name="ping_cm", adapter=adapter, calls=[call]))
+    made.portFlows.append(migration.PortFlow(name="n", bindings=list(made.portBindings), calls=[call]))
+    return made
+
+
 def adapted(*names: str) -> migration.MigrationPlan:
     """A plan whose function `f` is adapted by adapters of these names, one use each."""
 
@@ -220,6 +241,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS719": (lambda: numbered(7), lambda: numbered(8)),
     "RS716": (lambda: chosen_as("D2", "7"), lambda: chosen_as("D2", "D1")),
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
+    "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
     "RS724": (lambda: on_one_pin(1), lambda: on_one_pin(2)),
     "RS715": (lambda: on_one_pin(1), lambda: on_one_pin(3)),
     "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),

@@ -86,7 +86,11 @@ def test_the_case_studies_have_one(example: str, examples: Path, tmp_path: Path)
     before = tree(tmp_path / "out")
     assert run("migrate", program, "-o", tmp_path / "out", "--bench").code == 0
     assert tree(tmp_path / "out") == before
-    assert run("migrate", program, "-o", tmp_path / "out").code == 0
+    gone = run("migrate", program, "-o", tmp_path / "out", "--json")
+    assert gone.code == 0
+    (said,) = (f for f in gone.document["findings"] if f["rule"] == "RS526")
+    assert "one component at a time" in said["message"]
+    assert "--bench" in said["fix"]
     assert not (tmp_path / "out" / "bench").exists()
     assert run("generate", tmp_path / "out" / "models" / "plan.xmi", "-o", tmp_path / "out", "--bench").code == 0
     assert (tmp_path / "out" / "bench").exists()
