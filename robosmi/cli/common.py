@@ -6,7 +6,9 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from robosmi.errors import UsageError
+from robosmi import inputs
+from robosmi.diagnostics import Location
+from robosmi.errors import StoppedError, UsageError
 
 
 def add_source_options(parser: argparse.ArgumentParser) -> None:
@@ -46,9 +48,37 @@ def pairs(texts: list[str], option: str) -> dict[str, str]:
     return result
 
 
+HEAD = 2048
+"""Bytes by which a file's kind is told."""
+
+
+def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
+    """Make sure that a result is not written over a file of another kind, such as what it was made from.
+
+    Args:
+        path: where the result is to go; None for nowhere.
+        mark: what stands at the beginning of every file of its kind.
+        what: its kind, for the message.
+
+    Raises:
+        StoppedError: there is a file of another kind.
+    """
+    try:
+        if path is None:
+            return
+        with inputs.open_file(path) as stream:
+            head = stream.read(HEAD)
+    except OSError:  # it is not there, or writing it will say what is wrong
+        return
+    if head.strip() and mark not in head:
+        fix = "give the result another name, or move that file away"
+        raise StoppedError(f"there is a file already, and it is no {what}", location=Location(str(path)), fix=fix)
+
+
 def write_model(root: Any, path: Path) -> dict[str, str]:
     """Store a model where the user wants it; the artifact's entry of the report."""
     from robosmi.model import save_model
 
+    check_replaced(path, b"http://www.omg.org/XMI", "model")
     save_model(root, path)
     return {"path": str(path), "kind": "model"}

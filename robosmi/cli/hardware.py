@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from robosmi.cli.common import write_model
+from robosmi.cli.common import check_replaced, write_model
 from robosmi.cli.progress import progress
 from robosmi.model.files import write_atomic
 from robosmi.plugins import content
@@ -32,6 +32,7 @@ def run(arguments: argparse.Namespace) -> Report:
     if arguments.output:
         report.artifacts.append(write_model(done.circuit, arguments.output))
     if arguments.svg:
+        check_replaced(arguments.svg, b"<svg", "picture")
         _write(report, arguments.svg, done.picture(), "picture")
     if arguments.write_table:
         _write(report, arguments.write_table, done.pin_table(arguments.write_table), "pin table")

@@ -131,6 +131,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     streams.prepare()
     if arguments is None:
         _collect_less()
+        _end_in_order()
     words = list(sys.argv[1:] if arguments is None else arguments)
     as_json, started = "--json" in words, time.perf_counter()
     name = next((w for w in words if not w.startswith("-")), "")
@@ -148,7 +149,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if arguments is None:  # the process is at its end
             signal.signal(signal.SIGINT, signal.SIG_IGN)
         streams.complain("robosmi: interrupted")
-        return 130
+        return 128 + (_received[0] if _received else signal.SIGINT)
     except BrokenPipeError:
         streams.let_go(sys.stdout)
         return 0
@@ -156,6 +157,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if os.environ.get("ROBOSMI_DEBUG") and not isinstance(error, RobosmiError):
             raise
         return _failed(as_error(error), name, as_json, started)
+
+
+_received: list[int] = []
+"""The signal that asked this process to end, if one did."""
+
+
+def _end_in_order() -> None:
+    """Take a request to end, as of a closed terminal, for Ctrl-C: tools that were started end, and temporary files go."""
+
+    def asked(number: int, _: object) -> None:
+        _received.append(number)
+        raise KeyboardInterrupt
+
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)  # Windows has no SIGHUP
+        if number is not None and signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
+            signal.signal(number, asked)
 
 
 def _collect_less() -> None:

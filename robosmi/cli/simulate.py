@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from robosmi.cli.common import check_replaced
 from robosmi.plugins import content
 from robosmi.report import Report
 
@@ -21,6 +22,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("simulate")
+    check_replaced(arguments.vcd, b"$timescale", "trace")
     done = content("chain", "simulate")(
         arguments.output, scenario=arguments.scenario, seconds=arguments.seconds, engine=arguments.engine, vcd=arguments.vcd
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from robosmi.cli.common import check_replaced
 from robosmi.plugins import content
 from robosmi.report import Report
 
@@ -24,6 +25,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("verify")
+    check_replaced(arguments.vcd, b"$timescale", "trace")
     done = content("chain", "verify")(
         arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd
     )

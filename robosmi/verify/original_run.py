@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from time import monotonic
 
-from robosmi.errors import InternalError, UsageError
+from robosmi.errors import UsageError, VerificationError
 from robosmi.plugins import content
 from robosmi.verify.bench import Bench, Level
 from robosmi.verify.original_build import OriginalProgram
@@ -227,7 +227,10 @@ class _HostBench(Bench):
         if kind == _BUS_STOP:
             self.bus_stop(self._address)
             return 0
-        raise InternalError(f"the host model told a record of the unknown kind {kind}")
+        raise VerificationError(
+            "what the original program tells of its pins cannot be read: it writes to files that it has not opened",
+            fix="take out what writes by the number of a file, or by the system's own calls",
+        )
 
 
 class _Conversation:

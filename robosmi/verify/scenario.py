@@ -31,6 +31,8 @@ Points = tuple[tuple[float, Any], ...]
 LONGEST_MS = 600_000.0
 """The longest scenario: ten minutes of simulated time."""
 POINTS = "points"
+LARGEST = 1e12
+"""The largest number that a signal takes; infinite ones and those that are none are larger than any."""
 """The setting of a device that a signal without further names is."""
 _KEYS = ("name", "horizon_ms", "signals")
 
@@ -110,8 +112,15 @@ def _points(path: Path, name: str, told: Any) -> Points:
         if points and pair[0] < points[-1][0]:
             message = f"the signal '{name}' goes back in time, from {points[-1][0]:g} to {pair[0]:g} ms"
             raise _wrong(path, message, "sort its points by time")
+        if pair[0] > LONGEST_MS or not _is_possible(pair[1]):
+            raise _wrong(path, f"the signal '{name}' has {pair!r}, which no robot meets", fix)
         points.append((float(pair[0]), _value(pair[1])))
     return tuple(points)
+
+
+def _is_possible(value: Any) -> bool:
+    """Whether a value is a text, a list, or a number that can be measured."""
+    return not isinstance(value, bool) and (not isinstance(value, (int, float)) or abs(value) <= LARGEST)
 
 
 def _value(told: Any) -> Any:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
@@ -18,6 +20,7 @@ from robosmi.model.open_folder import OpenFolder
 from robosmi.model.recovery import STAGE, finish
 from tests.fuzz import interrupts
 from tests.running import tree
+from tests.tools import require_tools
 
 
 @pytest.fixture(autouse=True)
@@ -91,3 +94,23 @@ def test_what_has_its_journal_is_finished_before_an_interruption_counts(
     with pytest.raises(KeyboardInterrupt):
         commit(tmp_path / "out", {"a": b"new", "b": b"new"})
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == {"a": b"new", "b": b"new"}
+
+
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP], ids=["SIGTERM", "SIGHUP"])
+def test_who_is_asked_to_end_leaves_no_process_and_no_temporary_file(ending: signal.Signals, tmp_path: Path) -> None:
+    """A closed terminal, or an editor that ends what it has started, is as good as Ctrl-C."""
+    require_tools("avr-g++", "arduino-core-avr")
+    sketch, temporary = tmp_path / "blink" / "blink.ino", tmp_path / "temporary"
+    temporary.mkdir()
+    sketch.parent.mkdir()
+    sketch.write_text("void setup() { pinMode(13, OUTPUT); }\nvoid loop() { digitalWrite(13, HIGH); delay(1); }\n")
+    command = [sys.executable, "-m", "robosmi", "compile", str(sketch.parent), "--board", "uno"]
+    environment = {**os.environ, "TMPDIR": str(temporary), "ROBOSMI_HOME": str(tmp_path / "home")}
+    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True) as running:
+        begun = time.monotonic()
+        while not any(temporary.iterdir()) and time.monotonic() - begun < 20:
+            time.sleep(0.01)
+        running.send_signal(ending)
+        _, said = running.communicate(timeout=20)
+    assert (running.returncode, said) == (128 + ending, "robosmi: interrupted\n")
+    assert list(temporary.iterdir()) == []

@@ -6,6 +6,7 @@ give files, or one file where the form is a file.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -69,8 +70,14 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
     makes: Callable[[MigrationModels, Path, Path], Handed] = content(FORM, form)
     made = makes(models, output, path)
     if "" in made.files:
+        _check_free(path.parent, {path.name: made.files[""]})
         write_atomic(path, made.files[""])
     else:
+        if Path(os.path.realpath(path)).is_relative_to(os.path.realpath(output)):
+            raise SourceError(
+                "the project would lie in the output folder of the migration, whose sketch it is not",
+                location=Location(str(path)), fix="give a folder beside it: -o PATH",
+            )  # fmt: skip
         _check_free(path, made.files)
         update(path, made.files)
     made.written = [(path / name if name else path, made.kinds[name]) for name in made.files]
