@@ -100,8 +100,8 @@ def compile_into(
     with tempfile.TemporaryDirectory(prefix="robosmi-kept-") as kept:
         report = compile_sketch(folder_or_sketch, board, keep=Path(kept), project=project)
         contents = {DATABASE: _json(report.commands)}
-        if report.elf is not None and report.hex is not None:
-            program = inputs.read_bytes(report.hex, inputs.OUTPUT)
+        if report.ok:  # what is too big for the board has sizes, too, and no program
+            program = inputs.read_bytes(report.hex, inputs.OUTPUT) if report.hex is not None else b""
             stand_ins = tuple(library.name for library in report.libraries if library.source == STAND_IN)
             sizes = {
                 "flash_bytes": report.flash_bytes or 0, "flash_limit": report.flash_limit,
@@ -109,11 +109,9 @@ def compile_into(
             }  # fmt: skip
             made = hashlib.sha256(program).hexdigest()
             record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes)
-            contents |= {
-                report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT),
-                report.hex.name: program,
-                _record_name(sketch): record.to_bytes(),
-            }
+            contents[_record_name(sketch)] = record.to_bytes()
+        if report.elf is not None and report.hex is not None:
+            contents |= {report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT), report.hex.name: program}
             report = replace(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
     update(folder, contents)
     return replace(report, database=folder / DATABASE)

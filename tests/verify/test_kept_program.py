@@ -80,10 +80,18 @@ def test_what_does_not_compile_leaves_the_database_and_an_older_program(out: Pat
     assert run("upload", out, "--port", "/dev/null").code == 3
 
 
-def test_too_big_for_the_board_leaves_nothing_that_could_be_sent(tmp_path: Path) -> None:
+@pytest.mark.parametrize("case", ["too_much_flash", "too_much_ram"])
+def test_too_big_for_the_board_leaves_its_sizes_and_nothing_that_could_be_sent(case: str, tmp_path: Path) -> None:
+    """The next run says in MIGRATION.md that it does not fit."""
     require_tools("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr")
-    out = Path(shutil.copytree(CASES / "too_much_flash", tmp_path / "out"))
+    out = Path(shutil.copytree(CASES / case, tmp_path / "out"))
     assert run("compile", out).code == 1
+    assert not list((out / "build").glob("*.hex"))
+    sketch, _ = find_sketch(out, load_toolchains())
+    record = read_record(out / "build", sketch)
+    assert record is not None
+    assert not record.fits
+    assert any(record.sizes[f"{kind}_bytes"] > record.sizes[f"{kind}_limit"] for kind in ("flash", "ram"))
     assert run("upload", out, "--port", "/dev/null").code == 3
 
 
