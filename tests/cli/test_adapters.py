@@ -226,6 +226,22 @@ def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> Non
     assert [(each["source"], "digitalRead" in each["text"]) for each in shown] == [(whose, True)]
 
 
+def test_an_earlier_body_in_the_file_is_kept_beside_it(project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    assert run("adapters", "save", project / "out", "--as", "project").code == 0
+    file = project / "adapters" / "propeller1.cpp"
+    mine = file.read_text().replace("- 5000", "- 4999  // mine")
+    file.write_text(mine)
+    outcome = run("adapters", "save", project / "out", "--as", "project", "--json")
+    assert [f["rule"] for f in outcome.document["findings"]] == ["RS528"]
+    assert "propeller1.cpp.orig" in outcome.document["findings"][0]["message"]
+    assert (project / "adapters" / "propeller1.cpp.orig").read_text() == mine
+    assert "- 5000" in file.read_text()
+    assert run("adapters", "save", project / "out", "--as", "project").code == 0
+    assert not (project / "adapters" / "propeller1.cpp.orig.2").exists()
+
+
 @pytest.mark.needs_tool
 def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")

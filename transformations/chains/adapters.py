@@ -15,6 +15,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.generate.places import free_name
 from robosmi.metamodels import migration, platform
 from robosmi.model.files import write_atomic
 from robosmi.project import FILE_NAME, defaults, load_project
@@ -177,6 +178,12 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         check_saved(files, {(str(row["header"]), str(row["function"])) for row in told.adapters}, folder, plan, output)
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
+        before = inputs.read_text(path, inputs.DATA) if path.is_file() else ""
+        if before.strip() and not text.startswith(before.rstrip()):  # another body of a function stands there
+            kept = free_name(path.parent, f"{path.name}.orig")
+            write_atomic(path.parent / kept, before.encode())
+            message = f"the file had other bodies of functions that are saved now: they are kept in '{kept}'"
+            told.findings.append(Finding("RS528", Severity.info, message, Location(str(path)), fix="take over what is wanted"))
         write_atomic(path, text.encode())
     told.written = [str(path) for path in files]
     if not files:
