@@ -44,3 +44,17 @@ def unknown_feature(element: Any, name: str) -> UnknownFeatureError:
         f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
         fix=f"use one of: {', '.join(sorted(known))}",
     )
+
+
+def literal_wanted(owner: str, name: str, enumeration: Any, text: str) -> FeatureValueError:
+    """The error for a text in the place of a literal.
+
+    Args:
+        owner: name of the element's class.
+        name: of the feature.
+        enumeration: the feature's type.
+        text: what was given.
+    """
+    literals = ", ".join(f"{enumeration.name}.{literal.name}" for literal in enumeration.eLiterals)
+    message = f"{owner}.{name} takes a literal of {enumeration.name}, not the text '{text}'"
+    return FeatureValueError(message, fix=f"use one of: {literals}")

@@ -14,7 +14,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from pyecore import ecore
 
 from robosmi.model.construct import initialise
-from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, declared_features, unknown_feature
+from robosmi.model.feature_errors import (
+    FeatureValueError,
+    UnknownFeatureError,
+    declared_features,
+    literal_wanted,
+    unknown_feature,
+)
 from robosmi.model.lean import prepare
 from robosmi.model.structure import resource_of
 
@@ -112,11 +118,7 @@ class Element(_Base):
                     return
                 raise unknown_feature(self, name)
             if expected is not None and value.__class__ is str:
-                literals = [literal.name for literal in expected.eLiterals]
-                raise FeatureValueError(
-                    f"{type(self).__name__}.{name} takes a literal of {expected.name}, not the text '{value}'",
-                    fix=f"use one of: {', '.join(f'{expected.name}.{literal}' for literal in literals)}",
-                )
+                raise literal_wanted(type(self).__name__, name, expected, value)
             try:
                 object.__setattr__(self, name, value)
             except TypeError as error:

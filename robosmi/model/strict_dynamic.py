@@ -11,7 +11,7 @@ from typing import Any
 from pyecore import ecore
 
 from robosmi.errors import did_you_mean
-from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError
+from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, literal_wanted
 from robosmi.model.strict import INTERNAL, Element
 
 
@@ -42,11 +42,7 @@ def _set(self: Any, name: str, value: Any) -> None:
             fix=f"use one of: {', '.join(sorted(known))}",
         )
     if isinstance(feature, ecore.EAttribute) and isinstance(feature.eType, ecore.EEnum) and isinstance(value, str):
-        literals = [f"{feature.eType.name}.{literal.name}" for literal in feature.eType.eLiterals]
-        raise FeatureValueError(
-            f"{self.eClass.name}.{name} takes a literal of {feature.eType.name}, not the text '{value}'",
-            fix=f"use one of: {', '.join(literals)}",
-        )
+        raise literal_wanted(self.eClass.name, name, feature.eType, value)
     try:
         object.__setattr__(self, name, value)
     except TypeError as error:
