@@ -261,6 +261,15 @@ def test_a_fix_of_a_model_that_a_step_makes_is_not_performed(site: Path) -> None
     assert {f.rule for f in result.findings} == {"RS532", "Loud"}
 
 
+def test_what_rules_print_is_no_part_of_the_json(site: Path) -> None:
+    said = '    """Every book has an author."""\n'
+    replace(site / "rules.py", said, f'{said}    print("noise")\n')
+    outcome = command("run", site / "chain.toml", "--json")
+    assert json.loads(outcome.out)["ok"]
+    assert "noise" in outcome.err
+    assert "noise" in command("run", site / "chain.toml", "--force").out
+
+
 def test_the_command_performs_fixes(site: Path) -> None:
     _without_author(site)
     assert command("run", site / "chain.toml", "--json").code == 1
