@@ -10,9 +10,11 @@ from robosmi.plugins import Registry
 
 _CONTENT = {
     ("program reader", "c_source"): "t2m.c_source:read_program",
+    ("drawing reader", "eagle"): "t2m.eagle:read_circuit",
     ("drawing reader", "fritzing"): "t2m.fritzing:read_circuit",
     ("drawing reader", "pin_table"): "t2m.pin_table:read_circuit",
     ("drawing reader", "wokwi"): "t2m.wokwi:read_circuit",
+    ("drawing recogniser", "eagle"): "t2m.eagle.document:recognises",
     ("drawing recogniser", "fritzing"): "t2m.fritzing.container:recognises",
     ("drawing recogniser", "pin_table"): "t2m.pin_table:recognises",
     ("drawing recogniser", "wokwi"): "t2m.wokwi.document:recognises",

@@ -27,7 +27,7 @@ _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
-_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips")
+_BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
 _BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
 _MAPPING_KEYS = (
     "fqbn", "fqbn_also", "platformio", "variant", "define", "extra_flags", "flash_bytes", "ram_bytes", "core", "numbers",

@@ -73,6 +73,8 @@ class PartNames:
     numbered_labels: Phrases
     not_numbered_labels: Phrases
     device_properties: frozenset[str] = frozenset()
+    headers: tuple[str, ...] = ()
+    solder_jumpers: tuple[str, ...] = ()
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
 
@@ -180,6 +182,8 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         numbered_labels=_phrases(boards.get("arduino_labels", ())),
         not_numbered_labels=_phrases(boards.get("not_arduino_labels", ())),
         device_properties=frozenset(table.get("drawn", {}).get("device", ())),
+        headers=tuple(table.get("drawn", {}).get("headers", ())),
+        solder_jumpers=tuple(table.get("drawn", {}).get("solder_jumpers", ())),
         generated=tuple(table.get("generated", ())),
     )
 

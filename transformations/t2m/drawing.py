@@ -156,7 +156,7 @@ class CircuitBuilder:
         if board is not None and part.role == "Unknown":
             evidence = f"drawn as {board.title} (boards of the platform repository)"
             part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
-        part = replace(part, evidence="it is of your own making") if own else classify(part, self.project)
+        part = replace(part, evidence=part.evidence or "it is of your own making") if own else classify(part, self.project)
         if part.role == "Unknown" and not part.evidence:
             part = replace(part, evidence=f"no rule fits family '{part.family}' and title '{part.title}' of {part.source}")
         about = f"{part.family} / {part.title} / {part_id}"
@@ -309,7 +309,7 @@ class CircuitBuilder:
                 f"what {named} does is unknown: {what}, {part.evidence}",
                 placed.line,
                 "give its role in robosmi.toml under [roles], or add the part to the catalogue",
-                module_id=placed.part_id,
+                module_id=placed.listed_as or placed.part_id,
                 file=placed.hint,
             )
         elif not known.defined and part.role != "Decoration" and not placed.symbol:
@@ -319,7 +319,7 @@ class CircuitBuilder:
                 f"the part of '{placed.title or placed.identity}' is not in the catalogue; known is what the drawing says",
                 placed.line,
                 "add the part to the catalogue",
-                module_id=placed.part_id,
+                module_id=placed.listed_as or placed.part_id,
                 file=placed.hint,
             )
 

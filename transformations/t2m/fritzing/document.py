@@ -1,31 +1,27 @@
 """The text of a sketch as plain records: instances, their properties, and in each view what is connected to what.
 
-XML is read with lxml without network, without external or internal entities, and without a document type at all (Fritzing
-writes none). What the parts are, and which connectors are one node, is not told here.
+XML is read by `guarded_xml`, without a document type at all (Fritzing writes none). What the parts are, and which connectors
+are one node, is not told here.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from typing import Any
 
 from lxml import etree
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
 
 VIEWS = ("breadboardView", "schematicView", "pcbView")
 """The views that hold connections, in the order in which they are believed."""
-
-MAX_TAGS = 2_000_000
-"""Tags in one XML text: the largest public sketch has under 60,000."""
 
 MAX_INSTANCES = 10_000
 """Parts and wires in one sketch; the largest public one has under 3,000."""
 
 _OWN_ATTRIBUTES = frozenset({"moduleIdRef", "modelIndex", "path"})
-_DOCTYPE = re.compile(rb"\A(?:\xef\xbb\xbf)?(?:\s++|(?><\?.*?\?>)|(?><!--.*?-->))*+<!DOCTYPE", re.DOTALL)
 
 Edge = tuple[str, str, str]
 """Own connector, the other's model index, the other's connector."""
@@ -77,49 +73,6 @@ class FritzingSketch:
     without_views: int
 
 
-def parse_xml(data: bytes, path: str, what: str) -> etree._Element:
-    """The root of an XML text.
-
-    Args:
-        data: the text.
-        path: file to name in an error.
-        what: name of the text in that file, for the message.
-
-    Raises:
-        SourceError: it is not well-formed, or has a document type.
-    """
-    if found := _DOCTYPE.match(data):
-        raise _refused_doctype(path, what, data.count(b"\n", 0, found.end()) + 1)
-    if data.count(b"<") > MAX_TAGS:
-        raise SourceError(
-            f"'{what}' has more than {MAX_TAGS:_} tags".replace("_", ","),
-            location=Location(path),
-            fix="check that it is a Fritzing sketch",
-        )
-    parser = etree.XMLParser(
-        resolve_entities=False,
-        no_network=True,
-        load_dtd=False,
-        dtd_validation=False,
-        huge_tree=False,
-        remove_comments=True,
-        remove_pis=True,
-    )
-    try:
-        root = etree.fromstring(data, parser)
-    except etree.XMLSyntaxError as error:
-        line, column = error.position
-        place = Location(path, line or None, column or None)
-        cause = (error.msg or "no XML at all").partition(", line")[0]
-        raise SourceError(
-            f"'{what}' is not well-formed XML: {cause}", location=place, fix="open it in Fritzing and save it again"
-        ) from error
-    docinfo: Any = root.getroottree().docinfo
-    if docinfo.doctype:  # written in an encoding that the test above does not see through
-        raise _refused_doctype(path, what, 1)
-    return root
-
-
 def parse_sketch(data: bytes, path: str, name: str) -> FritzingSketch:
     """The records of a sketch.
 
@@ -135,12 +88,12 @@ def parse_sketch(data: bytes, path: str, name: str) -> FritzingSketch:
     instances = root.find("instances")
     if root.tag != "module" or instances is None:
         raise SourceError(
-            _no_sketch(root, name), location=Location(path, _line(root)), fix="give the .fz or .fzz file of a sketch"
+            _no_sketch(root, name), location=Location(path, line_of(root)), fix="give the .fz or .fzz file of a sketch"
         )
     if len(instances) > MAX_INSTANCES:
         raise SourceError(
             f"the sketch has {len(instances):,} parts and wires, more than the {MAX_INSTANCES:,} that are read",
-            location=Location(path, _line(instances)),
+            location=Location(path, line_of(instances)),
             fix="check that it is a drawing, or draw its board by itself",
         )
     live: list[Instance] = []
@@ -162,19 +115,6 @@ def _no_sketch(root: etree._Element, name: str) -> str:
     return f"'{name}' is no Fritzing sketch: its root is <{root.tag}>, not <module>"
 
 
-def _refused_doctype(path: str, what: str, line: int) -> SourceError:
-    return SourceError(
-        f"'{what}' has a DOCTYPE, which Fritzing never writes and which is refused",
-        location=Location(path, line),
-        fix="remove the DOCTYPE, or open it in Fritzing and save it again",
-    )
-
-
-def _line(element: etree._Element) -> int:
-    line: Any = element.sourceline
-    return line if isinstance(line, int) else 1
-
-
 def _instance(element: etree._Element, views: etree._Element) -> Instance:
     attributes = element.attrib
     properties = {str(k): str(v) for k, v in attributes.items() if k not in _OWN_ATTRIBUTES}  # written so by old versions
@@ -193,7 +133,7 @@ def _instance(element: etree._Element, views: etree._Element) -> Instance:
         module_id=element.get("moduleIdRef", ""),
         title=title,
         file_hint=re.split(r"[\\/]", element.get("path", ""))[-1],
-        line=_line(element),
+        line=line_of(element),
         properties=properties,
         local_names=local_names,
         elements={str(view.tag): view for view in views if view.tag in VIEWS},

@@ -9,8 +9,8 @@ from lxml import etree
 
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind
-from robosmi.transformations.t2m.fritzing.document import parse_xml
 from robosmi.transformations.t2m.fritzing.generated_parts import TOOL
+from robosmi.transformations.t2m.guarded_xml import parse_xml
 
 
 def parse_part(data: bytes, path: str, name: str, known: PartNames) -> Part | None:

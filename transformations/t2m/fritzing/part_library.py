@@ -21,8 +21,8 @@ from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.knowledge.part_roles import classify
-from robosmi.transformations.t2m.fritzing.document import parse_xml
 from robosmi.transformations.t2m.fritzing.part_file import part_of
+from robosmi.transformations.t2m.guarded_xml import parse_xml
 
 DEFINITION = inputs.Kind("part definition", 16 * 1024 * 1024)
 """The largest public one has under one megabyte."""

@@ -15,6 +15,7 @@ import pytest
 
 from robosmi import inputs
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m import guarded_xml
 from robosmi.transformations.t2m.fritzing import container, document, read_circuit
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
@@ -192,7 +193,7 @@ def test_a_hundred_thousand_wires_are_refused_at_once(tmp_path: Path) -> None:
 
 
 def test_more_tags_than_a_text_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(document, "MAX_TAGS", 10)
+    monkeypatch.setattr(guarded_xml, "MAX_TAGS", 10)
     path = tmp_path / "a.fz"
     path.write_bytes(SKETCH)
     assert "more than 10 tags" in refused(path).message

@@ -1,0 +1,192 @@
+"""An EAGLE schematic as records: parts with their devices, nets with the pins on them over all sheets and module instances.
+
+Nets are one where they have one name, whatever sheet they are on. Parts and nets of a module instance bear its name before their
+own (`M1:R1`); a net of the instance that is called like one of the module's ports is that of the port outside. Supply pins of gates
+that are not drawn are on the net of their name, as in EAGLE.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from lxml import etree
+
+from robosmi import inputs
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.eagle.library import EagleDevice, EagleLibraries
+from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
+
+MOST_PARTS = 20_000
+"""Parts of a schematic, those of module instances counted with each; the largest public one has a few thousand."""
+
+MOST_LEVELS = 20
+"""Module instances inside module instances."""
+
+_FIX = "open it in EAGLE 6 or newer and save it again"
+_BINARY = (b"\x10\x00", b"\x10\x80")
+
+
+@dataclass(slots=True)
+class EaglePart:
+    """A part: its name with those of its module instances, library, device set, device, value, attributes, line; its device."""
+
+    name: str
+    library: str
+    deviceset: str
+    device: str
+    technology: str
+    value: str
+    attributes: dict[str, str]
+    line: int
+    found: EagleDevice | None
+    gates: set[str] = field(default_factory=set)
+
+
+@dataclass(frozen=True, slots=True)
+class PinRef:
+    """A pin on a net: name of the part, gate, pin as written, line."""
+
+    part: str
+    gate: str
+    pin: str
+    line: int
+
+
+@dataclass(slots=True)
+class EagleSchematic:
+    """What a file held.
+
+    Attributes:
+        path: as given.
+        digest: SHA-256 of the file's bytes, hexadecimal.
+        version: of EAGLE, as the file has it.
+        parts: in the file's order; names may stand twice.
+        nets: name -> the pins on it.
+        joined: pairs of nets that are one: a port of a module instance and the net inside it.
+        missing: module instances whose module is not there, with their lines.
+    """
+
+    path: str
+    digest: str
+    version: str
+    parts: list[EaglePart] = field(default_factory=list)
+    nets: dict[str, list[PinRef]] = field(default_factory=dict)
+    joined: list[tuple[str, str]] = field(default_factory=list)
+    missing: list[tuple[str, int]] = field(default_factory=list)
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins so is an EAGLE drawing: its XML, or a binary file of EAGLE 5 and before, which is refused."""
+    if head.startswith(_BINARY):
+        return True
+    text = head.decode("utf-8-sig", "replace").lstrip()
+    return text.startswith("<") and "<eagle" in text
+
+
+def read_schematic(path: Path) -> EagleSchematic:
+    """The records of a `.sch` of EAGLE 6 and on.
+
+    Raises:
+        SourceError: the file is missing, not readable, damaged, of an older EAGLE, no schematic, or has too many parts.
+    """
+    data = _bytes_of(path)
+    root = parse_xml(data, str(path), path.name, "EAGLE", "eagle")
+    drawn = root.find("drawing/schematic")
+    if root.tag != "eagle" or drawn is None:
+        kind = "a board" if root.find("drawing/board") is not None else "a library" if root.find("drawing/library") is not None else ""
+        cause = f"it is {kind} of EAGLE, not a schematic" if kind else f"it is no EAGLE schematic: its root is <{root.tag}>"
+        raise SourceError(cause, location=Location(str(path), line_of(root)), fix="give the .sch file of the schematic")
+    made = EagleSchematic(str(path), hashlib.sha256(data).hexdigest(), root.get("version", ""))
+    _Reading(made, drawn).all_of(drawn, "", ())
+    return made
+
+
+def _bytes_of(path: Path) -> bytes:
+    place = Location(str(path))
+    try:
+        data = inputs.read_bytes(path, inputs.DRAWING)
+    except IsADirectoryError as error:
+        raise SourceError("it is a folder, not a schematic", location=place, fix="give the .sch file in it") from error
+    except OSError as error:
+        fix = inputs.fix_of(error, "check the name and the permissions of the file")
+        raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=fix) from error
+    if not data.strip():
+        raise SourceError("the file is empty", location=place, fix=_FIX)
+    if data.startswith(_BINARY):
+        raise SourceError("it is a binary file of EAGLE 5 or before, which is not read", location=place, fix=_FIX)
+    return data
+
+
+class _Reading:
+    """One schematic, sheet by sheet."""
+
+    def __init__(self, made: EagleSchematic, drawn: etree._Element) -> None:
+        self.made = made
+        self.libraries = EagleLibraries(drawn)
+        self.modules = {module.get("name", ""): module for module in drawn.iterfind("modules/module")}
+
+    def all_of(self, owner: etree._Element, prefix: str, inside: tuple[str, ...]) -> None:
+        """Take parts and nets of the schematic or of a module instance."""
+        own: dict[str, EaglePart] = {}
+        for element in owner.iterfind("parts/part"):
+            part = self._part(element, prefix)
+            own[part.name] = part
+        for instance in owner.iterfind("sheets/sheet/instances/instance"):
+            if (placed := own.get(prefix + instance.get("part", ""))) is not None:
+                placed.gates.add(instance.get("gate", ""))
+        ports = dict(self._instances(owner, prefix, inside))
+        for net in owner.iterfind("sheets/sheet/nets/net"):
+            self._net(net, prefix, ports)
+        for part in own.values():
+            self._undrawn_supplies(part, prefix)
+
+    def _part(self, element: etree._Element, prefix: str) -> EaglePart:
+        library, deviceset, device = (element.get(key, "") for key in ("library", "deviceset", "device"))
+        found = self.libraries.device(library, element.get("library_urn", ""), deviceset, device)
+        attributes = {a.get("name", ""): a.get("value", "") for a in element.iterfind("attribute")}
+        part = EaglePart(
+            prefix + element.get("name", ""), library, deviceset, device, element.get("technology", ""), element.get("value", ""),
+            attributes, line_of(element), found,
+        )  # fmt: skip
+        self.made.parts.append(part)
+        if len(self.made.parts) > MOST_PARTS:
+            cause = f"it has more than {MOST_PARTS:,} parts"
+            raise SourceError(cause, location=Location(self.made.path, part.line), fix="check that it is the drawing you meant")
+        return part
+
+    def _instances(self, owner: etree._Element, prefix: str, inside: tuple[str, ...]) -> Iterator[tuple[str, set[str]]]:
+        """The module instances with the names of their ports; what is in them is taken."""
+        for element in owner.iterfind("sheets/sheet/moduleinsts/moduleinst"):
+            name, kind = element.get("name", ""), element.get("module", "")
+            module = self.modules.get(kind)
+            if kind in inside or len(inside) >= MOST_LEVELS:
+                place = Location(self.made.path, line_of(element))
+                raise SourceError(f"the module '{kind}' has itself in it", location=place, fix="remove the inner one in EAGLE")
+            if module is None:
+                self.made.missing.append((kind, line_of(element)))
+                continue
+            self.all_of(module, f"{prefix}{name}:", (*inside, kind))
+            yield name, {port.get("name", "") for port in module.iterfind("ports/port")}
+
+    def _net(self, net: etree._Element, prefix: str, ports: dict[str, set[str]]) -> None:
+        name = prefix + net.get("name", "")
+        pins = self.made.nets.setdefault(name, [])
+        for ref in net.iterfind("segment/pinref"):
+            pins.append(PinRef(prefix + ref.get("part", ""), ref.get("gate", ""), ref.get("pin", ""), line_of(ref)))
+        for ref in net.iterfind("segment/portref"):
+            instance, port = ref.get("moduleinst", ""), ref.get("port", "")
+            if port in ports.get(instance, ()):
+                inner = f"{prefix}{instance}:{port}"
+                self.made.nets.setdefault(inner, [])
+                self.made.joined.append((name, inner))
+
+    def _undrawn_supplies(self, part: EaglePart, prefix: str) -> None:
+        if part.found is None:
+            return
+        for pin in part.found.pins.values():
+            if pin.direction == "pwr" and pin.gate not in part.gates and part.found.addlevels.get(pin.gate) == "request":
+                self.made.nets.setdefault(prefix + pin.name, []).append(PinRef(part.name, pin.gate, pin.written, part.line))

@@ -1,0 +1,112 @@
+"""The libraries that an EAGLE schematic carries: device sets with their gates, symbols and pins, as records.
+
+EAGLE copies into each schematic what it uses of its libraries. A pin is known by gate and name; where one name stands in several
+gates, the gate is part of the connector's identity. What the parts are for is not told here.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from html import unescape
+
+from lxml import etree
+
+_TAG = re.compile(r"<[^<>]*>")
+_COUNTER = re.compile(r"@[^@]*$")
+_OVERLINE = "!"
+_LONGEST = 200
+
+
+@dataclass(frozen=True, slots=True)
+class EaglePin:
+    """A pin of a device set: its connector's identity, gate, name as written, name as read, direction (`pwr`, `sup`, `io`)."""
+
+    connector: str
+    gate: str
+    written: str
+    name: str
+    direction: str
+
+
+@dataclass(frozen=True, slots=True)
+class EagleDevice:
+    """A device of a device set.
+
+    Attributes:
+        title: name of the device set, with the device's where that has one.
+        description: the library's sentence about it.
+        pins: by gate and name as written.
+        pads: how many pads its package has wired.
+        addlevels: how each gate comes into the drawing (`request` gates of supplies may be left out).
+    """
+
+    title: str
+    description: str
+    pins: dict[tuple[str, str], EaglePin] = field(default_factory=dict)
+    pads: int = 0
+    addlevels: dict[str, str] = field(default_factory=dict)
+
+
+class EagleLibraries:
+    """The libraries of one schematic."""
+
+    def __init__(self, schematic: etree._Element) -> None:
+        self._libraries: dict[str, etree._Element] = {}
+        for library in schematic.iterfind("libraries/library"):
+            name, urn = library.get("name", ""), library.get("urn", "")
+            self._libraries.setdefault(urn or name, library)
+            self._libraries.setdefault(name, library)
+        self._found: dict[tuple[str, str, str, str], EagleDevice | None] = {}
+
+    def device(self, library: str, urn: str, deviceset: str, device: str) -> EagleDevice | None:
+        """The device of a part, or None where the schematic does not carry it."""
+        key = (library, urn, deviceset, device)
+        if key not in self._found:
+            self._found[key] = self._read(*key)
+        return self._found[key]
+
+    def _read(self, library: str, urn: str, deviceset: str, device: str) -> EagleDevice | None:
+        found = self._libraries.get(urn) if urn else None
+        found = found if found is not None else self._libraries.get(library)
+        if found is None:
+            return None
+        chosen = next((entry for entry in found.iterfind("devicesets/deviceset") if entry.get("name") == deviceset), None)
+        if chosen is None:
+            return None
+        symbols = {symbol.get("name", ""): symbol for symbol in found.iterfind("symbols/symbol")}
+        gates = [(gate.get("name", ""), symbols.get(gate.get("symbol", "")), gate) for gate in chosen.iterfind("gates/gate")]
+        listed = [
+            (name, pin.get("name", ""), pin.get("direction", "io"))
+            for name, symbol, _ in gates
+            if symbol is not None
+            for pin in symbol.iterfind("pin")
+        ]
+        counts: dict[str, int] = {}
+        for _, written, _ in listed:
+            counts[written] = counts.get(written, 0) + 1
+        pins = {}
+        for gate, written, direction in listed:
+            connector = written if counts[written] == 1 else f"{gate}.{written}"
+            pins[gate, written] = EaglePin(connector, gate, written, spoken(written), direction)
+        shape = next((entry for entry in chosen.iterfind("devices/device") if entry.get("name", "") == device), None)
+        pads = 0 if shape is None else sum(len(c.get("pad", "").split()) for c in shape.iterfind("connects/connect"))
+        levels = {name: gate.get("addlevel", "next") for name, _, gate in gates}
+        return EagleDevice(_title(deviceset, device), _described(chosen.findtext("description") or ""), pins, pads, levels)
+
+
+def spoken(written: str) -> str:
+    """The name of a pin without its counter (`GND@1`) and without marks for lines over it (`!RESET!`)."""
+    return _COUNTER.sub("", written).replace(_OVERLINE, "") or written
+
+
+def _title(deviceset: str, device: str) -> str:
+    if "?" in deviceset:
+        return deviceset.replace("?", device)
+    return deviceset + device
+
+
+def _described(text: str) -> str:
+    """The first sentence of a description, which is HTML."""
+    said = unescape(_TAG.sub(" ", unescape(text.split("<p>", 1)[0].split("<br", 1)[0])))
+    return " ".join(said.split())[:_LONGEST]

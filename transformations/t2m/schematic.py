@@ -1,0 +1,291 @@
+"""Schematics of tools that draw symbols and named nets (EAGLE, KiCad): their records, and the hardware model made of them.
+
+A reader of such a tool fills a `Schematic`: parts with the pins of their symbols, nets with the pins on them. Here it is told what
+the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not drawn, bridges of
+solder, symbols of supplies. Files, and what joins pins, are the readers' business.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import hardware
+from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
+from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
+from robosmi.transformations.knowledge.drawn_symbols import drawn_symbol
+from robosmi.transformations.knowledge.part import Part, PartConnector
+from robosmi.transformations.knowledge.part_names import connector_kind
+from robosmi.transformations.knowledge.part_roles import classify
+from robosmi.transformations.t2m.connectivity import Joined
+from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
+
+_CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
+_NET_NAMES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class SchematicPart:
+    """A placed part.
+
+    Attributes:
+        identity: the tool's own identity of it, unique in the drawing.
+        title: its reference in the drawing.
+        symbol: what the library calls the symbol.
+        listed_as: its id in the tool's catalogue.
+        family: the library that it is from.
+        value: what the drawing says of it beside its reference.
+        description: the library's sentence about it.
+        tags: the library's key words.
+        pins: connector -> its name, in the symbol's order.
+        count: how many terminals its package has; 0: as many as it has pins.
+        properties: further properties.
+        line: its line in the file.
+        power: whether it only names a net.
+        defined: whether the drawing has its symbol.
+    """
+
+    identity: str
+    title: str
+    symbol: str
+    listed_as: str
+    family: str = ""
+    value: str = ""
+    description: str = ""
+    tags: tuple[str, ...] = ()
+    pins: Mapping[str, str] = field(default_factory=dict)
+    count: int = 0
+    properties: Mapping[str, str] = field(default_factory=dict)
+    line: int | None = None
+    power: bool = False
+    defined: bool = True
+
+
+@dataclass(slots=True)
+class SchematicNet:
+    """A net: its name in the drawing, and its pins (identity of the part, connector)."""
+
+    name: str
+    ends: list[End] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Schematic:
+    """What was drawn: parts and nets in the file's order, digest and version of the file, further files that were read."""
+
+    path: str
+    digest: str
+    tool: str
+    version: str = ""
+    parts: list[SchematicPart] = field(default_factory=list)
+    nets: list[SchematicNet] = field(default_factory=list)
+    companions: Sequence[str] = ()
+
+
+def circuit_of(drawn: Schematic, builder: CircuitBuilder) -> hardware.Circuit:
+    """The hardware model of a schematic; findings go to the builder."""
+    return _Making(drawn, builder).circuit()
+
+
+class _Making:
+    """The making of one model."""
+
+    def __init__(self, drawn: Schematic, builder: CircuitBuilder) -> None:
+        self.drawn, self.builder, self.project = drawn, builder, builder.project
+        self.report = builder.report
+        self.used: dict[str, dict[str, list[str]]] = {}
+        for net in drawn.nets:
+            for end in net.ends:
+                self.used.setdefault(end.component, {}).setdefault(end.connector, []).append(net.name)
+        self.chips: dict[str, tuple[str, int]] = {}
+        self.known: dict[str, tuple[str, KnownPart]] = {part.identity: self._known(part) for part in drawn.parts}
+
+    # ---- what parts are
+
+    def _known(self, part: SchematicPart) -> tuple[str, KnownPart]:
+        builder = self.builder
+        if builder.catalogue.find(part.listed_as) is not None:
+            return part.listed_as, builder.know(part.listed_as)
+        described, board, own = self._described(part)
+        key = f"{part.listed_as} #{part.identity}" if own else f"{part.listed_as} {part.value} {hash_of(part.pins)}"
+        if board is not None:
+            described = replace(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
+        return key, builder.know(key, described if part.defined or own else None, board=board, own=own)
+
+    def _described(self, part: SchematicPart) -> tuple[Part, DrawnBoard | None, bool]:
+        """The part as the drawing tells it, the board that it stands for, and whether nothing may be concluded from names."""
+        connectors = {pin: self._connector(pin, name) for pin, name in part.pins.items()}
+        found = Part(
+            part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors, buses=self._joined(part),
+            source="the drawing", description=part.description,
+        )  # fmt: skip
+        if part.power:
+            return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
+        if not part.pins and part.defined:
+            return replace(found, role="Decoration", evidence="its symbol has no pins"), None, False
+        if self._called(part, self.builder.names.solder_jumpers):
+            evidence = "a bridge of solder, which is not crossed"
+            return replace(found, family="solder jumper", role="Passive", evidence=evidence), None, False
+        if (board := self._board(part)) is not None:
+            return found, board, False
+        if self._called(part, self.builder.names.headers):
+            return self._header(part, found)
+        if part.value and (device := classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)):
+            if device.role in ("Input", "Output", "Both"):  # the value decides over the symbol
+                return replace(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
+        return found, None, False
+
+    def _connector(self, pin: str, name: str) -> PartConnector:
+        return PartConnector(pin, name, connector_kind(name, self.builder.names))
+
+    def _joined(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
+        """Supply and ground pins of one name (`GND@1`, `GND@2`), which a part joins."""
+        by_name: dict[str, list[str]] = {}
+        for pin, name in part.pins.items():
+            if connector_kind(name, self.builder.names) in ("supply", "ground"):
+                by_name.setdefault(name, []).append(pin)
+        return {name: tuple(pins) for name, pins in by_name.items() if len(pins) > 1}
+
+    def _called(self, part: SchematicPart, patterns: Sequence[str]) -> bool:
+        return any(fnmatchcase(part.symbol.lower(), pattern) for pattern in patterns)
+
+    def _board(self, part: SchematicPart) -> DrawnBoard | None:
+        texts = (part.value, part.symbol, part.listed_as)
+        if (board := drawn_symbol(texts, part.pins, self.project)) is not None:
+            return board
+        chip = chip_named(texts)
+        if not chip or len(part.pins) < 6:
+            return None
+        counted = dict(part.pins)
+        counted.update({f" {number}": "" for number in range(part.count - len(counted))})
+        if (stands := drawn_chip(texts, counted, self.project)) is None:
+            self.report(
+                "RS215", Severity.warning, f"'{part.title}' is {chip}, which no board of the repository has as it is drawn",
+                part.line, "draw the board that is to run the program, or describe one (docs/how-to/add-a-board.md)",
+            )  # fmt: skip
+            return None
+        self.chips[part.identity] = (stands.chip, stands.clock)
+        self.report(
+            "RS215", Severity.info,
+            f"'{part.title}' is a bare {stands.chip}: it is taken as {stands.board.title}, its pins by their ports",
+            part.line, "check that the target board has the same chip",
+        )  # fmt: skip
+        lacking = [
+            name for pin, name in part.pins.items()
+            if pin in self.used.get(part.identity, ()) and port_of(name) and pin not in stands.board.pins
+            and not any(word in name.upper() for word in ("XTAL", "TOSC", "RESET"))
+        ]  # fmt: skip
+        if lacking:
+            self.report(
+                "RS216", Severity.error, f"{stands.board.title} has no pins for {', '.join(lacking)} of '{part.title}'",
+                part.line, "move what is wired there to other pins",
+            )  # fmt: skip
+        return stands.board
+
+    def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
+        if part.value:
+            device = classify(Part(part.listed_as, part.value, tool=self.builder.tool), self.project)
+            if device.role in ("Input", "Output", "Both", "Power"):
+                evidence = f"a header for '{part.value}': {device.evidence}"
+                return replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence), None, False
+        nets = [name for names in self.used.get(part.identity, {}).values() for name in names]
+        told = [n for n in dict.fromkeys(nets) if not n.startswith("N$") and connector_kind(n, self.builder.names) == "signal"]
+        title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
+        return replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"), None, True
+
+    # ---- the model
+
+    def circuit(self) -> hardware.Circuit:
+        joined = Joined()
+        ends: dict[End, None] = {}
+        for net in self.drawn.nets:
+            nodes = [(end.component, self.known[end.component][1].leader(end.connector)) for end in net.ends]
+            for node in nodes:
+                joined.union(nodes[0], node)
+            ends.update(dict.fromkeys(net.ends))
+        for part in self.drawn.parts:
+            self._place(part)
+        groups: dict[tuple[str, str], list[End]] = {}
+        for part in self.drawn.parts:
+            known = self.known[part.identity][1]
+            for connector in part.pins or self.used.get(part.identity, ()):
+                node = (part.identity, known.leader(connector))
+                if node in joined and self.builder.connector(End(part.identity, connector)) is not None:
+                    groups.setdefault(joined.find(node), []).append(End(part.identity, connector))
+        nets = {root: self.builder.net(members) for root, members in groups.items()}
+        for number, net in enumerate(self.drawn.nets, 1):
+            if len(net.ends) > 1:
+                end = net.ends[0]
+                root = joined.find((end.component, self.known[end.component][1].leader(end.connector)))
+                self.builder.wire(f"{net.name} ({number})", net.ends, nets.get(root))
+        if len(self.drawn.parts) > 1 and not ends:
+            self.report("RS212", Severity.warning, "no part is connected to another", fix=f"connect the parts in {self.drawn.tool}")
+        self._clocks()
+        self._headers_alone()
+        return self.builder.circuit(
+            Path(self.drawn.path).stem, self.drawn.digest, self.drawn.tool, self.drawn.version, companions=self.drawn.companions
+        )
+
+    def _place(self, part: SchematicPart) -> None:
+        key, known = self.known[part.identity]
+        used = self.used.get(part.identity, {})
+        properties = {**({"value": part.value} if part.value else {}), **part.properties}
+        placed = Placed(
+            identity=part.identity, part_id=key, title=part.title, properties=properties, used=used, line=part.line,
+            symbol=part.power, listed_as=part.listed_as,
+        )  # fmt: skip
+        self.builder.place(placed)
+        if known.part.family == "solder jumper" and len(used) > 1:
+            self.report(
+                "RS217", Severity.info, f"the solder jumper '{part.title}' is not crossed: the drawing does not say whether it is closed",
+                part.line, "draw a wire in its place where it is closed",
+            )  # fmt: skip
+
+    def _clocks(self) -> None:
+        """Say where the drawing's clock is not the one that programs for the board expect."""
+        if not self.chips:
+            return
+        clock = Counter(chip_clock for _, chip_clock in self.chips.values()).most_common(1)[0][0]
+        for part in self.drawn.parts:
+            told = f"{part.symbol} {part.family} {part.description}".lower()
+            hertz = hertz_of(part.value) if any(word in told for word in _CLOCK_PARTS) else 0
+            if hertz and hertz != clock and hertz > 1_000_000:
+                self.report(
+                    "RS218", Severity.warning,
+                    f"'{part.title}' is a clock of {part.value}, and programs for the board expect {clock // 1_000_000} MHz",
+                    part.line, "times and baud rates differ: check that the target board has the clock that you need",
+                )  # fmt: skip
+
+    def _headers_alone(self) -> None:
+        """Say where a board seems to be drawn as headers only, which tell nothing of its pins."""
+        if any(known.part.role == "Board" for _, known in self.known.values()):
+            return
+        words = ("digital", "analog", "power", "arduino", "shield")
+        found = [
+            part.title for part in self.drawn.parts
+            if not part.power and len(part.pins) >= 4 and any(w in f"{part.value} {part.symbol} {part.family}".lower() for w in words)
+        ]  # fmt: skip
+        if len(found) > 1:
+            self.report(
+                "RS219", Severity.warning, f"there is no board: {', '.join(found[:4])} seem to be the headers of one", None,
+                "draw the board by its own symbol (an Arduino Uno, a shield), so that its pins are told",
+            )  # fmt: skip
+
+
+def hash_of(pins: Mapping[str, str]) -> str:
+    """A text that is the same for the same pins."""
+    return "|".join(f"{pin}={name}" for pin, name in pins.items())
+
+
+def hertz_of(value: str) -> int:
+    """The frequency that a value names (`16MHz`, `16.000`), in hertz; 0 if none."""
+    text = value.strip().lower().replace(",", ".").removesuffix("hz").strip()
+    scale = {"m": 1_000_000, "k": 1_000}.get(text[-1:], 0)
+    try:
+        return round(float(text[:-1] if scale else text) * (scale or (1_000_000 if "." in text or len(text) < 3 else 1)))
+    except ValueError:
+        return 0
