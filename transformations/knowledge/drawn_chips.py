@@ -16,7 +16,7 @@ from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
 from robosmi.verify.tables import DataTable
 
 _PORT = re.compile(r"(?<![A-Z0-9])(P[A-L][0-7]|ADC[67])(?![0-9])", re.IGNORECASE)
-_CHIP = re.compile(r"AT(?:MEGA|TINY)[0-9]+[A-Z0-9]*", re.IGNORECASE)
+_CHIP = re.compile(r"(?<![A-Z])(?:AT)?((?:MEGA|TINY)[0-9]+[A-Z0-9]*)", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +35,12 @@ class DrawnChip:
 
 
 def chip_named(texts: Iterable[str]) -> str:
-    """The name of the microcontroller that texts have, in capitals (`ATMEGA328P`); the first text that has one decides.
+    """The name of the microcontroller that texts have, in capitals (`ATMEGA328P`, `MEGA8` too); the first text that has one decides.
 
     Args:
         texts: what the drawing says of a part, what counts most first: its value goes before its symbol.
     """
-    return next((found[0].upper() for text in texts if (found := _CHIP.search(text)) is not None), "")
+    return next((f"AT{found[1].upper()}" for text in texts if (found := _CHIP.search(text)) is not None), "")
 
 
 def drawn_chip(texts: Iterable[str], connectors: Mapping[str, str], project: Path | None = None) -> DrawnChip | None:

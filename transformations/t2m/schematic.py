@@ -26,6 +26,7 @@ from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, 
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
+_LEAST_PORTS = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +121,7 @@ class _Making:
         """The part as the drawing tells it, the board that it stands for, and whether nothing may be concluded from names."""
         connectors = {pin: self._connector(pin, name) for pin, name in part.pins.items()}
         found = Part(
-            part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors, buses=self._joined(part),
+            part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors,
             source="the drawing", description=part.description,
         )  # fmt: skip
         if part.power:
@@ -131,10 +132,14 @@ class _Making:
             evidence = "a bridge of solder, which is not crossed"
             return replace(found, family="solder jumper", role="Passive", evidence=evidence), None, False
         if (board := self._board(part)) is not None:
-            return found, board, False
+            return replace(found, buses=self._joined(part)), board, False
+        if (chip := self._chip(part)) and part.identity not in self.chips:
+            return replace(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
         if self._called(part, self.builder.names.headers):
             return self._header(part, found)
-        if part.value and (device := classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)):
+        if part.value and (
+            device := classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)
+        ):
             if device.role in ("Input", "Output", "Both"):  # the value decides over the symbol
                 return replace(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
         return found, None, False
@@ -143,7 +148,7 @@ class _Making:
         return PartConnector(pin, name, connector_kind(name, self.builder.names))
 
     def _joined(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
-        """Supply and ground pins of one name (`GND@1`, `GND@2`), which a part joins."""
+        """Supply and ground pins of one name (`GND@1`, `GND@2`), which a board joins."""
         by_name: dict[str, list[str]] = {}
         for pin, name in part.pins.items():
             if connector_kind(name, self.builder.names) in ("supply", "ground"):
@@ -157,8 +162,7 @@ class _Making:
         texts = (part.value, part.symbol, part.listed_as)
         if (board := drawn_symbol(texts, part.pins, self.project)) is not None:
             return board
-        chip = chip_named(texts)
-        if not chip or len(part.pins) < 6:
+        if not (chip := self._chip(part)):
             return None
         counted = dict(part.pins)
         counted.update({f" {number}": "" for number in range(part.count - len(counted))})
@@ -186,16 +190,30 @@ class _Making:
             )  # fmt: skip
         return stands.board
 
+    @staticmethod
+    def _chip(part: SchematicPart) -> str:
+        """The microcontroller that a part is, or an empty text: it is called like one and has ports."""
+        ports = sum(bool(port_of(name)) for name in part.pins.values())
+        return chip_named((part.value, part.symbol, part.listed_as)) if ports >= _LEAST_PORTS else ""
+
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
         if part.value:
             device = classify(Part(part.listed_as, part.value, tool=self.builder.tool), self.project)
             if device.role in ("Input", "Output", "Both", "Power"):
                 evidence = f"a header for '{part.value}': {device.evidence}"
-                return replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence), None, False
+                return (
+                    replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),
+                    None,
+                    False,
+                )
         nets = [name for names in self.used.get(part.identity, {}).values() for name in names]
         told = [n for n in dict.fromkeys(nets) if not n.startswith("N$") and connector_kind(n, self.builder.names) == "signal"]
         title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
-        return replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"), None, True
+        return (
+            replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
+            None,
+            True,
+        )
 
     # ---- the model
 
@@ -223,7 +241,9 @@ class _Making:
                 root = joined.find((end.component, self.known[end.component][1].leader(end.connector)))
                 self.builder.wire(f"{net.name} ({number})", net.ends, nets.get(root))
         if len(self.drawn.parts) > 1 and not ends:
-            self.report("RS212", Severity.warning, "no part is connected to another", fix=f"connect the parts in {self.drawn.tool}")
+            self.report(
+                "RS212", Severity.warning, "no part is connected to another", fix=f"connect the parts in {self.drawn.tool}"
+            )
         self._clocks()
         self._headers_alone()
         return self.builder.circuit(
