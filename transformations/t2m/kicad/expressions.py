@@ -1,0 +1,155 @@
+"""KiCad's s-expressions: the lists of a file with the lines that they stand in.
+
+The outer layers are gone through here, so that each list has its line and what is not needed is not parsed; each list that is
+asked for is parsed by `sexpdata`. Depth is bounded before that. What the lists mean is the business of the forms' readers.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sexpdata
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+
+MOST_LEVELS = 100
+"""Lists inside lists; KiCad writes about a dozen."""
+
+MOST_LISTS = 5_000_000
+"""Lists of one file; the largest public schematic has under 200,000."""
+
+FIX = "open it in KiCad and save it again"
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+"|[()]|"', re.DOTALL)
+_HEAD = re.compile(r'\(\s*("(?:[^"\\]|\\.)*+"|[^\s()"]*)', re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """A list of a text: its first word, where it begins and ends."""
+
+    head: str
+    start: int
+    end: int
+
+
+class Expressions:
+    """The text of a file, which is one list.
+
+    Args:
+        text: the text.
+        path: the file, for messages.
+
+    Raises:
+        SourceError: brackets or quotes do not close, or lists are too deep or too many.
+    """
+
+    def __init__(self, text: str, path: str) -> None:
+        self.text, self.path = text, path
+        self.breaks = [found.start() for found in re.finditer("\n", text)]
+        self._members: dict[int, list[Listed]] = {}
+        self.root = self._gone_through()
+
+    def _gone_through(self) -> Listed:
+        text = self.text
+        open_lists: list[int] = []
+        root: Listed | None = None
+        count = 0
+        for found in _TOKEN.finditer(text):
+            token = found[0]
+            if token == "(":
+                if root is not None:
+                    raise self.error("more stands behind its end", found.start())
+                open_lists.append(found.start())
+                count += 1
+                if len(open_lists) > MOST_LEVELS or count > MOST_LISTS:
+                    most = f"{MOST_LEVELS} lists inside lists" if len(open_lists) > MOST_LEVELS else f"{MOST_LISTS:,} lists"
+                    raise self.error(f"it has more than {most}", found.start())
+            elif token == ")":
+                if not open_lists:
+                    raise self.error("a ')' has no '('", found.start())
+                start = open_lists.pop()
+                listed = Listed(self._head(start), start, found.end())
+                if open_lists:
+                    if len(open_lists) <= 3:
+                        self._members.setdefault(open_lists[-1], []).append(listed)
+                else:
+                    root = listed
+            elif token == '"':
+                raise self.error("a text in quotes has no end", found.start())
+        if open_lists:
+            raise self.error("the file ends before its lists do: a ')' is missing for this '('", open_lists[-1])
+        if root is None:
+            raise self.error("it has no list in brackets", 0)
+        return root
+
+    def members(self, listed: Listed) -> Iterator[Listed]:
+        """The lists in a list of the two outer layers, in the file's order."""
+        return iter(self._members.get(listed.start, ()))
+
+    def parsed(self, listed: Listed) -> list[Any]:
+        """A list as Python's, names and texts as texts, numbers as numbers.
+
+        Raises:
+            SourceError: it is damaged.
+        """
+        try:
+            found = sexpdata.loads(self.text[listed.start : listed.end], nil="", true="", line_comment="\0")
+        except (ValueError, AssertionError, AttributeError, sexpdata.ExpectClosingBracket, sexpdata.ExpectNothing) as error:
+            raise self.error(f"it cannot be read: {error}", listed.start) from error
+        if not isinstance(found, list):
+            raise self.error("it is no list", listed.start)
+        return found
+
+    def line(self, place: int) -> int:
+        """The line of a place."""
+        return bisect_right(self.breaks, place - 1) + 1
+
+    def error(self, cause: str, place: int) -> SourceError:
+        """What to raise for a fault at a place."""
+        return SourceError(f"not a sound file of KiCad: {cause}", location=Location(self.path, self.line(place)), fix=FIX)
+
+    def _head(self, start: int) -> str:
+        found = _HEAD.match(self.text, start)
+        return found[1].strip('"') if found is not None else ""
+
+
+def word(value: Any) -> str:
+    """A name, a text or a number as text; nothing for a list."""
+    if isinstance(value, sexpdata.Symbol):
+        return str(value.value())
+    if isinstance(value, bool) or value is None or isinstance(value, list):
+        return ""
+    return str(value)
+
+
+def head(value: Any) -> str:
+    """The first word of a list; nothing for what is none."""
+    return word(value[0]) if isinstance(value, list) and value else ""
+
+
+def child(found: list[Any], name: str) -> list[Any] | None:
+    """The first list in a list that begins with a word."""
+    return next((entry for entry in found if head(entry) == name), None)
+
+
+def children(found: list[Any], name: str) -> Iterator[list[Any]]:
+    """The lists in a list that begin with a word."""
+    return (entry for entry in found if head(entry) == name)
+
+
+def told(found: list[Any], name: str) -> str:
+    """The word behind the first word of the first list of that name."""
+    entry = child(found, name)
+    return word(entry[1]) if entry is not None and len(entry) > 1 else ""
+
+
+def numbers(found: list[Any], name: str, count: int) -> tuple[float, ...]:
+    """The numbers in the first list of that name, zero where there is none."""
+    entry = child(found, name) or []
+    values = [float(value) for value in entry[1:] if isinstance(value, int | float) and not isinstance(value, bool)]
+    return tuple((values + [0.0] * count)[:count])

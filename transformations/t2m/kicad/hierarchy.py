@@ -1,0 +1,172 @@
+"""The sheets of a KiCad schematic as one drawing: files read from the drawing's folder, symbols as parts, pins as nets.
+
+A sheet that is drawn twice is two sheets with parts of their own, told apart by KiCad's ids. Units of one reference are one part;
+symbols without a number (`U?`) are parts each. How a file is read is the business of its form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from robosmi.diagnostics import Location, Severity
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.connectivity import Joined, Node
+from robosmi.transformations.t2m.drawing import CircuitBuilder, End
+from robosmi.transformations.t2m.kicad.nets import SheetNets
+from robosmi.transformations.t2m.kicad.sheet import LibrarySymbol, Sheet, SheetSymbol, SubSheet, placed_at
+from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
+
+MOST_SHEETS = 1_000
+"""Sheets of a drawing, one drawn twice counted twice."""
+
+MOST_SYMBOLS = 50_000
+"""Symbols on all sheets together; the largest public schematic has a few thousand."""
+
+SheetReader = Callable[[str, str], Sheet | None]
+"""The sheet of a file, and the one that names it, both relative to the drawing's folder; None where there is no such file."""
+
+
+@dataclass(slots=True)
+class _Part:
+    """A part while its units are gathered."""
+
+    identity: str
+    title: str
+    symbol: SheetSymbol
+    library: LibrarySymbol | None
+    nodes: list[tuple[str, Node]] = field(default_factory=list)
+    units: set[int] = field(default_factory=set)
+
+
+class Hierarchy:
+    """The sheets of a drawing.
+
+    Args:
+        root: the sheet of the file that was given.
+        read: what reads a further sheet.
+        builder: where findings go.
+    """
+
+    def __init__(self, root: Sheet, read: SheetReader, builder: CircuitBuilder) -> None:
+        self.root, self.read, self.report = root, read, builder.report
+        self.joined = Joined()
+        self.parts: dict[str, _Part] = {}
+        self._by_reference: dict[tuple[str, str, str], _Part] = {}
+        self._sheets = self._symbols = 0
+        self._walk(root, "", f"/{root.uuid}", (), ())
+
+    def fill(self, made: Schematic) -> None:
+        """Give parts and nets to a schematic."""
+        made.parts = [self._part(part) for part in self.parts.values()]
+        ends: dict[Node, dict[End, None]] = {}
+        for part in self.parts.values():
+            for connector, node in part.nodes:
+                ends.setdefault(self.joined.find(node), {})[End(part.identity, connector)] = None
+        names: dict[Node, str] = {}
+        for node in sorted(self.joined.parent):  # names of the whole drawing have no sheet, so they come first
+            if node[1].startswith("name "):
+                names.setdefault(self.joined.find(node), node[1].removeprefix("name "))
+        for root, found in ends.items():
+            if len(found) > 1 or root in names:
+                made.nets.append(SchematicNet(names.get(root, ""), [*found]))
+
+    def _walk(self, sheet: Sheet, file: str, path: str, names: tuple[str, ...], inside: tuple[str, ...]) -> SheetNets:
+        self._sheets += 1
+        if self._sheets > MOST_SHEETS:
+            raise self._error(f"it has more than {MOST_SHEETS:,} sheets", 1)
+        nets = SheetNets(self.joined, path, sheet)
+        for symbol in sheet.symbols:
+            self._take(sheet, symbol, path, names, nets)
+        for below in sheet.sheets:
+            self._below(sheet, below, file, path, names, inside, nets)
+        nets.close()
+        return nets
+
+    def _below(
+        self, sheet: Sheet, below: SubSheet, file: str, path: str, names: tuple[str, ...], inside: tuple[str, ...], nets: SheetNets
+    ) -> None:
+        found = self.read(below.file, file)
+        if found is None:
+            cause = f"the sheet '{below.name}' has no file '{below.file}' in the folder of the drawing: what is on it is not known"
+            line = below.line if sheet is self.root else None
+            self.report("RS214", Severity.warning, cause, line, "put the file beside the drawing")
+            return
+        if found.file == self.root.file or found.file in inside:
+            cause = f"the sheet '{below.name}' ({below.file}) has itself in it"
+            raise SourceError(cause, location=Location(sheet.file, below.line), fix="remove the inner one in KiCad")
+        inner = self._walk(found, found.file, f"{path}/{below.uuid}", (*names, below.name), (*inside, found.file))
+        for pin in below.pins:
+            nets.sheet_pin(pin, inner)
+        inner.close()
+
+    def _take(self, sheet: Sheet, symbol: SheetSymbol, path: str, names: tuple[str, ...], nets: SheetNets) -> None:
+        self._symbols += 1
+        if self._symbols > MOST_SYMBOLS:
+            raise self._error(f"it has more than {MOST_SYMBOLS:,} symbols", symbol.line)
+        library = sheet.library.get(symbol.library)
+        reference, unit = self._named(symbol, path)
+        part = self._of_reference(symbol, library, reference, unit, path, names, sheet)
+        for pin in library.pins if library is not None else ():
+            if pin.unit not in (0, unit) or pin.style not in (0, symbol.style):
+                continue
+            node = nets.at(placed_at(symbol, pin))
+            part.nodes.append((pin.number, node))
+            self.joined.find(node)
+            if pin.kind == "power_in" and (library.power or pin.hidden) and library is not None:
+                name = symbol.properties.get("Value", "") if library.power and sheet.by_value else pin.name
+                if name:
+                    self.joined.union(node, nets.everywhere(name))
+
+    def _of_reference(
+        self, symbol: SheetSymbol, library: LibrarySymbol | None, reference: str, unit: int, path: str, names: tuple[str, ...],
+        sheet: Sheet,
+    ) -> _Part:  # fmt: skip
+        """The part that a symbol is a unit of: one that is there, or a new one."""
+        identity = f"{path}/{symbol.uuid}".removeprefix(f"/{self.root.uuid}/") or f"line{symbol.line}"
+        numbered = bool(reference) and not reference.endswith("?") and not (library is not None and library.power)
+        key = (reference, symbol.identity, "" if numbered else identity)
+        part = self._by_reference.get(key)
+        if part is not None and unit not in part.units:
+            part.units.add(unit)
+            return part
+        if part is not None:
+            line = symbol.line if sheet is self.root else None
+            cause = f"the reference '{reference}' stands twice: this '{symbol.identity}' is a part of its own"
+            self.report("RS206", Severity.warning, cause, line, "annotate the schematic anew in KiCad")
+        number = 1
+        while identity in self.parts:
+            number += 1
+            identity = f"{identity.partition(' ')[0]} {number}"
+        made = _Part(identity, "/".join((*names, reference)), symbol, library, units={unit})
+        self.parts[identity] = made
+        self._by_reference.setdefault(key, made)
+        return made
+
+    def _named(self, symbol: SheetSymbol, path: str) -> tuple[str, int]:
+        """Reference and unit of a symbol on the sheet of a path."""
+        kept = self.root.instances.get(f"{path}/{symbol.uuid}".removeprefix(f"/{self.root.uuid}"))
+        if kept is not None:
+            return kept
+        reference = symbol.references.get(path) or symbol.properties.get("Reference", "")
+        return reference, symbol.units.get(path) or symbol.unit
+
+    def _part(self, part: _Part) -> SchematicPart:
+        symbol, library = part.symbol, part.library
+        family, _, name = symbol.identity.rpartition(":")
+        pins = {pin.number: pin.name or pin.number for pin in library.pins if pin.style in (0, symbol.style)} if library else {}
+        power = library is not None and library.power
+        value = symbol.properties.get("Value", "")
+        kept = {key: text for key, text in symbol.properties.items() if text not in ("", "~") and key not in _OWN}
+        return SchematicPart(
+            identity=part.identity, title=part.title, symbol=name or symbol.identity, listed_as=symbol.identity, family=family,
+            value="" if value in (name, "~") else value, description=library.description if library else "",
+            tags=tuple(library.keywords.split()) if library else (), pins=pins, properties=kept,
+            line=symbol.line if symbol in self.root.symbols else None, power=power, defined=library is not None,
+        )  # fmt: skip
+
+    def _error(self, cause: str, line: int) -> SourceError:
+        return SourceError(cause, location=Location(self.root.file, line), fix="check that it is the drawing you meant")
+
+
+_OWN = ("Reference", "Value", "Datasheet", "Description", "ki_description", "ki_keywords", "ki_fp_filters", "ki_locked")

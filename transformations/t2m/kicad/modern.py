@@ -1,0 +1,186 @@
+"""A `.kicad_sch` (KiCad 6 and on) as a `Sheet`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.kicad.expressions import (
+    Expressions,
+    Listed,
+    child,
+    children,
+    head,
+    numbers,
+    told,
+    word,
+)
+from robosmi.transformations.t2m.kicad.sheet import (
+    GLOBAL,
+    LOCAL,
+    UPWARD,
+    Label,
+    LibraryPin,
+    LibrarySymbol,
+    Point,
+    Sheet,
+    SheetSymbol,
+    SubSheet,
+    Wire,
+)
+
+_STEPS = 10_000
+"""Steps in a millimetre: KiCad keeps ten thousandths."""
+
+_VALUES = 20_220_914
+"""From this version on a symbol of a supply names its net by its value."""
+
+_UNIT = re.compile(r"_([0-9]+)_([0-9]+)$")
+_LABELS = {"label": LOCAL, "global_label": GLOBAL, "hierarchical_label": UPWARD}
+_TURNS = {0: (1, 0, 0, 1), 90: (0, 1, -1, 0), 180: (-1, 0, 0, -1), 270: (0, -1, 1, 0)}
+
+
+def read_modern(text: str, path: str) -> Sheet:
+    """The records of a `.kicad_sch`.
+
+    Raises:
+        SourceError: it is damaged, or no schematic.
+    """
+    return _Modern(Expressions(text, path)).sheet
+
+
+class _Modern:
+    """The reading of one file."""
+
+    def __init__(self, listed: Expressions) -> None:
+        self.listed = listed
+        if listed.root.head != "kicad_sch":
+            cause = f"it is no KiCad schematic: it begins with '{listed.root.head}'"
+            raise SourceError(cause, location=Location(listed.path, 1), fix="give the .kicad_sch file")
+        self.sheet = Sheet(listed.path)
+        readers: dict[str, Callable[[list[Any], int], None]] = {
+            "wire": self._wire, "junction": self._junction, "symbol": self._symbol, "sheet": self._sheet,
+            "symbol_instances": self._instances, "uuid": self._uuid, "version": self._version,
+            **dict.fromkeys(_LABELS, self._label),
+        }  # fmt: skip
+        for entry in listed.members(listed.root):
+            if entry.head == "lib_symbols":
+                self._library(entry)
+            elif (reader := readers.get(entry.head)) is not None:
+                reader(listed.parsed(entry), listed.line(entry.start))
+
+    def _uuid(self, found: list[Any], line: int) -> None:
+        self.sheet.uuid = word(found[1]) if len(found) > 1 else ""
+
+    def _version(self, found: list[Any], line: int) -> None:
+        self.sheet.version = word(found[1]) if len(found) > 1 else ""
+        self.sheet.by_value = self.sheet.version.isdigit() and int(self.sheet.version) >= _VALUES
+
+    def _wire(self, found: list[Any], line: int) -> None:
+        ends = [_point(entry[1], entry[2]) for entry in children(child(found, "pts") or [], "xy") if len(entry) > 2]
+        if len(ends) == 2:
+            self.sheet.wires.append(Wire(ends[0], ends[1]))
+
+    def _junction(self, found: list[Any], line: int) -> None:
+        self.sheet.junctions.append(_at(found))
+
+    def _label(self, found: list[Any], line: int) -> None:
+        self.sheet.labels.append(Label(_LABELS[head(found)], word(found[1]) if len(found) > 1 else "", _at(found)))
+
+    def _symbol(self, found: list[Any], line: int) -> None:
+        identity = told(found, "lib_id")
+        angle = round(numbers(found, "at", 3)[2]) % 360
+        references, units = {}, {}
+        for project in children(child(found, "instances") or [], "project"):
+            for path in children(project, "path"):
+                where = word(path[1]) if len(path) > 1 else ""
+                references[where] = told(path, "reference")
+                units[where] = _whole(told(path, "unit"))
+        self.sheet.symbols.append(
+            SheetSymbol(
+                uuid=told(found, "uuid"), identity=identity, library=told(found, "lib_name") or identity, at=_at(found),
+                matrix=_matrix(angle, told(found, "mirror")), unit=_whole(told(found, "unit")),
+                style=_whole(told(found, "convert") or told(found, "body_style")), properties=_properties(found),
+                references=references, units=units, line=line,
+            )
+        )  # fmt: skip
+
+    def _sheet(self, found: list[Any], line: int) -> None:
+        named = {key.replace(" ", "").lower(): value for key, value in _properties(found).items()}
+        pins = tuple(Label(UPWARD, word(pin[1]), _at(pin)) for pin in children(found, "pin") if len(pin) > 1)
+        name, file = named.get("sheetname", ""), named.get("sheetfile", "")
+        self.sheet.sheets.append(SubSheet(told(found, "uuid"), name, file, pins, line))
+
+    def _instances(self, found: list[Any], line: int) -> None:
+        for path in children(found, "path"):
+            self.sheet.instances[word(path[1])] = (told(path, "reference"), _whole(told(path, "unit")))
+
+    def _library(self, entry: Listed) -> None:
+        raw = {}
+        for symbol in self.listed.members(entry):
+            if symbol.head == "symbol":
+                found = self.listed.parsed(symbol)
+                raw[word(found[1]) if len(found) > 1 else ""] = found
+        for name, found in raw.items():
+            base = raw.get(told(found, "extends")) or raw.get(f"{name.partition(':')[0]}:{told(found, 'extends')}")
+            properties = _properties(found)
+            self.sheet.library[name] = LibrarySymbol(
+                identity=name,
+                power=child(found, "power") is not None,
+                description=properties.get("Description", "") or properties.get("ki_description", ""),
+                keywords=properties.get("ki_keywords", ""),
+                pins=tuple(_pins(found) or (_pins(base) if base is not None else [])),
+            )
+
+
+def _pins(found: list[Any]) -> list[LibraryPin]:
+    pins = []
+    for part in children(found, "symbol"):
+        numbered = _UNIT.search(word(part[1]) if len(part) > 1 else "")
+        unit, style = (int(numbered[1]), int(numbered[2])) if numbered is not None else (0, 0)
+        for pin in children(part, "pin"):
+            hide = child(pin, "hide")
+            hidden = any(word(entry) == "hide" for entry in pin) or (hide is not None and word(hide[-1]) != "no")
+            name = told(pin, "name")
+            x, y = numbers(pin, "at", 2)
+            pins.append(
+                LibraryPin(
+                    told(pin, "number"), "" if name == "~" else name, word(pin[1]) if len(pin) > 1 else "",
+                    _point(x, -y), unit, style, hidden,
+                )
+            )  # fmt: skip
+    return pins
+
+
+def _matrix(angle: int, mirror: str) -> tuple[int, int, int, int]:
+    """Turned against the clock, then mirrored at an axis; y grows downwards."""
+    a, b, c, d = _TURNS.get(angle, _TURNS[0])
+    if mirror == "x":
+        return a, b, -c, -d
+    if mirror == "y":
+        return -a, -b, c, d
+    return a, b, c, d
+
+
+def _properties(found: list[Any]) -> dict[str, str]:
+    return {word(entry[1]): word(entry[2]) for entry in children(found, "property") if len(entry) > 2}
+
+
+def _at(found: list[Any]) -> Point:
+    x, y = numbers(found, "at", 2)
+    return _point(x, y)
+
+
+def _point(x: Any, y: Any) -> Point:
+    return Point(round(float(x) * _STEPS), round(float(y) * _STEPS)) if _number(x) and _number(y) else Point(0, 0)
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, int | float) and abs(value) < 1e9
+
+
+def _whole(text: str) -> int:
+    return int(text) if text.isdigit() and len(text) < 9 else 1

@@ -1,0 +1,112 @@
+"""The transformation itself: a KiCad schematic or netlist in, a `hardware.Circuit` and findings out.
+
+Parts have KiCad's own ids as identities, and their references, with the names of their sheets before them, as titles. Which form a
+file has is told by what it begins with; each is read by a module of its own, and what symbols stand for is told by `schematic`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location
+from robosmi.errors import SourceError
+from robosmi.metamodels import hardware
+from robosmi.transformations.t2m.companions import DrawingFolder
+from robosmi.transformations.t2m.drawing import CircuitBuilder
+from robosmi.transformations.t2m.kicad.expressions import FIX
+from robosmi.transformations.t2m.kicad.hierarchy import Hierarchy
+from robosmi.transformations.t2m.kicad.modern import read_modern
+from robosmi.transformations.t2m.kicad.sheet import Sheet
+from robosmi.transformations.t2m.schematic import Schematic, circuit_of
+
+TOOL = "KiCad"
+_MODERN = re.compile(r"\(\s*kicad_sch\b")
+
+
+def recognises(head: bytes) -> bool:
+    """Whether a file that begins so is a schematic of KiCad."""
+    text = head.decode("utf-8-sig", "replace").lstrip()
+    return _MODERN.match(text) is not None
+
+
+def read_circuit(
+    path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None, board: str | None = None
+) -> tuple[hardware.Circuit, list[Finding]]:
+    """Read a KiCad schematic with the sheets below it.
+
+    Args:
+        path: a `.kicad_sch`.
+        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
+        roles: roles that the user gives to components, by their title or `#id`; they go before all else.
+        board: the board where a file does not say which; a schematic always does.
+
+    Returns:
+        The circuit, and what was unknown, odd or left out (rules RS203 to RS219).
+
+    Raises:
+        SourceError: the file or a sheet of it is damaged, or no schematic; or a sheet has itself in it.
+        PlatformDataError: an entry of the catalogue is damaged.
+        UsageError: a role or a component in `roles` does not exist, or the title is not unique.
+    """
+    data = _bytes_of(Path(path))
+    text = decoded(data, str(path))
+    builder = CircuitBuilder(str(path), TOOL.lower(), project)
+    folder = DrawingFolder(path)
+    made = Schematic(str(path), hashlib.sha256(data).hexdigest(), TOOL, companions=folder.companions)
+    if _MODERN.match(text.lstrip("\ufeff \t\r\n")) is None:
+        raise SourceError("it is no schematic of KiCad 6 or newer", location=Location(str(path), 1), fix=FIX)
+    root = read_modern(text, str(path))
+    made.version = root.version
+    Hierarchy(root, _Sheets(folder).read, builder).fill(made)
+    builder.give_roles(roles or {}, {part.identity: part.title for part in made.parts})
+    return circuit_of(made, builder), builder.findings
+
+
+class _Sheets:
+    """The further sheets of a drawing, each file read once."""
+
+    def __init__(self, folder: DrawingFolder) -> None:
+        self.folder = folder
+        self._found: dict[str, Sheet] = {}
+
+    def read(self, named: str, beside: str) -> Sheet | None:
+        """The sheet of a file that another one names; None where there is no such file."""
+        own = beside.removeprefix(f"{self.folder.path.parent}/") if beside else ""
+        data = self.folder.read(named, own)
+        name = self.folder.name(named, own)
+        if data is None or name is None:
+            return None
+        if name not in self._found:
+            path = str(self.folder.path) if name == self.folder.path.name else str(self.folder.path.parent / name)
+            self._found[name] = read_modern(decoded(data, path), path)
+        return self._found[name]
+
+
+def decoded(data: bytes, path: str) -> str:
+    """The text of a file of KiCad's.
+
+    Raises:
+        SourceError: it is not UTF-8.
+    """
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise SourceError(f"it is not UTF-8: {error.reason}", location=Location(path), fix=FIX) from error
+
+
+def _bytes_of(path: Path) -> bytes:
+    place = Location(str(path))
+    try:
+        data = inputs.read_bytes(path, inputs.DRAWING)
+    except IsADirectoryError as error:
+        raise SourceError("it is a folder, not a schematic", location=place, fix="give the .kicad_sch file in it") from error
+    except OSError as error:
+        fix = inputs.fix_of(error, "check the name and the permissions of the file")
+        raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=fix) from error
+    if not data.strip():
+        raise SourceError("the file is empty", location=place, fix=FIX)
+    return data

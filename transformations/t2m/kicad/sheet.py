@@ -1,0 +1,134 @@
+"""One sheet of a KiCad schematic as records, whatever the form of its file: wires, labels, symbols, sheets below it.
+
+Positions are in whole numbers of the form's own finest step, so that what is at one place compares equal. Which of it is one net is
+told by `nets`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+LOCAL, GLOBAL, UPWARD = "local", "global", "upward"
+"""Kinds of labels: of the sheet, of the whole drawing, of a pin of the sheet's symbol."""
+
+
+class Point(NamedTuple):
+    """A place on a sheet."""
+
+    x: int
+    y: int
+
+
+class Wire(NamedTuple):
+    """A straight wire."""
+
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True, slots=True)
+class LibraryPin:
+    """A pin of a symbol: number, name, electrical type, place, the unit and the body style that it is of (0: all), whether hidden."""
+
+    number: str
+    name: str
+    kind: str
+    at: Point
+    unit: int = 0
+    style: int = 0
+    hidden: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class LibrarySymbol:
+    """A symbol of a library: its id with the library's name, whether it only names a net, what the library says of it, its pins."""
+
+    identity: str
+    power: bool = False
+    description: str = ""
+    keywords: str = ""
+    pins: tuple[LibraryPin, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SheetSymbol:
+    """A symbol on a sheet.
+
+    Attributes:
+        uuid: KiCad's own id.
+        identity: of its symbol, with the library's name.
+        library: the key of its symbol among those that the file has.
+        at: its place.
+        matrix: what turns places of the symbol into places relative to `at`: x' = a x + b y, y' = c x + d y.
+        unit: which unit of the part it is.
+        style: which body style.
+        properties: `Reference`, `Value` and others.
+        references: path of sheets -> reference there.
+        units: path of sheets -> unit there.
+        line: in its file.
+    """
+
+    uuid: str
+    identity: str
+    library: str
+    at: Point
+    matrix: tuple[int, int, int, int]
+    unit: int
+    style: int
+    properties: Mapping[str, str]
+    references: Mapping[str, str]
+    units: Mapping[str, int]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A label: its kind, text and place."""
+
+    kind: str
+    text: str
+    at: Point
+
+
+@dataclass(frozen=True, slots=True)
+class SubSheet:
+    """A sheet below: its id, name, file, pins as labels, line."""
+
+    uuid: str
+    name: str
+    file: str
+    pins: tuple[Label, ...]
+    line: int
+
+
+@dataclass(slots=True)
+class Sheet:
+    """What a file of one sheet held.
+
+    Attributes:
+        file: its name for messages.
+        uuid: of the sheet's file.
+        version: of the file's form, as text.
+        by_value: whether a symbol of a supply names its net by its value and not by its pin.
+        instances: path with the symbol's id -> reference and unit, of files that keep them together.
+    """
+
+    file: str
+    uuid: str = ""
+    version: str = ""
+    by_value: bool = True
+    wires: list[Wire] = field(default_factory=list)
+    junctions: list[Point] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
+    symbols: list[SheetSymbol] = field(default_factory=list)
+    sheets: list[SubSheet] = field(default_factory=list)
+    library: dict[str, LibrarySymbol] = field(default_factory=dict)
+    instances: dict[str, tuple[str, int]] = field(default_factory=dict)
+
+
+def placed_at(symbol: SheetSymbol, pin: LibraryPin) -> Point:
+    """The place of a pin on the sheet."""
+    a, b, c, d = symbol.matrix
+    return Point(symbol.at.x + a * pin.at.x + b * pin.at.y, symbol.at.y + c * pin.at.x + d * pin.at.y)
