@@ -108,7 +108,7 @@ class Hierarchy:
         reference, unit = self._named(symbol, path)
         part = self._of_reference(symbol, library, reference, unit, path, names, sheet)
         for pin in library.pins if library is not None else ():
-            if pin.unit not in (0, unit) or pin.style not in (0, symbol.style):
+            if (unit and pin.unit not in (0, unit)) or pin.style not in (0, symbol.style):  # unit 0 shows all
                 continue
             node = nets.at(placed_at(symbol, pin))
             part.nodes.append((pin.number, node))
@@ -149,7 +149,7 @@ class Hierarchy:
         if kept is not None:
             return kept
         reference = symbol.references.get(path) or symbol.properties.get("Reference", "")
-        return reference, symbol.units.get(path) or symbol.unit
+        return reference, symbol.units.get(path, symbol.unit)
 
     def _part(self, part: _Part) -> SchematicPart:
         symbol, library = part.symbol, part.library
