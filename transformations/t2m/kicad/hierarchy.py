@@ -54,7 +54,7 @@ class Hierarchy:
         self.parts: dict[str, _Part] = {}
         self._by_reference: dict[tuple[str, str, str], _Part] = {}
         self._sheets = self._symbols = 0
-        self._walk(root, "", f"/{root.uuid}", (), ())
+        self._walk(root, "", f"/{root.uuid}" if root.uuid else "", (), ())
 
     def fill(self, made: Schematic) -> None:
         """Give parts and nets to a schematic."""
@@ -123,7 +123,7 @@ class Hierarchy:
         sheet: Sheet,
     ) -> _Part:  # fmt: skip
         """The part that a symbol is a unit of: one that is there, or a new one."""
-        identity = f"{path}/{symbol.uuid}".removeprefix(f"/{self.root.uuid}/") or f"line{symbol.line}"
+        identity = f"{path}/{symbol.uuid}".removeprefix(f"/{self.root.uuid}/").strip("/") or f"line{symbol.line}"
         numbered = bool(reference) and not reference.endswith("?") and not (library is not None and library.power)
         key = (reference, symbol.identity, "" if numbered else identity)
         part = self._by_reference.get(key)

@@ -12,34 +12,39 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from robosmi import inputs
-from robosmi.diagnostics import Finding, Location
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.companions import DrawingFolder
 from robosmi.transformations.t2m.drawing import CircuitBuilder
 from robosmi.transformations.t2m.kicad.expressions import FIX
 from robosmi.transformations.t2m.kicad.hierarchy import Hierarchy
+from robosmi.transformations.t2m.kicad.legacy import HEAD, read_legacy
 from robosmi.transformations.t2m.kicad.modern import read_modern
+from robosmi.transformations.t2m.kicad.netlist import fill_from_netlist
 from robosmi.transformations.t2m.kicad.sheet import Sheet
+from robosmi.transformations.t2m.kicad.symbol_library import library_of
 from robosmi.transformations.t2m.schematic import Schematic, circuit_of
 
 TOOL = "KiCad"
 _MODERN = re.compile(r"\(\s*kicad_sch\b")
+_NETLIST = re.compile(r"\(\s*export\b")
+_OLD_NETLIST = re.compile(r"(?:#|\( \{) *EESchema Netlist", re.IGNORECASE)
 
 
 def recognises(head: bytes) -> bool:
-    """Whether a file that begins so is a schematic of KiCad."""
+    """Whether a file that begins so is a schematic or a netlist of KiCad, of forms too old to be read too."""
     text = head.decode("utf-8-sig", "replace").lstrip()
-    return _MODERN.match(text) is not None
+    return text.startswith(HEAD) or any(form.match(text) is not None for form in (_MODERN, _NETLIST, _OLD_NETLIST))
 
 
 def read_circuit(
     path: str | Path, project: Path | None = None, roles: Mapping[str, str] | None = None, board: str | None = None
 ) -> tuple[hardware.Circuit, list[Finding]]:
-    """Read a KiCad schematic with the sheets below it.
+    """Read a KiCad schematic with the sheets below it, or a netlist.
 
     Args:
-        path: a `.kicad_sch`.
+        path: a `.kicad_sch`, an EESchema `.sch`, or a `.net`.
         project: the project folder, whose own data on parts and boards goes first; the current folder if None.
         roles: roles that the user gives to components, by their title or `#id`; they go before all else.
         board: the board where a file does not say which; a schematic always does.
@@ -57,21 +62,32 @@ def read_circuit(
     builder = CircuitBuilder(str(path), TOOL.lower(), project)
     folder = DrawingFolder(path)
     made = Schematic(str(path), hashlib.sha256(data).hexdigest(), TOOL, companions=folder.companions)
-    if _MODERN.match(text.lstrip("\ufeff \t\r\n")) is None:
-        raise SourceError("it is no schematic of KiCad 6 or newer", location=Location(str(path), 1), fix=FIX)
-    root = read_modern(text, str(path))
-    made.version = root.version
-    Hierarchy(root, _Sheets(folder).read, builder).fill(made)
+    begins = text.lstrip()
+    if _NETLIST.match(begins) is not None:
+        fill_from_netlist(text, made, builder)
+    elif _MODERN.match(begins) is not None or begins.startswith(HEAD):
+        sheets = _Sheets(folder, builder)
+        root = sheets.root(text, str(path))
+        made.version = root.version
+        Hierarchy(root, sheets.read, builder).fill(made)
+    else:
+        old = _OLD_NETLIST.match(begins) is not None
+        cause = "it is a netlist of KiCad 3 or before, which is not read" if old else "it is no schematic and no netlist of KiCad"
+        raise SourceError(cause, location=Location(str(path), 1), fix=FIX)
     builder.give_roles(roles or {}, {part.identity: part.title for part in made.parts})
     return circuit_of(made, builder), builder.findings
 
 
 class _Sheets:
-    """The further sheets of a drawing, each file read once."""
+    """The sheets of a drawing, each file read once; symbols of the older form are looked up in the libraries beside it."""
 
-    def __init__(self, folder: DrawingFolder) -> None:
-        self.folder = folder
+    def __init__(self, folder: DrawingFolder, builder: CircuitBuilder) -> None:
+        self.folder, self.builder = folder, builder
         self._found: dict[str, Sheet] = {}
+
+    def root(self, text: str, path: str) -> Sheet:
+        """The sheet of the file that was given."""
+        return self._sheet(text, path)
 
     def read(self, named: str, beside: str) -> Sheet | None:
         """The sheet of a file that another one names; None where there is no such file."""
@@ -82,8 +98,23 @@ class _Sheets:
             return None
         if name not in self._found:
             path = str(self.folder.path) if name == self.folder.path.name else str(self.folder.path.parent / name)
-            self._found[name] = read_modern(decoded(data, path), path)
+            self._found[name] = self._sheet(decoded(data, path), path)
         return self._found[name]
+
+    def _sheet(self, text: str, path: str) -> Sheet:
+        if not text.lstrip().startswith(HEAD):
+            return read_modern(text, path)
+        sheet = read_legacy(text.lstrip(), path)
+        sheet.library = library_of(self.folder, (symbol.identity for symbol in sheet.symbols))
+        missing = sorted({symbol.identity for symbol in sheet.symbols} - sheet.library.keys())
+        if missing:
+            shown = ", ".join(missing[:5]) + (", ..." if len(missing) > 5 else "")
+            self.builder.report(
+                "RS214", Severity.warning,
+                f"no library beside the schematic has {shown}: where their pins are is not known, so nothing is connected to them",
+                None, f"put {self.folder.path.stem}-cache.lib beside it, or open it in KiCad 6 or newer and save it",
+            )  # fmt: skip
+        return sheet
 
 
 def decoded(data: bytes, path: str) -> str:

@@ -1,0 +1,123 @@
+"""A netlist of KiCad (`.net`, the form with `(export ...)`) as parts and nets: KiCad has told what joins what."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.diagnostics import Location, Severity
+from robosmi.errors import SourceError
+from robosmi.transformations.t2m.drawing import CircuitBuilder, End
+from robosmi.transformations.t2m.kicad.expressions import Expressions, Listed, child, children, told, word
+from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
+
+MOST_PARTS = 50_000
+"""Parts of a netlist."""
+
+
+def fill_from_netlist(text: str, made: Schematic, builder: CircuitBuilder) -> None:
+    """Give the parts and nets of a netlist to a schematic.
+
+    Raises:
+        SourceError: it is damaged, or has too many parts.
+    """
+    _Netlist(Expressions(text, made.path), made, builder).fill()
+
+
+class _Netlist:
+    """The reading of one file."""
+
+    def __init__(self, listed: Expressions, made: Schematic, builder: CircuitBuilder) -> None:
+        self.listed, self.made, self.report = listed, made, builder.report
+        self.by_reference: dict[str, SchematicPart] = {}
+        self.twice: set[str] = set()
+
+    def fill(self) -> None:
+        """Read the sections."""
+        sections = {entry.head: entry for entry in self.listed.members(self.listed.root)}
+        if "components" not in sections or "nets" not in sections:
+            place = Location(self.made.path, 1)
+            raise SourceError("the netlist has no components or no nets", location=place, fix="export it again from KiCad")
+        self.made.version = self._told(self.listed.root, "version")
+        library = self._library(sections.get("libparts"))
+        for number, entry in enumerate(self.listed.members(sections["components"]), 1):
+            if number > MOST_PARTS:
+                place = Location(self.made.path, self.listed.line(entry.start))
+                fix = "check that it is the drawing you meant"
+                raise SourceError(f"it has more than {MOST_PARTS:,} parts", location=place, fix=fix)
+            self._component(entry, library)
+        self._nets(sections["nets"])
+
+    def _told(self, listed: Listed, name: str) -> str:
+        return next((told([self.listed.parsed(entry)], name) for entry in self.listed.members(listed) if entry.head == name), "")
+
+    def _library(self, section: Listed | None) -> dict[str, tuple[str, dict[str, str]]]:
+        """Description and pins of each symbol, by `LIBRARY:NAME`, aliases too."""
+        found: dict[str, tuple[str, dict[str, str]]] = {}
+        for entry in self.listed.members(section) if section is not None else ():
+            part = self.listed.parsed(entry)
+            pins = {told(pin, "num"): told(pin, "name") for pin in children(child(part, "pins") or [], "pin")}
+            named = {number: name if name not in ("", "~") else number for number, name in pins.items()}
+            aliases = [word(alias[1]) for alias in children(child(part, "aliases") or [], "alias") if len(alias) > 1]
+            for name in (told(part, "part"), *aliases):
+                found[f"{told(part, 'lib')}:{name}"] = (told(part, "description"), named)
+        return found
+
+    def _component(self, entry: Listed, library: dict[str, tuple[str, dict[str, str]]]) -> None:
+        part, line = self.listed.parsed(entry), self.listed.line(entry.start)
+        reference, value = told(part, "ref"), told(part, "value")
+        source = child(part, "libsource") or []
+        family, name = told(source, "lib"), told(source, "part")
+        identity, path = _identity(part)
+        known = library.get(f"{family}:{name}")
+        fields = {told(f, "name"): word(f[-1]) for f in children(child(part, "fields") or [], "field") if len(f) > 2}
+        if reference in self.by_reference:
+            cause = f"the reference '{reference}' stands twice; its pins are left out"
+            self.report("RS206", Severity.warning, cause, line, "annotate the schematic and export it again")
+            self.twice.add(reference)
+        identity = identity or reference or f"line{line}"
+        if any(known_part.identity == identity for known_part in self.by_reference.values()):
+            identity = f"{identity} {reference or line}"
+        made = SchematicPart(
+            identity=identity, title="/".join((*path, reference)), symbol=name or value,
+            listed_as=f"{family}:{name}" if family else name or value, family=family, value="" if value in (name, "~") else value,
+            description=told(source, "description") or (known[0] if known is not None else ""),
+            pins=known[1] if known is not None else {}, properties=fields, line=line, defined=known is not None,
+        )  # fmt: skip
+        self.by_reference.setdefault(reference, made)
+        self.made.parts.append(made)
+
+    def _nets(self, section: Listed) -> None:
+        taken: set[End] = set()
+        for entry in self.listed.members(section):
+            net = self.listed.parsed(entry)
+            made = SchematicNet(told(net, "name").rpartition("/")[2])
+            for node in children(net, "node"):
+                end = self._end(told(node, "ref"), told(node, "pin"), self.listed.line(entry.start))
+                if end is not None and end not in taken:
+                    taken.add(end)
+                    made.ends.append(end)
+            if len(made.ends) > 1:
+                self.made.nets.append(made)
+
+    def _end(self, reference: str, pin: str, line: int) -> End | None:
+        part = self.by_reference.get(reference)
+        if part is None:
+            cause = f"a net has a pin of '{reference}', and no component is called so; it was left out"
+            self.report("RS207", Severity.warning, cause, line, "export the netlist again from KiCad")
+            return None
+        if reference in self.twice:
+            return None
+        if part.pins and pin not in part.pins:
+            cause = f"'{reference}' ({part.symbol}) has no pin '{pin}'; it was left out"
+            self.report("RS208", Severity.warning, cause, line, "export the netlist again from KiCad")
+            return None
+        return End(part.identity, pin)
+
+
+def _identity(part: list[Any]) -> tuple[str, tuple[str, ...]]:
+    """KiCad's id of a component with those of its sheets, and the names of these sheets."""
+    sheets = child(part, "sheetpath") or []
+    names = tuple(name for name in told(sheets, "names").split("/") if name)
+    stamps = told(sheets, "tstamps").strip("/")
+    own = told(part, "tstamps").split(" ")[0] or told(part, "tstamp")
+    return f"{stamps}/{own}".strip("/") if own else "", names
