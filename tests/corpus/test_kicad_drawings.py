@@ -59,7 +59,7 @@ def pads(board: Path) -> dict[tuple[str, str], frozenset[tuple[str, str]]]:
         named = [text(t[2]) for t in lists(footprint, "fp_text") if text(t[1]) == "reference"]
         named += [text(t[2]) for t in lists(footprint, "property") if text(t[1]) == "Reference"]
         for pad in lists(footprint, "pad"):
-            for net in lists(pad, "net"):
+            for net in lists(pad, "net") if named[0] != "REF**" else ():  # drawn on the board only
                 nets.setdefault(text(net[-1]), set()).add((named[0], text(pad[1])))
     return {pad: frozenset(found) for found in nets.values() for pad in found}
 

@@ -24,18 +24,21 @@ _OVERLINE = re.compile(r"[!*~{}]")
 _COUNTED = re.compile(r"@[0-9A-Z]*$|\.[0-9]+$")
 
 
-def drawn_symbol(texts: Iterable[str], connectors: Mapping[str, str], project: Path | None = None) -> DrawnBoard | None:
+def drawn_symbol(
+    texts: Iterable[str], connectors: Mapping[str, str], project: Path | None = None, least: int = LEAST_PINS
+) -> DrawnBoard | None:
     """The board that a symbol stands for, or None.
 
     Args:
         texts: what the drawing calls the part, what counts most first: its value goes before its symbol.
         connectors: connector -> its name, with the label of the pin in it (`D3`, `*D3`, `D0/RX`, `SDA`).
         project: the project folder, whose own data goes first; the current folder if None.
+        least: how many of its connectors have to bear labels of the board.
 
     Raises:
         PlatformDataError: an entry is damaged.
     """
-    if len(connectors) < LEAST_PINS:
+    if len(connectors) < least:
         return None
     for text in texts:
         called = _SPELLED.sub(" ", text.lower()).strip()
@@ -47,7 +50,7 @@ def drawn_symbol(texts: Iterable[str], connectors: Mapping[str, str], project: P
                 if not any(fnmatchcase(called, pattern) for pattern in entry.texts("called")):
                     continue
                 pins = labelled_pins(table, connectors)
-                if len(pins) >= LEAST_PINS:
+                if len(pins) >= least:
                     return DrawnBoard(path.stem, table.text("title", path.stem), pins)
     return None
 

@@ -75,6 +75,7 @@ class PartNames:
     device_properties: frozenset[str] = frozenset()
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
+    symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
 
@@ -184,6 +185,7 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         device_properties=frozenset(table.get("drawn", {}).get("device", ())),
         headers=tuple(table.get("drawn", {}).get("headers", ())),
         solder_jumpers=tuple(table.get("drawn", {}).get("solder_jumpers", ())),
+        symbols={means: tuple(called) for means, called in table.get("drawn", {}).get("symbols", {}).items()},
         generated=tuple(table.get("generated", ())),
     )
 

@@ -17,7 +17,7 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
 from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
-from robosmi.transformations.knowledge.drawn_symbols import drawn_symbol
+from robosmi.transformations.knowledge.drawn_symbols import LEAST_PINS, drawn_symbol
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind
 from robosmi.transformations.knowledge.part_roles import classify
@@ -115,14 +115,14 @@ class _Making:
         key = f"{part.listed_as} #{part.identity}" if own else f"{part.listed_as} {part.value} {hash_of(part.pins)}"
         if board is not None:
             described = replace(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
-        return key, builder.know(key, described if part.defined or own else None, board=board, own=own)
+        return key, builder.know(key, described, board=board, own=own)
 
     def _described(self, part: SchematicPart) -> tuple[Part, DrawnBoard | None, bool]:
         """The part as the drawing tells it, the board that it stands for, and whether nothing may be concluded from names."""
         connectors = {pin: self._connector(pin, name) for pin, name in part.pins.items()}
         found = Part(
             part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors,
-            source="the drawing", description=part.description,
+            source="the drawing", description=part.description or self._meaning(part),
         )  # fmt: skip
         if part.power:
             return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
@@ -137,12 +137,16 @@ class _Making:
             return replace(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
         if self._called(part, self.builder.names.headers):
             return self._header(part, found)
-        if part.value and (
-            device := classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)
-        ):
+        if part.value:
+            device = classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)
             if device.role in ("Input", "Output", "Both"):  # the value decides over the symbol
                 return replace(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
         return found, None, False
+
+    def _meaning(self, part: SchematicPart) -> str:
+        """What a symbol is by its short name alone."""
+        known = self.builder.names.symbols.items()
+        return next((means for means, called in known if self._called(part, called)), "")
 
     def _connector(self, pin: str, name: str) -> PartConnector:
         return PartConnector(pin, name, connector_kind(name, self.builder.names))
@@ -160,7 +164,8 @@ class _Making:
 
     def _board(self, part: SchematicPart) -> DrawnBoard | None:
         texts = (part.value, part.symbol, part.listed_as)
-        if (board := drawn_symbol(texts, part.pins, self.project)) is not None:
+        pins = part.pins if part.defined else {pin: pin for pin in self.used.get(part.identity, ())}
+        if (board := drawn_symbol(texts, pins, self.project, least=LEAST_PINS if part.defined else 0)) is not None:
             return board
         if not (chip := self._chip(part)):
             return None
@@ -199,7 +204,7 @@ class _Making:
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
         if part.value:
             device = classify(Part(part.listed_as, part.value, tool=self.builder.tool), self.project)
-            if device.role in ("Input", "Output", "Both", "Power"):
+            if device.role in ("Input", "Output", "Both"):
                 evidence = f"a header for '{part.value}': {device.evidence}"
                 return (
                     replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),

@@ -76,6 +76,13 @@ class _Drawn:
         """The parts and the nets."""
         for module, line in self.document.missing:
             self.report("RS214", Severity.warning, f"there is no module '{module}': it is left out", line, "add it in EAGLE")
+        for identity, part in self.parts.items():
+            if part.found is None:
+                self.report(
+                    "RS214", Severity.warning,
+                    f"the drawing has no symbol of '{identity}' ('{part.deviceset}' of '{part.library}'): only its wired pins are known",
+                    part.line, "update the library in EAGLE and save the schematic again",
+                )  # fmt: skip
         made = Schematic(self.document.path, self.document.digest, TOOL, self.document.version)
         made.parts = [_part(identity, part) for identity, part in self.parts.items()]
         joined = Joined()

@@ -7,9 +7,10 @@ asked for is parsed by `sexpdata`. Depth is bounded before that. What the lists 
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import sexpdata
@@ -24,6 +25,9 @@ MOST_LISTS = 5_000_000
 """Lists of one file; the largest public schematic has under 200,000."""
 
 FIX = "open it in KiCad and save it again"
+_LOOKS = frozenset(("effects", "stroke", "fill", "polyline", "rectangle", "circle", "arc", "bezier", "text", "justify"))
+"""Lists that only say how something looks; they are most of a file, and are not parsed."""
+
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+"|[()]|"', re.DOTALL)
 _HEAD = re.compile(r'\(\s*("(?:[^"\\]|\\.)*+"|[^\s()"]*)', re.DOTALL)
 
@@ -52,6 +56,7 @@ class Expressions:
         self.text, self.path = text, path
         self.breaks = [found.start() for found in re.finditer("\n", text)]
         self._members: dict[int, list[Listed]] = {}
+        self._looks: list[tuple[int, int]] = []
         self.root = self._gone_through()
 
     def _gone_through(self) -> Listed:
@@ -74,7 +79,11 @@ class Expressions:
                     raise self.error("a ')' has no '('", found.start())
                 start = open_lists.pop()
                 listed = Listed(self._head(start), start, found.end())
-                if open_lists:
+                if listed.head in _LOOKS and len(open_lists) > 1:
+                    while self._looks and self._looks[-1][0] > start:
+                        self._looks.pop()
+                    self._looks.append((start, found.end()))
+                elif open_lists:
                     if len(open_lists) <= 3:
                         self._members.setdefault(open_lists[-1], []).append(listed)
                 else:
@@ -98,12 +107,23 @@ class Expressions:
             SourceError: it is damaged.
         """
         try:
-            found = sexpdata.loads(self.text[listed.start : listed.end], nil="", true="", line_comment="\0")
+            found = sexpdata.loads(self._without_looks(listed), nil="", true="", line_comment="\0")
         except (ValueError, AssertionError, AttributeError, sexpdata.ExpectClosingBracket, sexpdata.ExpectNothing) as error:
             raise self.error(f"it cannot be read: {error}", listed.start) from error
         if not isinstance(found, list):
             raise self.error("it is no list", listed.start)
         return found
+
+    def _without_looks(self, listed: Listed) -> str:
+        """The text of a list without what only says how something looks."""
+        pieces, place = [], listed.start
+        first = bisect_left(self._looks, (listed.start, 0))
+        for start, end in islice(self._looks, first, None):
+            if start >= listed.end:
+                break
+            pieces.append(self.text[place:start])
+            place = end
+        return "".join((*pieces, self.text[place : listed.end]))
 
     def line(self, place: int) -> int:
         """The line of a place."""
