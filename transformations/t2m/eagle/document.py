@@ -97,7 +97,13 @@ def read_schematic(path: Path) -> EagleSchematic:
     root = parse_xml(data, str(path), path.name, "EAGLE", "eagle")
     drawn = root.find("drawing/schematic")
     if root.tag != "eagle" or drawn is None:
-        kind = "a board" if root.find("drawing/board") is not None else "a library" if root.find("drawing/library") is not None else ""
+        kind = (
+            "a board"
+            if root.find("drawing/board") is not None
+            else "a library"
+            if root.find("drawing/library") is not None
+            else ""
+        )
         cause = f"it is {kind} of EAGLE, not a schematic" if kind else f"it is no EAGLE schematic: its root is <{root.tag}>"
         raise SourceError(cause, location=Location(str(path), line_of(root)), fix="give the .sch file of the schematic")
     made = EagleSchematic(str(path), hashlib.sha256(data).hexdigest(), root.get("version", ""))

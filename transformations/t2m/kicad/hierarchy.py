@@ -84,11 +84,20 @@ class Hierarchy:
         return nets
 
     def _below(
-        self, sheet: Sheet, below: SubSheet, file: str, path: str, names: tuple[str, ...], inside: tuple[str, ...], nets: SheetNets
+        self,
+        sheet: Sheet,
+        below: SubSheet,
+        file: str,
+        path: str,
+        names: tuple[str, ...],
+        inside: tuple[str, ...],
+        nets: SheetNets,
     ) -> None:
         found = self.read(below.file, file)
         if found is None:
-            cause = f"the sheet '{below.name}' has no file '{below.file}' in the folder of the drawing: what is on it is not known"
+            cause = (
+                f"the sheet '{below.name}' has no file '{below.file}' in the folder of the drawing: what is on it is not known"
+            )
             line = below.line if sheet is self.root else None
             self.report("RS214", Severity.warning, cause, line, "put the file beside the drawing")
             return

@@ -1,0 +1,219 @@
+"""Reader of EAGLE schematics: what symbols stand for, modules and supplies, and damaged files, which give no wrong pin."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import SourceError
+from robosmi.metamodels import hardware as hw
+from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.t2m.eagle import read_circuit
+from robosmi.transformations.t2m.eagle.document import MOST_PARTS, recognises
+
+Pins = list[tuple[str, str]]
+"""Names and directions of a symbol's pins."""
+
+UNO: Pins = [(f"D{n}", "io") for n in range(14)] + [("A0", "io"), ("5V", "pwr"), ("GND@1", "pwr"), ("GND@2", "pwr")]
+CHIP: Pins = [(f"(PCINT{n})PB{n}", "io") for n in range(8)] + [(f"PD{n}", "io") for n in range(8)]
+CHIP += [("PC0", "io"), ("PC1", "io"), ("VCC", "pwr"), ("GND", "pwr")]
+TWO: Pins = [("1", "pas"), ("2", "pas")]
+HEADER: Pins = [(str(n), "pas") for n in range(1, 5)]
+
+
+def device(name: str, pins: Pins, description: str = "", gates: int = 1) -> str:
+    """A library called LIB-name with one device set; its gates A, B, ... have the same symbol."""
+    listed = "".join(f'<pin name="{pin}" direction="{way}"/>' for pin, way in pins)
+    drawn = "".join(f'<gate name="{chr(65 + n)}" symbol="S"/>' for n in range(gates))
+    return (
+        f'<library name="lib-{name.lower()}"><symbols><symbol name="S">{listed}</symbol></symbols><devicesets>'
+        f'<deviceset name="{name}"><description>{description}</description><gates>{drawn}</gates>'
+        '<devices><device name=""/></devices></deviceset></devicesets></library>'
+    )
+
+
+def part(name: str, kind: str, value: str = "") -> str:
+    """A part of such a library."""
+    return f'<part name="{name}" library="lib-{kind.lower()}" deviceset="{kind}" device="" value="{value}"/>'
+
+
+def net(name: str, *pins: str) -> str:
+    """A net; pins are PART.PIN of gate A."""
+    refs = "".join('<pinref part="{}" gate="A" pin="{}"/>'.format(*pin.split(".")) for pin in pins)
+    return f'<net name="{name}"><segment>{refs}</segment></net>'
+
+
+def schematic(folder: Path, libraries: list[str], parts: list[str], nets: list[str], more: str = "", sheet: str = "") -> Path:
+    """A schematic on disk, each part and net in a line of its own."""
+    lines = [
+        '<?xml version="1.0"?>', '<!DOCTYPE eagle SYSTEM "eagle.dtd">', '<eagle version="9.6.2"><drawing><schematic>',
+        f"<libraries>{''.join(libraries)}</libraries>{more}<parts>", *parts, f"</parts><sheets><sheet>{sheet}<nets>", *nets,
+        "</nets></sheet></sheets></schematic></drawing></eagle>",
+    ]  # fmt: skip
+    path = folder / "robot.sch"
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def pins(path: Path) -> dict[str, str]:
+    """The component on each pin of the board."""
+    return {m["pin"]: m["component"] for m in hardware(path).result["mappings"]}
+
+
+def said(findings: list[Finding], rule: str) -> list[str]:
+    """What the findings of a rule say; each has a fix."""
+    found = [f for f in findings if f.rule == rule]
+    assert all(f.fix for f in found)
+    return [f.message for f in found]
+
+
+def test_a_bare_chip_is_the_uno_by_its_ports_and_the_value_goes_before_the_symbol(tmp_path: Path) -> None:
+    parts = [part("IC1", "MEGA168", "ATMEGA328P"), part("Q1", "CRYSTAL", "8MHz"), part("J1", "PINHD-1X4", "HC-SR04")]
+    nets = [net("TRIG", "IC1.(PCINT1)PB1", "J1.2"), net("X", "IC1.(PCINT6)PB6", "Q1.1")]
+    path = schematic(tmp_path, [device("MEGA168", CHIP), device("CRYSTAL", TWO), device("PINHD-1X4", HEADER)], parts, nets)
+    circuit, findings = read_circuit(path)
+    assert circuit.components[0].boardName == "uno"
+    assert pins(path)["D9"] == "J1"
+    assert "bare ATMEGA328P" in said(findings, "RS215")[0]
+    assert ["8MHz" in message and "16 MHz" in message for message in said(findings, "RS218")] == [True]
+
+
+def test_another_chip_is_named_and_pins_that_the_board_lacks_are_an_error(tmp_path: Path) -> None:
+    tiny = schematic(tmp_path, [device("ATTINY2313", CHIP)], [part("IC1", "ATTINY2313"), part("R1", "ATTINY2313")], [])
+    assert "ATTINY2313" in said(read_circuit(tiny)[1], "RS215")[0]
+    chip = [*CHIP, ("ADC6", "io")]
+    path = schematic(tmp_path, [device("ATMEGA328P", chip), device("R", TWO)], [part("IC1", "ATMEGA328P"), part("R1", "R")],
+        [net("SENSE", "IC1.ADC6", "R1.1")])  # fmt: skip
+    assert [f.severity for f in read_circuit(path)[1] if f.rule == "RS216"] == [Severity.error]
+
+
+def test_headers_are_unknown_and_not_walked_through_but_for_those_that_name_a_device(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("PINHD-1X4", HEADER)]
+    parts = [part("U1", "ARDUINO_UNO"), part("J1", "PINHD-1X4", "HC-SR04"), part("J2", "PINHD-1X4"), part("J3", "PINHD-1X4")]
+    path = schematic(
+        tmp_path, libraries, parts, [net("TRIG", "U1.D2", "J1.2"), net("GRIPPER", "U1.D3", "J2.1"), net("Z", "J2.2", "J3.1")]
+    )
+    circuit, _ = read_circuit(path)
+    roles = {c.title: (c.role, c.partTitle) for c in circuit.components}
+    assert roles["J1"] == (hw.Role.Input, "HC-SR04")
+    assert roles["J2"] == (hw.Role.Unknown, "GRIPPER, Z")
+    assert pins(path) == {"D2": "J1", "D3": "J2"}
+
+
+def test_solder_jumpers_are_not_crossed(tmp_path: Path) -> None:
+    parts = [part("U1", "ARDUINO_UNO"), part("SJ1", "SJ"), part("LED1", "LED")]
+    libraries = [device("ARDUINO_UNO", UNO), device("SJ", TWO, "Solder jumper"), device("LED", TWO, "LED")]
+    path = schematic(tmp_path, libraries, parts, [net("A", "U1.D2", "SJ1.1"), net("B", "SJ1.2", "LED1.1")])
+    assert "LED1" not in pins(path).values()
+    assert ["'SJ1' is not crossed" in message for message in said(read_circuit(path)[1], "RS217")] == [True]
+
+
+def test_grounds_of_a_board_are_one_and_other_pins_with_counters_are_not(tmp_path: Path) -> None:
+    parts = [part("U1", "ARDUINO_UNO"), part("IC1", "AD623")]
+    chip = [("RG@1", "io"), ("RG@2", "io"), ("GND", "pwr")]
+    path = schematic(tmp_path, [device("ARDUINO_UNO", UNO), device("AD623", chip)], parts,
+        [net("N$1", "IC1.RG@1", "U1.D2"), net("N$2", "IC1.RG@2", "U1.D3"), net("GND", "U1.GND@2", "IC1.GND")])  # fmt: skip
+    circuit, _ = read_circuit(path)
+    ground = next(n for n in circuit.nets if any(c.connectorId == "GND" for c in n.connectors))
+    assert {c.connectorId for c in ground.connectors} == {"GND", "GND@1", "GND@2"}
+    assert len(circuit.nets) == 3
+
+
+def test_nets_go_through_the_ports_of_modules(tmp_path: Path) -> None:
+    inner = (
+        '<modules><module name="LAMP"><ports><port name="IN"/></ports><parts>' + part("LED1", "LED") + "</parts>"
+        f"<sheets><sheet><nets>{net('IN', 'LED1.1')}</nets></sheet></sheets></module></modules>"
+    )
+    instances = '<moduleinsts><moduleinst name="M1" module="LAMP"/><moduleinst name="M2" module="LAMP"/></moduleinsts>'
+    port = '<net name="{0}"><segment><pinref part="U1" gate="A" pin="{0}"/><portref moduleinst="{1}" port="IN"/></segment></net>'
+    libraries = [device("ARDUINO_UNO", UNO), device("LED", TWO, "LED")]
+    nets = [port.format("D2", "M1"), port.format("D3", "M2")]
+    path = schematic(tmp_path, libraries, [part("U1", "ARDUINO_UNO")], nets, inner, instances)
+    assert pins(path) == {"D2": "M1:LED1", "D3": "M2:LED1"}
+
+
+def test_supplies_of_gates_that_are_not_drawn_are_on_the_net_of_their_name(tmp_path: Path) -> None:
+    library = device("SERVO", [("VCC", "pwr"), ("GND", "pwr")], gates=2).replace(
+        'gate name="B"', 'gate name="B" addlevel="request"'
+    )
+    placed = '<instances><instance part="M1" gate="A"/></instances>'
+    parts = [part("U1", "ARDUINO_UNO"), part("M1", "SERVO")]
+    path = schematic(tmp_path, [device("ARDUINO_UNO", UNO), library], parts, [net("GND", "U1.GND@1", "M1.GND")], "", placed)
+    circuit, _ = read_circuit(path)
+    ground = next(n for n in circuit.nets if any(c.connectorId == "GND@1" for c in n.connectors))
+    assert {"A.GND", "B.GND"} <= {c.connectorId for c in ground.connectors}
+
+
+def test_pins_and_parts_that_are_not_there_and_doubled_names_are_left_out_and_said(tmp_path: Path) -> None:
+    parts = [part("U1", "ARDUINO_UNO"), part("LED1", "LED"), part("LED1", "LED"), part("X1", "GONE")]
+    nets = [net("A", "U1.D2", "LED1.1"), net("B", "U1.D99", "X1.1"), net("C", "U1.D4", "LED7.1"), net("D", "U1.D5", "X1.2")]
+    path = schematic(tmp_path, [device("ARDUINO_UNO", UNO), device("LED", TWO, "LED")], parts, nets)
+    circuit, findings = read_circuit(path)
+    assert pins(path) == {"D5": "X1"}
+    assert {f.rule for f in findings} >= {"RS206", "RS207", "RS208", "RS214"}
+    assert len({c.elementId for c in circuit.components}) == 4
+
+
+def test_a_board_drawn_as_headers_only_is_said(tmp_path: Path) -> None:
+    parts = [part("J1", "PINHD-1X4", "POWER"), part("J2", "PINHD-1X4", "DIGITAL"), part("J3", "PINHD-1X4", "ANALOG")]
+    path = schematic(tmp_path, [device("PINHD-1X4", HEADER)], parts, [net("A", "J1.1", "J2.1")])
+    assert ["headers of one" in message for message in said(read_circuit(path)[1], "RS219")] == [True]
+    with pytest.raises(SourceError, match="there is no board"):
+        hardware(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "cause"),
+    [
+        ('<?xml version="1.0"?><!DOCTYPE eagle [<!ENTITY a SYSTEM "file:///etc/passwd">]><eagle>&a;</eagle>', "DOCTYPE"),
+        ('<!DOCTYPE eagle SYSTEM "eagle.dtd"><eagle><drawing><board/></drawing></eagle>', "a board of EAGLE"),
+        ("<eagle><drawing/></eagle>", "no EAGLE schematic"),
+        ("<eagle>" + "<a>" * 5000, "not well-formed"),
+    ],
+)  # fmt: skip
+def test_what_is_no_schematic_is_refused(text: str, cause: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.sch"
+    path.write_text(text)
+    with pytest.raises(SourceError, match=cause) as refused:
+        read_circuit(path)
+    assert refused.value.fix
+    assert "passwd" not in str(refused.value)
+
+
+def test_a_binary_file_of_an_older_eagle_is_recognised_and_refused(tmp_path: Path) -> None:
+    path = tmp_path / "old.sch"
+    path.write_bytes(b"\x10\x80" + bytes(100))
+    assert recognises(path.read_bytes())
+    with pytest.raises(SourceError, match="EAGLE 5 or before"):
+        read_circuit(path)
+
+
+def test_a_module_that_has_itself_in_it_is_refused(tmp_path: Path) -> None:
+    inst = '<moduleinsts><moduleinst name="M1" module="M"/></moduleinsts>'
+    inner = f'<modules><module name="M"><parts/><sheets><sheet>{inst}</sheet></sheets></module></modules>'
+    with pytest.raises(SourceError, match="has itself in it"):
+        read_circuit(schematic(tmp_path, [], [], [], inner, inst))
+
+
+def test_five_hundred_parts_are_read_at_once_and_a_hundred_thousand_are_refused(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", UNO), device("R", TWO, "RESISTOR"), device("LED", TWO, "LED")]
+    parts = [
+        part("U1", "ARDUINO_UNO"),
+        *(part(f"R{n}", "R", "220") for n in range(250)),
+        *(part(f"D{n}", "LED") for n in range(250)),
+    ]
+    nets = [net(f"N${n}", f"R{n}.2", f"D{n}.1") for n in range(250)]
+    path = schematic(tmp_path, libraries, parts, nets)
+    read_circuit(path)
+    took = []
+    for _ in range(3):
+        started = time.process_time()
+        read_circuit(path)
+        took.append(time.process_time() - started)
+    assert min(took) <= 0.5
+    many = schematic(tmp_path, libraries, [part(f"R{n}", "R") for n in range(100_000)], [])
+    with pytest.raises(SourceError, match=f"more than {MOST_PARTS:,} parts"):
+        read_circuit(many)

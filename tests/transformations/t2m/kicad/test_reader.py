@@ -1,0 +1,225 @@
+"""Reader of KiCad's files: sheets, labels, buses, units, libraries, and damaged files, which give no wrong pin."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from robosmi.diagnostics import Finding
+from robosmi.errors import SourceError
+from robosmi.metamodels import hardware as hw
+from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.t2m.kicad import read_circuit
+
+UNO = [*(f"D{n}" for n in range(14)), "A0", "A1", "GND"]
+TWO = ["1", "2"]
+CACHES = Path(__file__).parents[1] / "drawing_readers" / "kicad"
+
+
+def symbol(name: str, pins: list[str], power: str = "", kind: str = "passive") -> str:
+    """A symbol of a library: pins one below the other, ten millimetres apart."""
+    listed = "".join(f'(pin {kind} line (at 0 {-10 * n} 0) (name "{p}") (number "{n + 1}"))' for n, p in enumerate(pins))
+    return f'(symbol "{name}" {power} (symbol "{name.partition(":")[2]}_1_1" {listed}))'
+
+
+def placed(kind: str, reference: str, x: int, y: int, value: str = "", unit: int = 1, more: str = "") -> str:
+    """A symbol on a sheet; its first pin is at its place."""
+    known = f'(property "Reference" "{reference}") (property "Value" "{value or kind.partition(":")[2]}")'
+    return f'(symbol (lib_id "{kind}") (at {x} {y} 0) {more} (unit {unit}) (uuid "{reference}-{x}-{y}") {known})'
+
+
+def wire(x1: int, y1: int, x2: int, y2: int) -> str:
+    """A wire."""
+    return f"(wire (pts (xy {x1} {y1}) (xy {x2} {y2})))"
+
+
+def label(text: str, x: int, y: int, kind: str = "label") -> str:
+    """A label."""
+    return f'({kind} "{text}" (at {x} {y} 0))'
+
+
+def below(name: str, file: str, *pins: tuple[str, int, int]) -> str:
+    """A sheet's symbol."""
+    listed = " ".join(f'(pin "{pin}" input (at {x} {y} 0))' for pin, x, y in pins)
+    return f'(sheet (at 0 0) (uuid "{name}-id") (property "Sheetname" "{name}") (property "Sheetfile" "{file}") {listed})'
+
+
+LIBRARY = [
+    symbol("MCU_Module:Arduino_UNO_R3", UNO), symbol("Device:LED", TWO), symbol("Connector:Conn_01x04", ["1", "2", "3", "4"]),
+    symbol("power:GND", ["GND"], "(power)", "power_in"), symbol("power:+5V", ["+5V"], "(power)", "power_in"),
+]  # fmt: skip
+
+
+def schematic(path: Path, *entries: str, library: list[str] | None = None) -> Path:
+    """A schematic on disk, an entry to a line."""
+    lines = [
+        f'(kicad_sch (version 20230121) (uuid "{path.stem}")',
+        f"(lib_symbols {' '.join(library or LIBRARY)})",
+        *entries,
+        ")",
+    ]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def uno(reference: str = "A1", x: int = 100, y: int = 0) -> str:
+    """An Arduino Uno: D0 at its place, D1 ten millimetres below, ..."""
+    return placed("MCU_Module:Arduino_UNO_R3", reference, x, y)
+
+
+def led(reference: str, x: int, y: int) -> str:
+    """A light emitting diode."""
+    return placed("Device:LED", reference, x, y)
+
+
+def pins(path: Path) -> dict[str, str]:
+    """The component on each pin of the board."""
+    return {m["pin"]: m["component"] for m in hardware(path).result["mappings"]}
+
+
+def said(findings: list[Finding], rule: str) -> list[str]:
+    """What the findings of a rule say; each has a fix."""
+    found = [f for f in findings if f.rule == rule]
+    assert all(f.fix for f in found)
+    return [f.message for f in found]
+
+
+def test_wires_cross_without_a_junction_and_join_with_one(tmp_path: Path) -> None:
+    crossed = [uno(), led("D1", 150, 20), led("D2", 130, 60), wire(100, 20, 150, 20), wire(130, 10, 130, 60)]
+    assert pins(schematic(tmp_path / "a.kicad_sch", *crossed)) == {"D2": "D1"}
+    joined = [*crossed, "(junction (at 130 20))"]
+    circuit, _ = read_circuit(schematic(tmp_path / "b.kicad_sch", *joined))
+    titles = {id(c): component.title for component in circuit.components for c in component.connectors}
+    assert {frozenset(titles[id(c)] for c in net.connectors) for net in circuit.nets} == {frozenset({"A1", "D1", "D2"})}
+
+
+def test_labels_join_on_their_sheet_and_global_ones_everywhere_and_by_accident_what_bears_their_name(tmp_path: Path) -> None:
+    entries = [
+        uno(), led("D1", 150, 200), led("D2", 170, 200), led("D3", 190, 200), label("LAMP", 100, 20), label("LAMP", 150, 200),
+        label("BUS", 100, 30, "global_label"), label("BUS", 170, 200, "global_label"),
+        label("MOTOR", 100, 40), label("MOTOR", 190, 200, "global_label"),
+    ]  # fmt: skip
+    assert pins(schematic(tmp_path / "a.kicad_sch", *entries)) == {"D2": "D1", "D3": "D2", "D4": "D3"}
+
+
+def test_sheets_below_are_read_twice_with_parts_of_their_own_and_their_labels_stay_there(tmp_path: Path) -> None:
+    schematic(tmp_path / "lamp.kicad_sch", led("D1", 50, 50), label("IN", 50, 50, "hierarchical_label"), label("X", 50, 60))
+    root = [uno(), below("left", "lamp.kicad_sch", ("IN", 100, 20)), below("right", "lamp.kicad_sch", ("IN", 100, 30))]
+    path = schematic(tmp_path / "robot.kicad_sch", *root, label("X", 100, 50))
+    circuit, _ = read_circuit(path)
+    assert pins(path) == {"D2": "left/D1", "D3": "right/D1"}
+    assert {c.elementId for c in circuit.components} == {"A1-100-0", "left-id/D1-50-50", "right-id/D1-50-50"}
+    assert [*circuit.companions] == ["lamp.kicad_sch"]
+
+
+def test_members_of_a_bus_go_into_a_sheet_by_their_names(tmp_path: Path) -> None:
+    schematic(tmp_path / "lamps.kicad_sch", led("D1", 50, 50), label("L[0..7]", 0, 0, "hierarchical_label"), label("L3", 50, 50))
+    path = schematic(
+        tmp_path / "robot.kicad_sch", uno(), below("lamps", "lamps.kicad_sch", ("L[0..7]", 0, 0)), label("L3", 100, 20)
+    )
+    assert pins(path) == {"D2": "lamps/D1"}
+
+
+def test_a_missing_sheet_is_said_and_a_sheet_outside_the_folder_is_not_read(tmp_path: Path) -> None:
+    (tmp_path / "in").mkdir()
+    schematic(tmp_path / "out.kicad_sch", led("D9", 50, 50), label("IN", 50, 50, "hierarchical_label"))
+    root = [uno(), led("D1", 150, 20), wire(100, 20, 150, 20), below("a", "gone.kicad_sch", ("IN", 100, 20))]
+    root.append(below("b", "../out.kicad_sch", ("IN", 100, 30)))
+    path = schematic(tmp_path / "in" / "robot.kicad_sch", *root)
+    assert len(said(read_circuit(path)[1], "RS214")) == 2
+    assert pins(path) == {"D2": "D1"}
+
+
+def test_a_sheet_that_has_itself_in_it_is_refused(tmp_path: Path) -> None:
+    schematic(tmp_path / "b.kicad_sch", below("again", "a.kicad_sch"))
+    with pytest.raises(SourceError, match="has itself in it") as refused:
+        read_circuit(schematic(tmp_path / "a.kicad_sch", below("b", "b.kicad_sch")))
+    assert refused.value.fix
+
+
+def test_units_of_a_reference_are_one_part_and_parts_without_a_number_are_told_apart(tmp_path: Path) -> None:
+    two = '(symbol "Amp:LM358" (symbol "LM358_1_1" (pin input line (at 0 0 0) (name "A") (number "1")))'
+    two += '(symbol "LM358_2_1" (pin input line (at 0 0 0) (name "B") (number "5"))))'
+    entries = [
+        uno(), placed("Amp:LM358", "U1", 100, 20), placed("Amp:LM358", "U1", 100, 30, unit=2), led("D?", 100, 40), led("D?", 100, 50),
+    ]  # fmt: skip
+    circuit, findings = read_circuit(schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, two]))
+    assert [c.title for c in circuit.components] == ["A1", "U1", "D?", "D?"]
+    assert said(findings, "RS206") == []
+
+
+def test_a_reference_that_stands_twice_is_two_parts_and_said(tmp_path: Path) -> None:
+    circuit, findings = read_circuit(schematic(tmp_path / "a.kicad_sch", uno(), led("D1", 100, 20), led("D1", 100, 30)))
+    assert ["'D1' stands twice" in message for message in said(findings, "RS206")] == [True]
+    assert len({c.elementId for c in circuit.components}) == 3
+
+
+def test_a_header_that_names_a_device_is_that_device_and_others_are_unknown(tmp_path: Path) -> None:
+    entries = [uno(), placed("Connector:Conn_01x04", "J1", 100, 20, "HC-SR04"), placed("Connector:Conn_01x04", "J2", 100, 70)]
+    circuit, _ = read_circuit(schematic(tmp_path / "a.kicad_sch", *entries))
+    assert [c.role for c in circuit.components] == [hw.Role.Board, hw.Role.Input, hw.Role.Unknown]
+
+
+def test_an_eeschema_drawing_without_its_library_has_parts_and_no_pins(tmp_path: Path) -> None:
+    path = tmp_path / "robot.sch"
+    path.write_bytes((CACHES / "legacy" / "robot.sch").read_bytes())
+    circuit, findings = read_circuit(path)
+    assert len(circuit.components) == 19
+    assert [*circuit.nets] == []
+    assert ["no library beside" in message for message in said(findings, "RS214")] == [True]
+
+
+def test_a_netlist_with_pins_and_parts_that_are_not_there(tmp_path: Path) -> None:
+    text = (CACHES / "netlist" / "robot.net").read_text()
+    path = tmp_path / "robot.net"
+    path.write_text(text.replace('(node (ref R1) (pin 1))', "").replace('(ref "R1") (pin 2)', '(ref "R1") (pin 7)')
+        .replace('(ref "Basic Servo1") (pin 1)', '(ref "Servo9") (pin 1)'))  # fmt: skip
+    found = pins(path)
+    assert "D9" not in found
+    assert "Red (633nm)-LED1" not in found.values()
+    assert {f.rule for f in read_circuit(path)[1]} >= {"RS207", "RS208"}
+
+
+@pytest.mark.parametrize(
+    ("text", "cause"),
+    [
+        ("(kicad_sch (version 1)", "ends before its lists do"),
+        ('(kicad_sch (version "1)', "no end"),
+        ("(kicad_sch))", r"has no '\('"),
+        ("(kicad_sch) (more)", "behind its end"),
+        ("(kicad_sch " + "(" * 100_000, "lists inside lists"),
+        ("(kicad_pcb (version 1))", "no schematic and no netlist"),
+        ("(export (version D) (components))", "no components or no nets"),
+        ("# EESchema Netlist Version 1.1 created now\n", "KiCad 3 or before"),
+        ("EESchema Schematic File Version 4\n$Comp\nL R R1\n", "ends within an entry"),
+        ("EESchema Schematic File Version 4\nWire Wire Line\n\t1 2 x 4\n$EndSCHEMATC\n", "4 numbers are expected"),
+        ("EESchema Schematic File Version 4\n", "ends before its"),
+    ],
+)
+def test_what_is_damaged_is_refused_with_place_and_cause(text: str, cause: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.sch"
+    path.write_text(text)
+    with pytest.raises(SourceError, match=cause) as refused:
+        read_circuit(path)
+    assert refused.value.fix
+    assert refused.value.location is not None
+    assert refused.value.location.line
+
+
+def test_five_hundred_parts_are_read_at_once(tmp_path: Path) -> None:
+    entries = [
+        uno(),
+        *(led(f"D{n}", 1000 + 20 * n, 500) for n in range(500)),
+        *(wire(1000 + 20 * n, 500, 1020 + 20 * n, 500) for n in range(499)),
+    ]
+    path = schematic(tmp_path / "a.kicad_sch", *entries)
+    read_circuit(path)
+    took = []
+    for _ in range(3):
+        started = time.process_time()
+        circuit, _ = read_circuit(path)
+        took.append(time.process_time() - started)
+    assert len(circuit.components) == 501
+    assert min(took) <= 0.5
