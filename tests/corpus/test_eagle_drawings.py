@@ -1,10 +1,10 @@
 """EAGLE schematics of other people against the boards that EAGLE made of them.
 
-A `.brd` beside a schematic has for each signal the pads on it (`contactref`), which EAGLE itself has worked out. Here the pads are
-found by the file alone: pin to pad by the device's `connect`, pad to signal by the board, and nothing of the reader is used. For
-each pin of the board that runs the program, the pins on its net are compared. `drawings/eagle.csv` lists the pairs, and those that
-are stale, judged by a person: the board was changed after the schematic, or the other way. The drawings are no part of the project:
-ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
+A `.brd` beside a schematic has for each signal the pads on it (`contactref`), which EAGLE itself has worked out. Here the pads
+are found by the file alone: pin to pad by the device's `connect`, pad to signal by the board, and nothing of the reader is
+used. For each pin of the board that runs the program, the pins on its net are compared. `drawings/eagle.csv` lists the pairs,
+and those that are stale, judged by a person: the board was changed after the schematic, or the other way. The drawings are no
+part of the project: ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
 """
 
 from __future__ import annotations

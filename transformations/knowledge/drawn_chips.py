@@ -35,7 +35,7 @@ class DrawnChip:
 
 
 def chip_named(texts: Iterable[str]) -> str:
-    """The name of the microcontroller that texts have, in capitals (`ATMEGA328P`, `MEGA8` too); the first text that has one decides.
+    """The name of the microcontroller that texts have (`ATMEGA328P`; `MEGA8` is `ATMEGA8`); the first text that has one decides.
 
     Args:
         texts: what the drawing says of a part, what counts most first: its value goes before its symbol.

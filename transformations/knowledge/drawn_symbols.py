@@ -1,8 +1,8 @@
 """Boards in drawings of tools whose libraries anyone writes: which board a symbol stands for, by what it is called and its pins.
 
-A board's file says under `drawn_symbols` what such symbols are called (shields too: a shield is drawn as the board that it is put
-on); their pins bear the labels that are printed on the board, in many spellings. Catalogues with ids of their own are the business
-of `drawn_boards`, bare microcontrollers that of `drawn_chips`.
+A board's file says under `drawn_symbols` what such symbols are called (shields too: a shield is drawn as the board that it is
+put on); their pins bear the labels that are printed on the board, in many spellings. Catalogues with ids of their own are the
+business of `drawn_boards`, bare microcontrollers that of `drawn_chips`.
 """
 
 from __future__ import annotations

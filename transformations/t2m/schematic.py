@@ -1,8 +1,8 @@
 """Schematics of tools that draw symbols and named nets (EAGLE, KiCad): their records, and the hardware model made of them.
 
-A reader of such a tool fills a `Schematic`: parts with the pins of their symbols, nets with the pins on them. Here it is told what
-the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not drawn, bridges of
-solder, symbols of supplies. Files, and what joins pins, are the readers' business.
+A reader of such a tool fills a `Schematic`: parts with the pins of their symbols, nets with the pins on them. Here it is told
+what the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not drawn,
+bridges of solder, symbols of supplies. Files, and what joins pins, are the readers' business.
 """
 
 from __future__ import annotations
@@ -266,7 +266,7 @@ class _Making:
         self.builder.place(placed)
         if known.part.family == "solder jumper" and len(used) > 1:
             self.report(
-                "RS217", Severity.info, f"the solder jumper '{part.title}' is not crossed: the drawing does not say whether it is closed",
+                "RS217", Severity.info, f"the solder jumper '{part.title}' is not crossed: nothing says whether it is closed",
                 part.line, "draw a wire in its place where it is closed",
             )  # fmt: skip
 
@@ -292,7 +292,8 @@ class _Making:
         words = ("digital", "analog", "power", "arduino", "shield")
         found = [
             part.title for part in self.drawn.parts
-            if not part.power and len(part.pins) >= 4 and any(w in f"{part.value} {part.symbol} {part.family}".lower() for w in words)
+            if not part.power and len(part.pins) >= 4
+            and any(word in f"{part.value} {part.symbol} {part.family}".lower() for word in words)
         ]  # fmt: skip
         if len(found) > 1:
             self.report(

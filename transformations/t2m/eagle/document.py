@@ -1,8 +1,8 @@
 """An EAGLE schematic as records: parts with their devices, nets with the pins on them over all sheets and module instances.
 
-Nets are one where they have one name, whatever sheet they are on. Parts and nets of a module instance bear its name before their
-own (`M1:R1`); a net of the instance that is called like one of the module's ports is that of the port outside. Supply pins of gates
-that are not drawn are on the net of their name, as in EAGLE.
+Nets are one where they have one name, whatever sheet they are on. Parts and nets of a module instance bear its name before
+their own (`M1:R1`); a net of the instance that is called like one of the module's ports is that of the port outside. Supply
+pins of gates that are not drawn are on the net of their name, as in EAGLE.
 """
 
 from __future__ import annotations

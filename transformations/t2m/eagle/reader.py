@@ -1,7 +1,8 @@
 """The transformation itself: an EAGLE schematic in, a `hardware.Circuit` and findings out.
 
-Parts have the names that EAGLE gives them, which are also their identities. A pin on a part or of a name that is not there, or of a
-name that stands twice, is left out and said. The file itself is read by `document`, what symbols stand for is told by `schematic`.
+Parts have the names that EAGLE gives them, which are also their identities. A pin on a part or of a name that is not there, or
+of a name that stands twice, is left out and said. The file itself is read by `document`, what symbols stand for is told by
+`schematic`.
 """
 
 from __future__ import annotations
@@ -65,7 +66,7 @@ class _Drawn:
             if identity != part.name:
                 why = f"the name '{part.name}' stands twice" if part.name else "a part has no name"
                 self.report(
-                    "RS206", Severity.warning, f"{why}: this '{part.deviceset}' is read as {identity}; pins of that name are left out",
+                    "RS206", Severity.warning, f"{why}: this '{part.deviceset}' is {identity}, and wires to the name are left out",
                     part.line, "give each part a name of its own in EAGLE",
                 )  # fmt: skip
                 self.twice.add(part.name)
@@ -80,7 +81,7 @@ class _Drawn:
             if part.found is None:
                 self.report(
                     "RS214", Severity.warning,
-                    f"the drawing has no symbol of '{identity}' ('{part.deviceset}' of '{part.library}'): only its wired pins are known",
+                    f"the drawing has no symbol of '{identity}' ('{part.deviceset}' of '{part.library}'), only its wired pins",
                     part.line, "update the library in EAGLE and save the schematic again",
                 )  # fmt: skip
         made = Schematic(self.document.path, self.document.digest, TOOL, self.document.version)
@@ -123,7 +124,8 @@ class _Drawn:
         found = part.found.pins.get((pin.gate, pin.pin))
         if found is None:
             names = [known.written for known in part.found.pins.values()]
-            cause = f"'{pin.part}' ({part.deviceset}) has no pin '{pin.pin}' in gate '{pin.gate}'{did_you_mean(pin.pin, names)}{left_out}"
+            guess = did_you_mean(pin.pin, names)
+            cause = f"'{pin.part}' ({part.deviceset}) has no pin '{pin.pin}' in gate '{pin.gate}'{guess}{left_out}"
             self.report("RS208", Severity.warning, cause, pin.line, "update the part from its library in EAGLE")
             return None
         return End(pin.part, found.connector)

@@ -1,9 +1,9 @@
 """Which pins of a KiCad schematic are one net: by place, by wires and junctions, by labels, over sheets.
 
-The rules are those of KiCad's own netlist. A wire joins what is at its ends; a junction or a label joins the wires that pass its
-place; pins at one place are joined. Labels of a sheet join by their text on that sheet; labels of the whole drawing and symbols of
-supplies join everywhere, and what bears their name on the same sheet is theirs too. A pin of a sheet's symbol is the label of that
-name in the sheet. Of a bus (`D[0..7]`) each member is joined by its name.
+The rules are those of KiCad's own netlist. A wire joins what is at its ends; a junction or a label joins the wires that pass
+its place; pins at one place are joined. Labels of a sheet join by their text on that sheet; labels of the whole drawing and
+symbols of supplies join everywhere, and what bears their name on the same sheet is theirs too. A pin of a sheet's symbol is the
+label of that name in the sheet. Of a bus (`D[0..7]`) each member is joined by its name.
 """
 
 from __future__ import annotations

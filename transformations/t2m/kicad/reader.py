@@ -1,7 +1,8 @@
 """The transformation itself: a KiCad schematic or netlist in, a `hardware.Circuit` and findings out.
 
-Parts have KiCad's own ids as identities, and their references, with the names of their sheets before them, as titles. Which form a
-file has is told by what it begins with; each is read by a module of its own, and what symbols stand for is told by `schematic`.
+Parts have KiCad's own ids as identities, and their references, with the names of their sheets before them, as titles. Which
+form a file has is told by what it begins with; each is read by a module of its own, and what symbols stand for is told by
+`schematic`.
 """
 
 from __future__ import annotations
@@ -111,7 +112,7 @@ class _Sheets:
             shown = ", ".join(missing[:5]) + (", ..." if len(missing) > 5 else "")
             self.builder.report(
                 "RS214", Severity.warning,
-                f"no library beside the schematic has {shown}: where their pins are is not known, so nothing is connected to them",
+                f"no library beside the schematic has {shown}: where their pins are is not known, and they are not wired",
                 None, f"put {self.folder.path.stem}-cache.lib beside it, or open it in KiCad 6 or newer and save it",
             )  # fmt: skip
         return sheet

@@ -1,7 +1,7 @@
 """One sheet of a KiCad schematic as records, whatever the form of its file: wires, labels, symbols, sheets below it.
 
-Positions are in whole numbers of the form's own finest step, so that what is at one place compares equal. Which of it is one net is
-told by `nets`.
+Positions are in whole numbers of the form's own finest step, so that what is at one place compares equal. Which of it is one
+net is told by `nets`.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Wire(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class LibraryPin:
-    """A pin of a symbol: number, name, electrical type, place, the unit and the body style that it is of (0: all), whether hidden."""
+    """A pin of a symbol: number, name, electrical type, place, unit and body style that it is of (0: all), whether hidden."""
 
     number: str
     name: str
@@ -43,7 +43,7 @@ class LibraryPin:
 
 @dataclass(frozen=True, slots=True)
 class LibrarySymbol:
-    """A symbol of a library: its id with the library's name, whether it only names a net, what the library says of it, its pins."""
+    """A symbol of a library: its id with the library's name, whether it only names a net, what the library says, its pins."""
 
     identity: str
     power: bool = False

@@ -1,4 +1,4 @@
-"""Symbol libraries of KiCad 5 and before (`-cache.lib`, `.lib`), read from the folder of a schematic that has no symbols itself."""
+"""Symbol libraries of KiCad 5 and before (`-cache.lib`, `.lib`), read from the folder of a schematic without symbols."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _KINDS = {"W": "power_in", "w": "power_out"}
 def library_of(folder: DrawingFolder, identities: Iterable[str]) -> dict[str, LibrarySymbol]:
     """The symbols of a schematic, by the names that it calls them.
 
-    KiCad's own cache (`NAME-cache.lib`) is read first, then what was rescued (`NAME-rescue.lib`), then libraries of the names that
-    stand before the symbols' (`LIBRARY.lib`), each where it lies beside the schematic.
+    KiCad's own cache (`NAME-cache.lib`) is read first, then what was rescued (`NAME-rescue.lib`), then libraries of the names
+    that stand before the symbols' (`LIBRARY.lib`), each where it lies beside the schematic.
 
     Args:
         folder: the folder of the schematic.

@@ -143,7 +143,8 @@ def test_units_of_a_reference_are_one_part_and_parts_without_a_number_are_told_a
     two = '(symbol "Amp:LM358" (symbol "LM358_1_1" (pin input line (at 0 0 0) (name "A") (number "1")))'
     two += '(symbol "LM358_2_1" (pin input line (at 0 0 0) (name "B") (number "5"))))'
     entries = [
-        uno(), placed("Amp:LM358", "U1", 100, 20), placed("Amp:LM358", "U1", 100, 30, unit=2), led("D?", 100, 40), led("D?", 100, 50),
+        uno(), placed("Amp:LM358", "U1", 100, 20), placed("Amp:LM358", "U1", 100, 30, unit=2), led("D?", 100, 40),
+        led("D?", 100, 50),
     ]  # fmt: skip
     circuit, findings = read_circuit(schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, two]))
     assert [c.title for c in circuit.components] == ["A1", "U1", "D?", "D?"]
