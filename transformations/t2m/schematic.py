@@ -235,7 +235,7 @@ class _Making:
         groups: dict[tuple[str, str], list[End]] = {}
         for part in self.drawn.parts:
             known = self.known[part.identity][1]
-            for connector in part.pins or self.used.get(part.identity, ()):
+            for connector in part.pins or self.used.get(part.identity, {}):
                 node = (part.identity, known.leader(connector))
                 if node in joined and self.builder.connector(End(part.identity, connector)) is not None:
                     groups.setdefault(joined.find(node), []).append(End(part.identity, connector))

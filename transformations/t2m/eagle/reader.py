@@ -66,7 +66,7 @@ class _Drawn:
             if identity != part.name:
                 why = f"the name '{part.name}' stands twice" if part.name else "a part has no name"
                 self.report(
-                    "RS206", Severity.warning, f"{why}: this '{part.deviceset}' is {identity}, and wires to the name are left out",
+                    "RS206", Severity.warning, f"{why}: this '{part.deviceset}' is {identity}, wires to the name are left out",
                     part.line, "give each part a name of its own in EAGLE",
                 )  # fmt: skip
                 self.twice.add(part.name)

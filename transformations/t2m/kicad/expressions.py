@@ -33,7 +33,7 @@ _HEAD = re.compile(r'\(\s*("(?:[^"\\]|\\.)*+"|[^\s()"]*)', re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
-class Listed:
+class Expression:
     """A list of a text: its first word, where it begins and ends."""
 
     head: str
@@ -55,14 +55,14 @@ class Expressions:
     def __init__(self, text: str, path: str) -> None:
         self.text, self.path = text, path
         self.breaks = [found.start() for found in re.finditer("\n", text)]
-        self._members: dict[int, list[Listed]] = {}
+        self._members: dict[int, list[Expression]] = {}
         self._looks: list[tuple[int, int]] = []
         self.root = self._gone_through()
 
-    def _gone_through(self) -> Listed:
+    def _gone_through(self) -> Expression:
         text = self.text
         open_lists: list[int] = []
-        root: Listed | None = None
+        root: Expression | None = None
         count = 0
         for found in _TOKEN.finditer(text):
             token = found[0]
@@ -78,7 +78,7 @@ class Expressions:
                 if not open_lists:
                     raise self.error("a ')' has no '('", found.start())
                 start = open_lists.pop()
-                listed = Listed(self._head(start), start, found.end())
+                listed = Expression(self._head(start), start, found.end())
                 if listed.head in _LOOKS and len(open_lists) > 1:
                     while self._looks and self._looks[-1][0] > start:
                         self._looks.pop()
@@ -96,11 +96,11 @@ class Expressions:
             raise self.error("it has no list in brackets", 0)
         return root
 
-    def members(self, listed: Listed) -> Iterator[Listed]:
+    def members(self, listed: Expression) -> Iterator[Expression]:
         """The lists in a list of the two outer layers, in the file's order."""
         return iter(self._members.get(listed.start, ()))
 
-    def parsed(self, listed: Listed) -> list[Any]:
+    def parsed(self, listed: Expression) -> list[Any]:
         """A list as Python's, names and texts as texts, numbers as numbers.
 
         Raises:
@@ -114,7 +114,7 @@ class Expressions:
             raise self.error("it is no list", listed.start)
         return found
 
-    def _without_looks(self, listed: Listed) -> str:
+    def _without_looks(self, listed: Expression) -> str:
         """The text of a list without what only says how something looks."""
         pieces, place = [], listed.start
         first = bisect_left(self._looks, (listed.start, 0))

@@ -122,7 +122,7 @@ class Hierarchy:
             node = nets.at(placed_at(symbol, pin))
             part.nodes.append((pin.number, node))
             self.joined.find(node)
-            if pin.kind == "power_in" and (library.power or pin.hidden) and library is not None:
+            if library is not None and pin.kind == "power_in" and (library.power or pin.hidden):
                 name = symbol.properties.get("Value", "") if library.power and sheet.by_value else pin.name
                 if name:
                     self.joined.union(node, nets.everywhere(name))

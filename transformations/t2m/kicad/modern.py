@@ -9,8 +9,8 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.kicad.expressions import (
+    Expression,
     Expressions,
-    Listed,
     child,
     children,
     head,
@@ -118,7 +118,7 @@ class _Modern:
         for path in children(found, "path"):
             self.sheet.instances[word(path[1])] = (told(path, "reference"), _whole(told(path, "unit")))
 
-    def _library(self, entry: Listed) -> None:
+    def _library(self, entry: Expression) -> None:
         raw = {}
         for symbol in self.listed.members(entry):
             if symbol.head == "symbol":

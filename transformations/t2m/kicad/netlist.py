@@ -7,7 +7,7 @@ from typing import Any
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End
-from robosmi.transformations.t2m.kicad.expressions import Expressions, Listed, child, children, told, word
+from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, child, children, told, word
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_PARTS = 50_000
@@ -47,10 +47,10 @@ class _Netlist:
             self._component(entry, library)
         self._nets(sections["nets"])
 
-    def _told(self, listed: Listed, name: str) -> str:
+    def _told(self, listed: Expression, name: str) -> str:
         return next((told([self.listed.parsed(entry)], name) for entry in self.listed.members(listed) if entry.head == name), "")
 
-    def _library(self, section: Listed | None) -> dict[str, tuple[str, dict[str, str]]]:
+    def _library(self, section: Expression | None) -> dict[str, tuple[str, dict[str, str]]]:
         """Description and pins of each symbol, by `LIBRARY:NAME`, aliases too."""
         found: dict[str, tuple[str, dict[str, str]]] = {}
         for entry in self.listed.members(section) if section is not None else ():
@@ -62,7 +62,7 @@ class _Netlist:
                 found[f"{told(part, 'lib')}:{name}"] = (told(part, "description"), named)
         return found
 
-    def _component(self, entry: Listed, library: dict[str, tuple[str, dict[str, str]]]) -> None:
+    def _component(self, entry: Expression, library: dict[str, tuple[str, dict[str, str]]]) -> None:
         part, line = self.listed.parsed(entry), self.listed.line(entry.start)
         reference, value = told(part, "ref"), told(part, "value")
         source = child(part, "libsource") or []
@@ -86,7 +86,7 @@ class _Netlist:
         self.by_reference.setdefault(reference, made)
         self.made.parts.append(made)
 
-    def _nets(self, section: Listed) -> None:
+    def _nets(self, section: Expression) -> None:
         taken: set[End] = set()
         for entry in self.listed.members(section):
             net = self.listed.parsed(entry)

@@ -49,7 +49,9 @@ def parsed(text: str) -> dict[str, LibrarySymbol]:
     found: dict[str, LibrarySymbol] = {}
     if not text.startswith(_HEAD):
         return found
-    name, power, aliases, pins = "", False, [], []
+    name, power = "", False
+    aliases: list[str] = []
+    pins: list[LibraryPin] = []
     for line in text.splitlines():
         words = line.split()
         if words[:1] == ["DEF"] and len(words) > 1:
