@@ -88,7 +88,8 @@ def told_and_meant(path: Path) -> tuple[set[tuple[str, ...]], set[tuple[str, ...
     owners = {id(connector): component for component in circuit.components for connector in component.connectors}
     signals = of_board(path)
     elements = {part for part, _ in signals}
-    told, meant = set(), set()
+    told: set[tuple[str, ...]] = set()
+    meant: set[tuple[str, ...]] = set()
     for component in circuit.components:
         if component.role is not hardware.Role.Board or component.title not in elements:
             continue

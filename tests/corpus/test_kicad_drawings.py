@@ -75,7 +75,8 @@ def told_and_meant(path: Path) -> tuple[set[tuple[str, ...]], set[tuple[str, ...
     }
     meant_nets = pads(path.with_suffix(".kicad_pcb"))
     references = {reference for reference, _ in meant_nets}
-    told, meant = set(), set()
+    told: set[tuple[str, ...]] = set()
+    meant: set[tuple[str, ...]] = set()
     for component in circuit.components:
         reference = component.title.rpartition("/")[2]
         if component.role is not hardware.Role.Board or reference not in references:

@@ -14,9 +14,9 @@ from pathlib import Path
 
 from lxml import etree
 
-from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m.drawing_file import drawing_bytes
 from robosmi.transformations.t2m.eagle.library import EagleDevice, EagleLibraries
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
 
@@ -93,7 +93,10 @@ def read_schematic(path: Path) -> EagleSchematic:
     Raises:
         SourceError: the file is missing, not readable, damaged, of an older EAGLE, no schematic, or has too many parts.
     """
-    data = _bytes_of(path)
+    data = drawing_bytes(path, "schematic", "the .sch file in it", _FIX)
+    if data.startswith(_BINARY):
+        cause = "it is a binary file of EAGLE 5 or before, which is not read"
+        raise SourceError(cause, location=Location(str(path)), fix=_FIX)
     root = parse_xml(data, str(path), path.name, "EAGLE", "eagle")
     drawn = root.find("drawing/schematic")
     if root.tag != "eagle" or drawn is None:
@@ -109,22 +112,6 @@ def read_schematic(path: Path) -> EagleSchematic:
     made = EagleSchematic(str(path), hashlib.sha256(data).hexdigest(), root.get("version", ""))
     _Reading(made, drawn).all_of(drawn, "", ())
     return made
-
-
-def _bytes_of(path: Path) -> bytes:
-    place = Location(str(path))
-    try:
-        data = inputs.read_bytes(path, inputs.DRAWING)
-    except IsADirectoryError as error:
-        raise SourceError("it is a folder, not a schematic", location=place, fix="give the .sch file in it") from error
-    except OSError as error:
-        fix = inputs.fix_of(error, "check the name and the permissions of the file")
-        raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=fix) from error
-    if not data.strip():
-        raise SourceError("the file is empty", location=place, fix=_FIX)
-    if data.startswith(_BINARY):
-        raise SourceError("it is a binary file of EAGLE 5 or before, which is not read", location=place, fix=_FIX)
-    return data
 
 
 class _Reading:

@@ -12,12 +12,12 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.companions import DrawingFolder
 from robosmi.transformations.t2m.drawing import CircuitBuilder
+from robosmi.transformations.t2m.drawing_file import drawing_bytes
 from robosmi.transformations.t2m.kicad.expressions import FIX
 from robosmi.transformations.t2m.kicad.hierarchy import Hierarchy
 from robosmi.transformations.t2m.kicad.legacy import HEAD, read_legacy
@@ -58,7 +58,7 @@ def read_circuit(
         PlatformDataError: an entry of the catalogue is damaged.
         UsageError: a role or a component in `roles` does not exist, or the title is not unique.
     """
-    data = _bytes_of(Path(path))
+    data = drawing_bytes(Path(path), "schematic", "the .kicad_sch file in it", FIX)
     text = decoded(data, str(path))
     builder = CircuitBuilder(str(path), TOOL.lower(), project)
     folder = DrawingFolder(path)
@@ -128,17 +128,3 @@ def decoded(data: bytes, path: str) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise SourceError(f"it is not UTF-8: {error.reason}", location=Location(path), fix=FIX) from error
-
-
-def _bytes_of(path: Path) -> bytes:
-    place = Location(str(path))
-    try:
-        data = inputs.read_bytes(path, inputs.DRAWING)
-    except IsADirectoryError as error:
-        raise SourceError("it is a folder, not a schematic", location=place, fix="give the .kicad_sch file in it") from error
-    except OSError as error:
-        fix = inputs.fix_of(error, "check the name and the permissions of the file")
-        raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=fix) from error
-    if not data.strip():
-        raise SourceError("the file is empty", location=place, fix=FIX)
-    return data

@@ -16,10 +16,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robosmi import inputs
 from robosmi.data_text import json_at
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.transformations.t2m.drawing_file import drawing_bytes
 
 MOST_PARTS = 20_000
 """Parts, and connections, of a diagram; the largest public one has under a thousand."""
@@ -87,26 +87,12 @@ def read_diagram(path: Path) -> Diagram:
     Raises:
         SourceError: the file is missing, not readable, no JSON, no diagram, or has too many parts.
     """
-    data = _bytes_of(path)
+    data = drawing_bytes(path, "diagram", "the diagram.json in it", _FIX)
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise SourceError(f"it is not UTF-8: {error.reason}", location=Location(str(path)), fix="save it as UTF-8") from error
     return _Reading(path, text).diagram(hashlib.sha256(data).hexdigest())
-
-
-def _bytes_of(path: Path) -> bytes:
-    place = Location(str(path))
-    try:
-        data = inputs.read_bytes(path, inputs.DRAWING)
-    except IsADirectoryError as error:
-        raise SourceError("it is a folder, not a diagram", location=place, fix="give the diagram.json in it") from error
-    except OSError as error:
-        fix = inputs.fix_of(error, "check the name and the permissions of the file")
-        raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=fix) from error
-    if not data.strip():
-        raise SourceError("the file is empty", location=place, fix=_FIX)
-    return data
 
 
 class _Reading:
