@@ -163,7 +163,7 @@ class _Making:
         return any(fnmatchcase(part.symbol.lower(), pattern) for pattern in patterns)
 
     def _board(self, part: SchematicPart) -> DrawnBoard | None:
-        texts = (part.value, part.symbol, part.listed_as)
+        texts = (part.value, part.symbol)  # a library called `arduino` has other parts too
         pins = part.pins if part.defined else {pin: pin for pin in self.used.get(part.identity, ())}
         if (board := drawn_symbol(texts, pins, self.project, least=LEAST_PINS if part.defined else 0)) is not None:
             return board
@@ -199,7 +199,7 @@ class _Making:
     def _chip(part: SchematicPart) -> str:
         """The microcontroller that a part is, or an empty text: it is called like one and has ports."""
         ports = sum(bool(port_of(name)) for name in part.pins.values())
-        return chip_named((part.value, part.symbol, part.listed_as)) if ports >= _LEAST_PORTS else ""
+        return chip_named((part.value, part.symbol)) if ports >= _LEAST_PORTS else ""
 
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
         if part.value:

@@ -132,13 +132,13 @@ class _Drawn:
 
 
 def _part(identity: str, part: EaglePart) -> SchematicPart:
-    """The part as all tools have it; its id is the device as EAGLE's ADD command names it."""
+    """The part as all tools have it; its id is the device set with its library's name before it."""
     found = part.found
     pins = {pin.connector: pin.name for pin in found.pins.values()} if found is not None else {}
     title = (found.title if found is not None else part.deviceset + part.device).replace("*", part.technology)
     power = found is not None and bool(found.pins) and all(pin.direction == "sup" for pin in found.pins.values())
     return SchematicPart(
-        identity=identity, title=part.name, symbol=title, listed_as=f"{title}@{part.library}", family=part.library,
+        identity=identity, title=part.name, symbol=title, listed_as=f"{part.library}:{part.deviceset}", family=part.library,
         value=part.value if part.value != title else "", description=found.description if found is not None else "", pins=pins,
         count=found.pads if found is not None else 0, properties=part.attributes, line=part.line, power=power,
         defined=found is not None,

@@ -217,3 +217,18 @@ def test_five_hundred_parts_are_read_at_once_and_a_hundred_thousand_are_refused(
     many = schematic(tmp_path, libraries, [part(f"R{n}", "R") for n in range(100_000)], [])
     with pytest.raises(SourceError, match=f"more than {MOST_PARTS:,} parts"):
         read_circuit(many)
+
+
+def test_a_display_with_pins_called_like_those_of_a_board_is_none(tmp_path: Path) -> None:
+    """What the library is called does not count, nor a name without the pins of a board."""
+    display: Pins = [(f"D{n}", "io") for n in range(8)]
+    libraries = [device("ARDUINO_UNO", UNO), device("LCD20X4", display), device("ARDUINO_UNO_LOGO", TWO)]
+    libraries[1] = libraries[1].replace("lib-lcd20x4", "arduino_shield")
+    parts = [
+        part("U1", "ARDUINO_UNO"),
+        part("DIS1", "LCD20X4").replace("lib-lcd20x4", "arduino_shield"),
+        part("X1", "ARDUINO_UNO_LOGO"),
+    ]
+    path = schematic(tmp_path, libraries, parts, [net("A", "U1.D2", "DIS1.D4")])
+    assert {c.title for c in read_circuit(path)[0].components if c.role is hw.Role.Board and c.boardName} == {"U1"}
+    assert pins(path) == {"D2": "DIS1"}
