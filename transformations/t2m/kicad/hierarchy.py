@@ -14,14 +14,11 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.connectivity import Joined, Node
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End
 from robosmi.transformations.t2m.kicad.nets import SheetNets
-from robosmi.transformations.t2m.kicad.sheet import LibrarySymbol, Sheet, SheetSymbol, SubSheet, placed_at
+from robosmi.transformations.t2m.kicad.sheet import MOST_SYMBOLS, LibrarySymbol, Sheet, SheetSymbol, SubSheet, placed_at
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_SHEETS = 1_000
 """Sheets of a drawing, one drawn twice counted twice."""
-
-MOST_SYMBOLS = 50_000
-"""Symbols on all sheets together; the largest public schematic has a few thousand."""
 
 SheetReader = Callable[[str, str], Sheet | None]
 """The sheet of a file, and the one that names it, both relative to the drawing's folder; None where there is no such file."""

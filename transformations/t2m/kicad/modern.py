@@ -21,6 +21,7 @@ from robosmi.transformations.t2m.kicad.expressions import (
 from robosmi.transformations.t2m.kicad.sheet import (
     GLOBAL,
     LOCAL,
+    MOST_SYMBOLS,
     UPWARD,
     Label,
     LibraryPin,
@@ -66,7 +67,11 @@ class _Modern:
             "symbol_instances": self._instances, "uuid": self._uuid, "version": self._version,
             **dict.fromkeys(_LABELS, self._label),
         }  # fmt: skip
-        for entry in listed.members(listed.root):
+        entries = [*listed.members(listed.root)]
+        if sum(entry.head == "symbol" for entry in entries) > MOST_SYMBOLS:
+            fix = "check that it is the drawing you meant"
+            raise SourceError(f"it has more than {MOST_SYMBOLS:,} symbols", location=Location(listed.path, 1), fix=fix)
+        for entry in entries:
             if entry.head == "lib_symbols":
                 self._library(entry)
             elif (reader := readers.get(entry.head)) is not None:

@@ -28,15 +28,17 @@ from robosmi.transformations.t2m.kicad.symbol_library import library_of
 from robosmi.transformations.t2m.schematic import Schematic, circuit_of
 
 TOOL = "KiCad"
+_GEDA = re.compile(r"v [0-9]{8} [0-9]")
 _MODERN = re.compile(r"\(\s*kicad_sch\b")
 _NETLIST = re.compile(r"\(\s*export\b")
 _OLD_NETLIST = re.compile(r"(?:#|\( \{) *EESchema Netlist", re.IGNORECASE)
 
 
 def recognises(head: bytes) -> bool:
-    """Whether a file that begins so is a schematic or a netlist of KiCad, of forms too old to be read too."""
+    """Whether a file that begins so is a schematic or a netlist of KiCad, or a form of that ending that is refused with advice:
+    an old netlist, a schematic of gEDA."""
     text = head.decode("utf-8-sig", "replace").lstrip()
-    return text.startswith(HEAD) or any(form.match(text) is not None for form in (_MODERN, _NETLIST, _OLD_NETLIST))
+    return text.startswith(HEAD) or any(form.match(text) is not None for form in (_MODERN, _NETLIST, _OLD_NETLIST, _GEDA))
 
 
 def read_circuit(
@@ -72,6 +74,9 @@ def read_circuit(
         made.version = root.version
         Hierarchy(root, sheets.read, builder).fill(made)
     else:
+        if _GEDA.match(begins) is not None:
+            fix = "draw it in KiCad or EAGLE, or write a pin table (docs/reference/pin-tables.md)"
+            raise SourceError("it is a schematic of gEDA, which is not read", location=Location(str(path), 1), fix=fix)
         old = _OLD_NETLIST.match(begins) is not None
         cause = "it is a netlist of KiCad 3 or before, which is not read" if old else "it is no schematic and no netlist of KiCad"
         raise SourceError(cause, location=Location(str(path), 1), fix=FIX)

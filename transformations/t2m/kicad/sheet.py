@@ -10,6 +10,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+MOST_SYMBOLS = 50_000
+"""Symbols of a drawing; the largest public schematic has a few thousand."""
+
 LOCAL, GLOBAL, UPWARD = "local", "global", "upward"
 """Kinds of labels: of the sheet, of the whole drawing, of a pin of the sheet's symbol."""
 

@@ -193,6 +193,7 @@ def test_a_netlist_with_pins_and_parts_that_are_not_there(tmp_path: Path) -> Non
         ("(kicad_sch " + "(" * 100_000, "lists inside lists"),
         ("(kicad_pcb (version 1))", "no schematic and no netlist"),
         ("(export (version D) (components))", "no components or no nets"),
+        ("v 20130925 2\nC 40000 40000 0 0 0 title-B.sym\n", "schematic of gEDA"),
         ("# EESchema Netlist Version 1.1 created now\n", "KiCad 3 or before"),
         ("EESchema Schematic File Version 4\n$Comp\nL R R1\n", "ends within an entry"),
         ("EESchema Schematic File Version 4\nWire Wire Line\n\t1 2 x 4\n$EndSCHEMATC\n", "4 numbers are expected"),
@@ -224,3 +225,11 @@ def test_five_hundred_parts_are_read_at_once(tmp_path: Path) -> None:
         took.append(time.process_time() - started)
     assert len(circuit.components) == 501
     assert min(took) <= 0.5
+
+
+def test_a_hundred_thousand_parts_are_refused_before_they_are_parsed(tmp_path: Path) -> None:
+    path = schematic(tmp_path / "a.kicad_sch", *(led(f"D{n}", n, 0) for n in range(100_000)))
+    started = time.process_time()
+    with pytest.raises(SourceError, match="more than 50,000 symbols"):
+        read_circuit(path)
+    assert time.process_time() - started < 10
