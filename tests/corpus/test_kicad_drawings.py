@@ -9,35 +9,14 @@ changed after the schematic, or the other way. The drawings are no part of the p
 
 from __future__ import annotations
 
-import csv
-import os
-from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
 import sexpdata
 
-from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.kicad import read_circuit
-
-TABLE = Path(__file__).parent / "drawings" / "kicad.csv"
-
-
-def drawings() -> list[tuple[dict[str, str], Path]]:
-    """The rows whose drawings are there; the test is skipped where none is."""
-    folder = os.environ.get("ROBOSMI_DRAWINGS")
-    if not folder:
-        pytest.skip("ROBOSMI_DRAWINGS does not name a folder with the drawings")
-    with TABLE.open(encoding="utf-8", newline="") as file:
-        listed = [
-            (row, Path(folder) / row["repository"].replace("/", "+") / row["path"]) for row in csv.DictReader(file, delimiter=";")
-        ]
-    found = [(row, path) for row, path in listed if path.is_file()]
-    if not found:
-        pytest.skip("none of the KiCad drawings is in ROBOSMI_DRAWINGS")
-    return found
+from tests.corpus.drawn_boards import check_figures, drawings, told_and_meant
 
 
 def lists(found: list[Any], *heads: str) -> Iterator[list[Any]]:
@@ -64,52 +43,16 @@ def pads(board: Path) -> dict[tuple[str, str], frozenset[tuple[str, str]]]:
     return {pad: frozenset(found) for found in nets.values() for pad in found}
 
 
-def told_and_meant(path: Path) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
-    """(reference, pad, other reference, pad) for each pin of a board: what the reader tells, what the `.kicad_pcb` means."""
-    circuit, _ = read_circuit(path)
-    nets: dict[int, hardware.Net] = {id(connector): net for net in circuit.nets for connector in net.connectors}
-    owners = {
-        id(connector): component.title.rpartition("/")[2]
-        for component in circuit.components
-        for connector in component.connectors
-    }
-    meant_nets = pads(path.with_suffix(".kicad_pcb"))
-    references = {reference for reference, _ in meant_nets}
-    told: set[tuple[str, ...]] = set()
-    meant: set[tuple[str, ...]] = set()
-    for component in circuit.components:
-        reference = component.title.rpartition("/")[2]
-        if component.role is not hardware.Role.Board or reference not in references:
-            continue
-        for connector in component.connectors:
-            if not connector.pin:
-                continue
-            here = (reference, connector.connectorId)
-            if (net := nets.get(id(connector))) is not None:
-                ends = {(owners[id(other)], other.connectorId) for other in net.connectors}
-                told |= {(*here, *end) for end in ends - {here} if end[0] in references}
-            meant |= {(*here, *end) for end in meant_nets.get(here, frozenset()) - {here}}
-    return told, meant
-
-
 def test_the_pins_of_the_boards_are_those_that_kicad_gave_them() -> None:
-    counts: Counter[str] = Counter()
-    wrong = []
-    for row, path in drawings():
-        if row["stale"] or not path.with_suffix(".kicad_pcb").is_file():
-            continue
-        told, meant = told_and_meant(path)
-        counts.update(right=len(told & meant), told=len(told), meant=len(meant), drawings=bool(meant))
-        if told != meant:
-            wrong.append(f"{row['repository']} {row['path']}: {sorted(told ^ meant)}")
-    print(f"KiCad: {counts['drawings']} drawings, {counts['told']} told, {counts['meant']} meant, {counts['right']} right")
-    assert counts["meant"] > 0
-    assert counts["right"] >= 0.99 * counts["told"], wrong
-    assert counts["right"] >= 0.99 * counts["meant"], wrong
+    def judged(path: Path) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
+        made = pads(path.with_suffix(".kicad_pcb"))
+        return told_and_meant(read_circuit(path)[0], made, lambda title: title.rpartition("/")[2])
+
+    check_figures("KiCad", ".kicad_pcb", judged)
 
 
 def test_every_drawing_is_read() -> None:
     """A sheet may be empty, so parts are not asked for."""
-    for _, path in drawings():
+    for _, path in drawings("KiCad"):
         circuit, _ = read_circuit(path)
         assert circuit.tool == "KiCad"

@@ -7,7 +7,7 @@ identities and what joins connectors are the readers' business (docs/how-to/add-
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import NamedTuple
@@ -322,6 +322,22 @@ class CircuitBuilder:
                 module_id=placed.listed_as or placed.part_id,
                 file=placed.hint,
             )
+
+
+def free_identity(name: str, line: int, taken: Container[str]) -> str:
+    """The identity of a part in a drawing: its name where that is its alone, else with a number behind it.
+
+    Args:
+        name: as the drawing has it, empty for none.
+        line: where the part stands, by which one without a name is called.
+        taken: the identities of the parts before it.
+    """
+    own = identity = name or f"line{line}"
+    number = 1
+    while identity in taken:
+        number += 1
+        identity = f"{own}.{number}"
+    return identity
 
 
 def _properties(part: Part, own: Mapping[str, str]) -> dict[str, str]:

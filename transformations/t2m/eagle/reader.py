@@ -15,7 +15,7 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.connectivity import Joined
-from robosmi.transformations.t2m.drawing import CircuitBuilder, End
+from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.eagle.document import EaglePart, EagleSchematic, PinRef, read_schematic
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart, circuit_of
 
@@ -59,10 +59,7 @@ class _Drawn:
     def _identified(self) -> dict[str, EaglePart]:
         found: dict[str, EaglePart] = {}
         for part in self.document.parts:
-            identity, number = part.name or f"line{part.line}", 1
-            while identity in found:
-                number += 1
-                identity = f"{part.name or f'line{part.line}'}.{number}"
+            identity = free_identity(part.name, part.line, found)
             if identity != part.name:
                 why = f"the name '{part.name}' stands twice" if part.name else "a part has no name"
                 self.report(

@@ -16,7 +16,7 @@ from robosmi.errors import did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.t2m.connectivity import Joined, Node
-from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
+from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed, free_identity
 from robosmi.transformations.t2m.wokwi.document import Connection, Diagram, DiagramPart, read_diagram
 
 TOOL = "Wokwi"
@@ -76,10 +76,7 @@ class _Reading:
         """The parts by identity, which is their id where that is theirs alone."""
         found: dict[str, DiagramPart] = {}
         for part in self.diagram.parts:
-            identity, number = part.identity or f"line{part.line}", 1
-            while identity in found:
-                number += 1
-                identity = f"{part.identity or f'line{part.line}'}.{number}"
+            identity = free_identity(part.identity, part.line, found)
             if identity != part.identity:
                 why = f"the id '{part.identity}' stands twice" if part.identity else "a part has no id"
                 lost = "; connections to it are left out" if part.identity else ""

@@ -1,0 +1,83 @@
+"""Drawings of other people against the boards that the drawing tools made of them: what both judges share.
+
+ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each drawing that a table of `drawings/` lists.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections import Counter
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import pytest
+
+from robosmi.metamodels import hardware
+
+Pad = tuple[str, str]
+"""A part by its reference, and its connector or pad."""
+Rows = list[tuple[dict[str, str], Path]]
+
+
+def drawings(tool: str) -> Rows:
+    """The rows of a tool's table whose drawings are there; the test is skipped where none is."""
+    folder = os.environ.get("ROBOSMI_DRAWINGS")
+    if not folder:
+        pytest.skip("ROBOSMI_DRAWINGS does not name a folder with the drawings")
+    table = Path(__file__).parent / "drawings" / f"{tool.lower()}.csv"
+    with table.open(encoding="utf-8", newline="") as file:
+        listed = [
+            (row, Path(folder) / row["repository"].replace("/", "+") / row["path"]) for row in csv.DictReader(file, delimiter=";")
+        ]
+    found = [(row, path) for row, path in listed if path.is_file()]
+    if not found:
+        pytest.skip(f"none of the {tool} drawings is in ROBOSMI_DRAWINGS")
+    return found
+
+
+def told_and_meant(
+    circuit: hardware.Circuit, on_board: Mapping[Pad, frozenset[Pad]], reference: Callable[[str], str] = str
+) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
+    """(part, pin, other part, its connector) for each pin of a board: what a reader tells, and what the made board means.
+
+    Args:
+        circuit: what was read.
+        on_board: for each pad of the made board all that are on its net.
+        reference: the board's name of a part, of its title in the drawing.
+    """
+    nets: dict[int, hardware.Net] = {id(connector): net for net in circuit.nets for connector in net.connectors}
+    owners = {id(connector): reference(part.title) for part in circuit.components for connector in part.connectors}
+    known = {part for part, _ in on_board}
+    told: set[tuple[str, ...]] = set()
+    meant: set[tuple[str, ...]] = set()
+    for component in circuit.components:
+        name = reference(component.title)
+        if component.role is not hardware.Role.Board or name not in known:
+            continue
+        for connector in component.connectors:
+            if not connector.pin:
+                continue
+            here = (name, connector.connectorId)
+            if (net := nets.get(id(connector))) is not None:
+                ends = {(owners[id(other)], other.connectorId) for other in net.connectors}
+                told |= {(*here, *end) for end in ends - {here} if end[0] in known}
+            meant |= {(*here, *end) for end in on_board.get(here, frozenset()) - {here}}
+    return told, meant
+
+
+def check_figures(tool: str, suffix: str, judged: Callable[[Path], tuple[set[tuple[str, ...]], set[tuple[str, ...]]]]) -> None:
+    """Hold precision and recall over all drawings whose board lies beside them and is not stale; print the counts."""
+    counts: Counter[str] = Counter()
+    wrong = []
+    for row, path in drawings(tool):
+        if row["stale"] or not path.with_suffix(suffix).is_file():
+            continue
+        told, meant = judged(path)
+        counts.update(right=len(told & meant), told=len(told), meant=len(meant), drawings=bool(meant))
+        if told != meant:
+            wrong.append(f"{row['repository']} {row['path']}: {sorted(told ^ meant)}")
+    print(f"{tool}: {counts['drawings']} drawings, {counts['told']} told, {counts['meant']} meant, {counts['right']} right")
+    assert counts["meant"] > 0
+    assert counts["right"] >= 0.99 * counts["told"], wrong
+    assert counts["right"] >= 0.99 * counts["meant"], wrong
