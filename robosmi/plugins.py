@@ -202,9 +202,9 @@ def registry() -> Registry:
 def unloadable(error: BaseException) -> MissingToolError | None:
     """The error for a package that is not ours and cannot be loaded, whatever it raised; None for any other exception."""
     if isinstance(error, ImportError) and error.name:
-        foreign = not _is_own(error.name)
+        foreign = not is_own(error.name)
     elif isinstance(error, AttributeError) and isinstance(error.obj, ModuleType):
-        foreign = not _is_own(error.obj.__name__)
+        foreign = not is_own(error.obj.__name__)
     else:
         foreign = _came_of_an_import(error)
     if not foreign:
@@ -222,17 +222,18 @@ def _came_of_an_import(error: BaseException) -> bool:
     trace = error.__traceback__
     while trace is not None:
         module = trace.tb_frame.f_globals.get("__name__", "")
-        if _is_own(module):
+        if is_own(module):
             own = True
             importing = dis.opname[trace.tb_frame.f_code.co_code[trace.tb_lasti]].startswith("IMPORT_")
         elif own and module.partition(".")[0] == "importlib":
             importing = True
-        own = _is_own(module)
+        own = is_own(module)
         trace = trace.tb_next
     return importing
 
 
-def _is_own(module: str) -> bool:
+def is_own(module: str) -> bool:
+    """Whether a module, by its name, is one of this package."""
     return module.partition(".")[0] == "robosmi"
 
 

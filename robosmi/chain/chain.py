@@ -357,9 +357,10 @@ def _check_parameters(step: Step) -> None:
     try:
         signature.bind(None, **dict.fromkeys(names))
     except TypeError as error:
-        code = getattr(inspect.unwrap(step.function), "__code__", None)
+        from robosmi.query.erl import place_of  # a chain of plain functions needs no queries
+
         raise RuleError(
             f"the function of the step '{step.name}' does not fit: {error}",
-            location=Location(relative(Path(code.co_filename), Path.cwd()), code.co_firstlineno) if code is not None else None,
+            location=place_of(step.function),
             fix=f"give it these parameters: {', '.join(['the language', *names])}; nothing was done",
         ) from None

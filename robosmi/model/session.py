@@ -50,17 +50,15 @@ class Session:
             SourceError: a file cannot be read as XML.
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
-        if (changed := self.changed()) is not None:
-            raise ModelError(
-                "the metamodel has changed since this session read it",
-                location=Location(str(changed)), fix="open the models again in a new session",
-            )  # fmt: skip
         described = self._reader.read([Path(path) for path in paths])
-        packages = self._maker.make(described)
-        for package in described:
-            if package.source not in self._digests:
-                self._digests[package.source] = _digest(package.source)
-        return Metamodel(packages)
+        for source in dict.fromkeys(package.source for package in described):
+            digest = _digest(source)
+            if self._digests.setdefault(source, digest) != digest:
+                raise ModelError(
+                    "the metamodel has changed since this session read it",
+                    location=Location(str(source)), fix="open the models again in a new session",
+                )  # fmt: skip
+        return Metamodel(self._maker.make(described))
 
     def open_model(
         self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: Any

@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError
 from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
+from robosmi.plugins import is_own
 from robosmi.query.models import ModelView
 from robosmi.query.problems import unknown_type
 from robosmi.query.run import Run, current_run
@@ -191,7 +192,7 @@ def failed(
         return RuleError(f"{what} fails{about}: {error.message}", location=place, fix=error.fix or _CORRECT)
     said = f"{what} fails{about}: {type(error).__name__}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
-    if _is_own(getattr(inspect.unwrap(owner or function), "__module__", None)) and not world:
+    if is_own(str(getattr(inspect.unwrap(owner or function), "__module__", ""))) and not world:
         return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
     if (inside := _raised_inside(error)) is not None:
         fix = f"look at what this line gives to robosmi, where it was raised ({inside}); if that is right, it is a bug to report"
@@ -202,17 +203,13 @@ def failed(
 _CORRECT = "correct the function at this line, or guard it"
 
 
-def _is_own(module: str | None) -> bool:
-    return (module or "").partition(".")[0] == "robosmi"
-
-
 def _raised_inside(error: BaseException) -> str | None:
     """The place in this package where an exception was raised, `robosmi.query.maps:31`; None where it was raised elsewhere."""
     step = error.__traceback__
     while step is not None and step.tb_next is not None:
         step = step.tb_next
-    module = step.tb_frame.f_globals.get("__name__") if step is not None else None
-    return f"{module}:{step.tb_lineno}" if step is not None and _is_own(module) else None
+    module = str(step.tb_frame.f_globals.get("__name__", "")) if step is not None else ""
+    return f"{module}:{step.tb_lineno}" if step is not None and is_own(module) else None
 
 
 def _shown(element: Any, models: Iterable[Model]) -> str:
