@@ -15,6 +15,8 @@ BIN := $(VENV)/bin
 # Nothing here reads or writes the data of the person who runs it: history, imported libraries, parts and platforms.
 export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
+# Where .ci/npm-packages puts the simulator avr8js.
+export ROBOSMI_NPM := $(CURDIR)/.npm
 .PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data wheel readme metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
@@ -73,7 +75,7 @@ adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.boards
 	$(BIN)/python -m tests.adapters.mutants
 
-faults: $(VENV)/.ready system-packages
+faults: $(VENV)/.ready system-packages npm-packages
 	$(BIN)/python -m tests.faults
 	$(BIN)/python -m tests.faults --rewritings
 
