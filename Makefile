@@ -7,6 +7,7 @@
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, and each one broken on purpose, by hand (not in CI)
 # make adapter-data  the built data of adapter files, after one was changed
+# make rules  the tables of docs/reference/rules.md, from the rules' data
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
@@ -17,7 +18,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data wheel readme metamodels system-packages npm-packages clean
+.PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -84,6 +85,9 @@ adapter-data: $(VENV)/.ready
 
 wheel:
 	@sh .ci/wheel
+
+rules: $(VENV)/.ready
+	$(BIN)/python -m tests.rules_page
 
 readme: $(VENV)/.ready
 	$(BIN)/python tests/readme_tour.py

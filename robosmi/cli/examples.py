@@ -24,6 +24,7 @@ EXAMPLES = {
     "platform": "robosmi platform import include --name mine",
     "metamodels": "robosmi metamodels generate library.ecore -o packages",
     "trust": "robosmi trust .",
+    "explain": "robosmi explain RS311",
     "doctor": "robosmi doctor",
     "completion": "robosmi completion bash > ~/.local/share/bash-completion/completions/robosmi",
 }

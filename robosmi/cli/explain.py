@@ -1,0 +1,28 @@
+"""`robosmi explain RULE...`: the page of a rule: what its findings mean, an example, what to do. Without a rule, a list of all."""
+
+from __future__ import annotations
+
+import argparse
+
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("rules", nargs="*", metavar="RULE", help="id or name of a rule, as RS311; none lists all")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    from robosmi.report.rules import finding_rules, page, rule_called, terminal_page
+
+    report = Report("explain")
+    known = finding_rules()
+    asked = list(dict.fromkeys(rule_called(word, known).id for word in arguments.rules))
+    report.result = {"rules": [known[rule].to_json() | {"page": page(known[rule])} for rule in asked or known]}
+    for rule in asked:
+        report.lines += [*([""] if report.lines else []), *terminal_page(known[rule])]
+    if not asked:
+        width = max(map(len, known), default=0)
+        report.lines = [f"{rule.id:{width}}  {rule.severities[0].name:7}  {rule.name}" for rule in known.values()]
+    return report

@@ -1,0 +1,155 @@
+"""The rules' data, and what `explain` prints of it. That each rule of the code is in it is a test of the structure."""
+
+from __future__ import annotations
+
+import ast
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import PlatformDataError, UsageError
+from robosmi.plugins import content
+from robosmi.query import Q
+from robosmi.report.rules import finding_rules, page, plain_text, rule_called, sentence
+from robosmi.transformations.queries.plan import said
+from tests.running import run
+
+ROOT = Path(__file__).resolve().parents[2]
+RULES = finding_rules(ROOT)
+PROGRAMS = [rule for rule in RULES.values() if rule.code is not None]
+MIGRATED = {"RS312"}
+"""Rules that only the whole way has, and not the making of a plan."""
+CHECKED = {"RS712"}
+"""Rules that only `check` of the stored program has."""
+
+
+def findings_of(rule: str, program: Path, out: Path) -> list[Finding]:
+    """What is said of an example, by the command that has the rule."""
+    if rule < "RS200":
+        return list(content("chain", "analyse")([program]).findings)
+    if rule in MIGRATED | CHECKED:
+        made = robosmi.migrate([program], out)
+        return list(content("chain", "check")(out / "models" / "code.xmi", None).findings if rule in CHECKED else made.findings)
+    models = robosmi.plan_migration([program], widths="keep")
+    return list(said(Q(models.plan.findings), models.places))
+
+
+@pytest.mark.parametrize("rule", PROGRAMS, ids=lambda rule: rule.id)
+def test_the_program_of_an_example_gives_the_finding_that_is_printed(rule: object, tmp_path: Path) -> None:
+    known = next(r for r in PROGRAMS if r is rule)
+    program = tmp_path / "robot.c"
+    program.write_text(known.code or "")
+    messages = [f.message for f in findings_of(known.id, program, tmp_path / "out") if f.rule == known.id]
+    assert known.says in messages
+
+
+@cache
+def templates() -> list[re.Pattern[str]]:
+    """The texts of the code that may be messages, with `.*` for what is put in."""
+    found: set[str] = set()
+    for folder in ("robosmi", "transformations"):
+        for path in (ROOT / folder).rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.JoinedStr):
+                    parts = [re.escape(v.value) if isinstance(v, ast.Constant) else ".*" for v in node.values]
+                    if sum(len(p) for p in parts if p != ".*") > 10:
+                        found.add("".join(parts))
+                elif isinstance(node, ast.Constant) and isinstance(node.value, str) and 10 < len(node.value) < 200:
+                    found.add(re.escape(node.value))
+    return [re.compile(text) for text in sorted(found)]
+
+
+FOREIGN = {"RS530", "RS801", "RS802", "RS804", "RS901"}
+"""Rules whose messages are those of a person's transformation, a compiler, a linker, and Python's reader of arguments."""
+
+
+def test_the_message_of_an_example_that_is_no_program_is_one_of_the_code() -> None:
+    told = {r.id: r.says for r in RULES.values() if r.says and r.code is None and r.id not in FOREIGN}
+    assert len(told) > 50
+    assert [rule for rule, says in told.items() if not any(t.fullmatch(says) for t in templates())] == []
+
+
+def test_names_are_words_and_unique() -> None:
+    names = [rule.name for rule in RULES.values()]
+    assert len(names) == len({name.lower() for name in names})
+    assert [name for name in names if not re.fullmatch(r"([A-Z][a-z0-9]*)+", name)] == []
+
+
+@pytest.mark.parametrize("word", ["RS311", "rs311", "311", "NumberTooWide", "number-too-wide", "number_too_wide"])
+def test_a_rule_is_found_by_its_id_and_by_its_name(word: str) -> None:
+    assert rule_called(word, RULES).id == "RS311"
+
+
+@pytest.mark.parametrize(("word", "near"), [("RS998", "RS908"), ("NumbrTooWide", "RS311"), ("serial", "RS243"), ("", "")])
+def test_an_unknown_rule_is_an_error_with_near_names(word: str, near: str) -> None:
+    with pytest.raises(UsageError) as caught:
+        rule_called(word, RULES)
+    assert near in caught.value.message
+    assert caught.value.fix
+
+
+def test_explain_prints_the_page() -> None:
+    outcome = run("explain", "RS311", "ShortCircuit")
+    assert outcome.code == 0
+    for part in ("RS311 NumberTooWide (warning)", "speed = 40000;", "what to do", "RS230 ShortCircuit (error)"):
+        assert part in outcome.out
+    assert "`" not in outcome.out
+
+
+def test_explain_as_json_has_the_rule_and_its_page() -> None:
+    (rule,) = run("explain", "RS901", "--json").result["rules"]
+    assert (rule["id"], rule["severity"], rule["exit_code"]) == ("RS901", ["error"], 2)
+    assert rule["page"].startswith("# RS901 WrongUsage")
+    assert len(run("explain", "--json").result["rules"]) == len(RULES)
+
+
+def test_explain_of_an_unknown_rule_is_wrong_usage() -> None:
+    outcome = run("explain", "short-circus")
+    assert outcome.code == 2
+    assert "RS230 (ShortCircuit)" in outcome.err
+
+
+def test_a_project_describes_rules_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    own = tmp_path / ".robosmi" / "platform_repo" / "rules"
+    own.mkdir(parents=True)
+    (own / "own.toml").write_text(
+        'title = "House rules"\n[HR1]\nname = "NoBlue"\nseverity = ["info"]\nmeaning = "it is blue"\ndo = "paint it"\nexample = "a"\n'
+    )
+    monkeypatch.chdir(tmp_path)
+    outcome = run("explain", "no-blue")
+    assert "HR1 NoBlue (info)" in outcome.out
+    assert finding_rules(tmp_path)["HR1"].severities == (Severity.info,)
+
+
+@pytest.mark.parametrize(
+    ("text", "cause"),
+    [
+        ("[X1]\nname = 3\n", "'X1.name' must be a text"),
+        ("X1 = 3\n", "'X1' must be a table"),
+        ("title = 3\n", "'title' must be a text"),
+        ("[X1\n", "cannot be read"),
+        ('[X1]\nname="A"\nmeaning="a"\ndo="a"\nexample="a"\nseverity="info"\n', "'X1.severity' must be a list"),
+        ('[X1]\nname="A"\nmeaning="a"\ndo="a"\nexample="a"\nseverity=["bad"]\n', "'X1.severity' must be a list"),
+        ('[X1]\nname="A"\nmeaning="a"\ndo="a"\nexample="a"\nseverity=["info"]\nsay=""\n', "'X1.say' is no key"),
+        ('[X1]\nname="A"\nmeaning="a"\ndo="a"\nexample="a"\nseverity=["info"]\nsays=1\n', "'X1.says' must be a text"),
+    ],
+)
+def test_a_damaged_file_of_rules_is_an_error_with_its_place(text: str, cause: str, tmp_path: Path) -> None:
+    own = tmp_path / ".robosmi" / "platform_repo" / "rules"
+    own.mkdir(parents=True)
+    (own / "own.toml").write_text(text)
+    with pytest.raises(PlatformDataError, match=re.escape(cause)) as caught:
+        finding_rules(tmp_path)
+    assert caught.value.location is not None
+    assert caught.value.location.path == str(own / "own.toml")
+
+
+def test_texts_become_sentences() -> None:
+    assert sentence("take the wire away") == "Take the wire away."
+    assert sentence("`int` is wider") == "`int` is wider."
+    assert plain_text("see [widths](../method/widths.md) and `int`") == "see widths and int"
+    assert page(RULES["RS311"]).count("```") == 2
