@@ -278,6 +278,16 @@ def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
         yield Finding("RS312", Severity.warning, message, place, fix="write it in C++ in the sketch, or otherwise in the source")
 
 
+_CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
+"""A character of a text in C, or its escape (C17, 6.4.4.4)."""
+
+
+def _text_bytes(literal: str) -> int:
+    """The bytes of a text in C, as it is written, without the zero byte at its end; pieces that stand side by side are one."""
+    written = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literal, re.DOTALL))
+    return sum(1 if c.startswith("\\") else len(c.encode(errors="surrogateescape")) for c in _CHARACTER.findall(written))
+
+
 def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
     mended = [
         (int(v.startOffset), int(v.endOffset)) for v in view.of_kind(ccode.Variable) if v.initializer and positional(v, data)
@@ -293,7 +303,7 @@ def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]
     for literal in view.of_kind(ccode.StringLiteral):
         variable = literal.eContainer()
         use = variable.valueType if isinstance(variable, ccode.Variable) else None
-        if use is not None and use.arrayDims.strip("[] ") == str(len(literal.text)) and use.pointerDepth == 0:
+        if use is not None and use.arrayDims.strip("[] ") == str(_text_bytes(literal.text)) and use.pointerDepth == 0:
             yield literal, "the array has no room for the zero byte at the end of its text"
     for variable in view.of_kind(ccode.Variable):
         kind = of_use(variable.valueType)
