@@ -1,4 +1,4 @@
-"""`robosmi explain RULE...`: the page of a rule: what its findings mean, an example, what to do. Without a rule, a list of all."""
+"""`robosmi explain RULE...`: what the findings of a rule mean, an example, what to do. Without a rule, a list of all."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import PlatformDataError, UsageError
 from robosmi.plugins import content
 from robosmi.query import Q
-from robosmi.report.rules import finding_rules, page, plain_text, rule_called, sentence
+from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, rule_called, sentence
 from robosmi.transformations.queries.plan import said
 from tests.running import run
 
@@ -39,12 +39,11 @@ def findings_of(rule: str, program: Path, out: Path) -> list[Finding]:
 
 
 @pytest.mark.parametrize("rule", PROGRAMS, ids=lambda rule: rule.id)
-def test_the_program_of_an_example_gives_the_finding_that_is_printed(rule: object, tmp_path: Path) -> None:
-    known = next(r for r in PROGRAMS if r is rule)
+def test_the_program_of_an_example_gives_the_finding_that_is_printed(rule: FindingRule, tmp_path: Path) -> None:
     program = tmp_path / "robot.c"
-    program.write_text(known.code or "")
-    messages = [f.message for f in findings_of(known.id, program, tmp_path / "out") if f.rule == known.id]
-    assert known.says in messages
+    program.write_text(rule.code or "")
+    messages = [f.message for f in findings_of(rule.id, program, tmp_path / "out") if f.rule == rule.id]
+    assert rule.says in messages
 
 
 @cache
@@ -55,7 +54,7 @@ def templates() -> list[re.Pattern[str]]:
         for path in (ROOT / folder).rglob("*.py"):
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
                 if isinstance(node, ast.JoinedStr):
-                    parts = [re.escape(v.value) if isinstance(v, ast.Constant) else ".*" for v in node.values]
+                    parts = [re.escape(str(v.value)) if isinstance(v, ast.Constant) else ".*" for v in node.values]
                     if sum(len(p) for p in parts if p != ".*") > 10:
                         found.add("".join(parts))
                 elif isinstance(node, ast.Constant) and isinstance(node.value, str) and 10 < len(node.value) < 200:
@@ -117,7 +116,8 @@ def test_a_project_describes_rules_of_its_own(tmp_path: Path, monkeypatch: pytes
     own = tmp_path / ".robosmi" / "platform_repo" / "rules"
     own.mkdir(parents=True)
     (own / "own.toml").write_text(
-        'title = "House rules"\n[HR1]\nname = "NoBlue"\nseverity = ["info"]\nmeaning = "it is blue"\ndo = "paint it"\nexample = "a"\n'
+        'title = "House rules"\n[HR1]\nname = "NoBlue"\nseverity = ["info"]\n'
+        'meaning = "it is blue"\ndo = "paint it"\nexample = "a blue robot"\n'
     )
     monkeypatch.chdir(tmp_path)
     outcome = run("explain", "no-blue")
