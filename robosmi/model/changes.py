@@ -10,16 +10,29 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
 from typing import Any
 
 from pyecore.ecore import EObject
 from pyecore.valuecontainer import EAbstractSet, ECollection, EList, EOrderedSet, EValue
 
 from robosmi.model.emf import EmfModel
+from robosmi.model.pyecore_internals import (
+    ASSIGN,
+    contain,
+    container_of,
+    containing_feature_of,
+    fill_silently,
+    hold,
+    inverse_references_of,
+    is_element,
+    own_resource_of,
+    set_features_of,
+    set_own_resource,
+    value_in,
+)
 
 _CHANGING: tuple[tuple[type, tuple[str, ...]], ...] = (
-    (EValue, ("_set",)),
+    (EValue, (ASSIGN,)),
     (ECollection, ("remove", "insert", "pop", "clear")),
     (EList, ("append", "extend", "update", "__setitem__", "__delitem__", "__imul__", "sort", "reverse")),
     (EAbstractSet, ("add", "append", "update", "extend")),
@@ -29,7 +42,7 @@ _CHANGING: tuple[tuple[type, tuple[str, ...]], ...] = (
     ),
 )
 """pyecore's methods that change a value or a collection."""
-_OWN = {"_set", "append", "add", "insert", "remove", "discard"}
+_OWN = {ASSIGN, "append", "add", "insert", "remove", "discard"}
 """Those that concern only what they are given and a value that they replace."""
 
 
@@ -80,8 +93,8 @@ class Recording:
         if not isinstance(holder, (EValue, ECollection)):
             return  # an element that is being made
         if isinstance(holder, EValue):
-            self._values.setdefault(id(holder), (holder, holder._value))
-            self._keep_element(holder._value)
+            self._values.setdefault(id(holder), (holder, value_in(holder)))
+            self._keep_element(value_in(holder))
         else:
             if id(holder) not in self._values:
                 self._values[id(holder)] = (holder, list(holder))
@@ -91,11 +104,11 @@ class Recording:
         self._keep_element(holder.owner)
 
     def _keep_element(self, element: Any) -> None:
-        if not isinstance(element, EObject) or id(element) in self._elements or not hasattr(element, "_inverse_rels"):
+        if not isinstance(element, EObject) or id(element) in self._elements or not is_element(element):
             return
         self._elements[id(element)] = (
-            element, element._container, element._containment_feature, set(element._inverse_rels), dict(element._isset),
-            element._eresource,
+            element, container_of(element), containing_feature_of(element), set(inverse_references_of(element)),
+            dict(set_features_of(element)), own_resource_of(element),
         )  # fmt: skip
         for holder in list(element.__dict__.values()):  # a constructor may put itself into collections without a word
             if isinstance(holder, ECollection) and id(holder) not in self._values:
@@ -106,28 +119,18 @@ class Recording:
         self.__exit__()
         for holder, value in self._values.values():
             if isinstance(holder, EValue):
-                holder._value = value
+                hold(holder, value)
             else:
-                _refill(holder, value)
+                fill_silently(holder, value)
         for element, container, feature, links, isset, resource in self._elements.values():
-            element._container, element._containment_feature, element._eresource = container, feature, resource
-            element._inverse_rels.clear()
-            element._inverse_rels.update(links)
-            element._isset.clear()
-            element._isset.update(isset)
+            contain(element, container, feature)
+            set_own_resource(element, resource)
+            for kept, before in ((inverse_references_of(element), links), (set_features_of(element), isset)):
+                kept.clear()
+                kept.update(before)
         for model, roots in self._models:
             for key, root in model._roots.items():
                 if key not in roots:
-                    root._eresource = None
+                    set_own_resource(root, None)
             model._roots = roots
             model.refresh()
-
-
-def _refill(collection: Any, items: list[Any]) -> None:
-    if isinstance(collection, list):
-        list.__setitem__(collection, slice(None), items)
-        return
-    with suppress(AttributeError):
-        collection.items[:] = items
-        collection.map.clear()
-        collection.map.update({item: index for index, item in enumerate(items)})

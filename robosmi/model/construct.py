@@ -17,6 +17,15 @@ from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFe
 from robosmi.model import lean
 from robosmi.model.feature_errors import unknown_feature
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, features_fixed, holder, note_link
+from robosmi.model.pyecore_internals import (
+    CONTAINER,
+    CONTAINING_FEATURE,
+    INVERSE_REFERENCES,
+    SET_FEATURES,
+    container_of,
+    key_of,
+    own_resource_of,
+)
 
 Entry = tuple[Any, str, Any, Any, Any]
 """Class of the values that go in bare, key of the slot, feature, how to put other values in, what that needs to know."""
@@ -63,8 +72,8 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
             slots[key] = value
         elif put is None or not put(element, slots, key, feature, known, value):
             setattr(element, name, value)
-    if "_isset" in slots:  # else it is read off the slots when somebody asks
-        slots["_isset"].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
+    if SET_FEATURES in slots:  # else it is read off the slots when somebody asks
+        slots[SET_FEATURES].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
 
 
 def connect(element: Any, name: str, value: Any) -> None:
@@ -79,8 +88,8 @@ def connect(element: Any, name: str, value: Any) -> None:
     entry = (_PLANS.get(cls) or _plan(cls)).get(name)
     if name in slots or entry is None or entry[3] is None or not entry[3](element, slots, entry[1], entry[2], entry[4], value):
         setattr(element, name, value)
-    elif "_isset" in slots:
-        slots["_isset"][entry[2]] = None
+    elif SET_FEATURES in slots:
+        slots[SET_FEATURES][entry[2]] = None
 
 
 class _Known:
@@ -103,7 +112,7 @@ class _Known:
         self.contains = bool(feature.containment)
         self.holder = ContainedValue if self.contains else ReferenceValue
         self.back = feature.eOpposite
-        self.back_key = self.back._name if self.back is not None else ""
+        self.back_key = key_of(self.back) if self.back is not None else ""
 
     def takes(self, value: Any) -> bool:
         """Whether a value of a class that was not met before is of the kind, and no proxy."""
@@ -143,8 +152,8 @@ def _plan(cls: type) -> Plan:
                     put = _put_one_of_many
                 else:
                     put = None
-            plan[name] = (bare, feature._name, feature, put, kind)
-            if bare is not None and feature._name == name:
+            plan[name] = (bare, key_of(feature), feature, put, kind)
+            if bare is not None and key_of(feature) == name:
                 plan.bare[name] = bare
     _PLANS[cls] = plan
     return plan
@@ -162,7 +171,7 @@ def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any
 
 
 def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
-    if value.__class__ is not EEnumLiteral or value._container is not kind:
+    if value.__class__ is not EEnumLiteral or container_of(value) is not kind:
         return False
     slots[name] = value
     return True
@@ -175,13 +184,13 @@ def _adopt(element: Any, feature: Any, known: _Known, value: Any, birth: Any) ->
     if not known.contains:
         note_link(value, birth)
         return True
-    if value._container is not None or value._eresource is not None:
+    if container_of(value) is not None or own_resource_of(value) is not None:
         return False
     slots = value.__dict__
-    slots["_container"] = element
-    slots["_containment_feature"] = feature
-    if "_inverse_rels" in slots:
-        slots["_inverse_rels"].add(birth)
+    slots[CONTAINER] = element
+    slots[CONTAINING_FEATURE] = feature
+    if INVERSE_REFERENCES in slots:
+        slots[INVERSE_REFERENCES].add(birth)
     else:
         slots["_birth"] = birth
     return True
@@ -220,12 +229,12 @@ def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kno
         if value in positions:
             continue
         fresh = value.__class__ in known.classes or known.takes(value)
-        if not fresh or value._container is not None or value._eresource is not None or key in value.__dict__:
+        if not fresh or container_of(value) is not None or own_resource_of(value) is not None or key in value.__dict__:
             many.append(value)
             continue
         own = value.__dict__
-        own["_container"] = element
-        own["_containment_feature"] = feature
+        own[CONTAINER] = element
+        own[CONTAINING_FEATURE] = feature
         own[key] = holder(ReferenceValue, value, back, element)
         _set(own, back)
         positions[value] = len(items)
@@ -250,5 +259,5 @@ def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: An
 
 def _set(slots: dict[str, Any], feature: Any) -> None:
     """Note that a feature was set, where it is not read off the slots when somebody asks."""
-    if "_isset" in slots:
-        slots["_isset"][feature] = None
+    if SET_FEATURES in slots:
+        slots[SET_FEATURES][feature] = None

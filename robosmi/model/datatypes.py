@@ -17,6 +17,7 @@ from typing import Any
 from pyecore.ecore import EDataType, EEnum, EProxy
 
 from robosmi.errors import did_you_mean
+from robosmi.model.pyecore_internals import proxied, proxy_place
 
 FromText = Callable[[str], Any]
 ToText = Callable[[Any], str]
@@ -254,14 +255,14 @@ def real(value: Any) -> Any:
     """What a pyecore proxy stands for; anything else as it is, a proxy that nothing here resolves included."""
     if not isinstance(value, EProxy):
         return value
-    path, resource = value._proxy_path, value._proxy_resource
+    path, resource = proxy_place(value)
     if not value.resolved and "://" in path and not any(d.can_resolve(path, resource) for d in resource.decoders):
         return value
     try:
         value.force_resolve()
     except AttributeError:  # pyecore on a reference that leads to nothing
         return value
-    return value._wrapped
+    return proxied(value)
 
 
 def _key(datatype: Any) -> str:

@@ -20,6 +20,7 @@ from robosmi.model.ecore_description import XML_TYPES, Class, Classifier, DataTy
 from robosmi.model.ecore_details import Details
 from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.ordering import post_order
+from robosmi.model.pyecore_internals import add_silently, contain, set_key
 from robosmi.model.python_names import MEMBER, python_name
 from robosmi.model.strict import Element
 
@@ -140,7 +141,7 @@ class PackageMaker:
             key = python_name(feature.name, MEMBER)
             setattr(eclass.python_class, key, made)
             if feature.name in MEMBER:  # every element needs that name for itself
-                made._name = key
+                set_key(made, key)
                 eclass.python_class._renamed = {**eclass.python_class._renamed, feature.name: key}
             else:
                 setattr(eclass.python_class, feature.name, made)
@@ -203,9 +204,8 @@ def _enumeration(described: Enumeration) -> Any:
         one = ecore.EEnumLiteral(literal.name, literal.value)
         one.literal = literal.text
         if hasattr(ecore.EEnum, literal.name) or literal.name in made.__dict__:  # pyecore makes an attribute of each literal
-            one._container, one._containment_feature = made, ecore.EEnum.eLiterals
-            collection.map[one] = len(collection.items)
-            collection.items.append(one)
+            contain(one, made, ecore.EEnum.eLiterals)
+            add_silently(collection, one)
         else:
             collection.append(one)
     texts = {literal.name: literal for literal in collection} | {literal_text(literal): literal for literal in collection}

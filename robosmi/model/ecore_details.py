@@ -15,6 +15,7 @@ from pyecore import ecore
 
 from robosmi.model.ecore_description import Class, Classifier, DescribedElement, Feature, Operation, Package, Typed, TypeParameter
 from robosmi.model.ecore_xml import EcoreNode
+from robosmi.model.pyecore_internals import add_silently, contain, key_of, set_features_of
 
 Pair = tuple[DescribedElement, Any]
 """A description, and what was made for it."""
@@ -168,8 +169,6 @@ def _says_more(generic: Any) -> bool:
 
 def _put(owner: Any, feature: Any, part: Any) -> None:
     """Put a part into a feature that holds many, and tell nobody."""
-    collection = getattr(owner, feature._name)
-    part._container, part._containment_feature = owner, feature
-    collection.map[part] = len(collection.items)
-    collection.items.append(part)
-    owner._isset.add(feature)
+    contain(part, owner, feature)
+    add_silently(getattr(owner, key_of(feature)), part)
+    set_features_of(owner).add(feature)

@@ -13,6 +13,7 @@ from pyecore import ecore
 
 from robosmi.model.datatypes import is_data_type, real, to_text
 from robosmi.model.features import as_package, eclass_of, is_off
+from robosmi.model.pyecore_internals import proxy_place, xmi_id_of
 
 WIDTH = 80
 _NAMED = (("eAnnotations", "parts", None), ("name", "text", None))
@@ -108,8 +109,8 @@ class EcoreText:
         while True:
             for tag, element, given in work:
                 attributes, parts = ([], []) if element is None else self.of(element)
-                if element is not None and element._internal_id is not None:
-                    attributes.insert(0, ("xmi:id", self.escape(str(element._internal_id), element, "xmi:id")))
+                if element is not None and xmi_id_of(element) is not None:
+                    attributes.insert(0, ("xmi:id", self.escape(str(xmi_id_of(element)), element, "xmi:id")))
                 self.open(tag, [*given, *attributes], depth)
                 if not parts:
                     self.add("/>\n")
@@ -152,7 +153,7 @@ class EcoreText:
         """A reference, with the target's type before it if it lies elsewhere and the declared one is abstract."""
         if isinstance(target, ecore.EProxy):  # nothing here resolves it: it stays what it was
             kind = "EDataType" if isinstance(element, ecore.EAttribute) else "EClass"
-            path = self.escape(target._proxy_path, element, name)
+            path = self.escape(proxy_place(target)[0], element, name)
             return path if path.startswith("#") or declared not in _ABSTRACT else f"ecore:{kind} {path}"
         target = target if is_data_type(target) or not isinstance(target, type) else eclass_of(target)
         uri = self.escape(self.place(element, name, target), element, name)

@@ -19,6 +19,7 @@ from robosmi.model.fragments import fragment_of, own_id, resolve
 from robosmi.model.making import as_data, unlink
 from robosmi.model.making import new as new
 from robosmi.model.metamodel import Metamodel, TypedModel
+from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
 
@@ -118,10 +119,10 @@ class EmfModel(TypedModel):
         """Forget roots that were put into a container, and follow those that were put into another resource."""
         home, watch = self._home, self._watch
         for key, root in list(self._roots.items()):
-            resource = root._eresource
-            if resource is home and root._container is None:
+            resource = own_resource_of(root)
+            if resource is home and root.eContainer() is None:
                 continue
-            if resource is None or root._container is not None:
+            if resource is None or root.eContainer() is not None:
                 del self._roots[key]
                 watch.changed = True
             elif watch not in resource.listeners:
@@ -200,7 +201,7 @@ class EmfModel(TypedModel):
         if not isinstance(element, EObject):
             return False
         root: Any = root_of(element)
-        return id(root) in self._roots and root._eresource is not None
+        return id(root) in self._roots and own_resource_of(root) is not None
 
     # Change
 
@@ -214,11 +215,11 @@ class EmfModel(TypedModel):
             raise ModelError(
                 f"{root!r} is contained in {root.eContainer()!r}", fix="add its root, or take it out of its container"
             )
-        if root._eresource is None:
-            root._eresource = self._home
+        if (resource := own_resource_of(root)) is None:
+            set_own_resource(root, self._home)
             self._home.contents.append(root)
-        elif self._watch not in root._eresource.listeners:
-            root._eresource.listeners.append(self._watch)
+        elif self._watch not in resource.listeners:
+            resource.listeners.append(self._watch)
         self._roots[id(root)] = root
         self._watch.changed = True
 

@@ -12,6 +12,7 @@ from pyecore import ecore
 
 from robosmi.model.datatypes import is_data_type, real
 from robosmi.model.ordering import post_order
+from robosmi.model.pyecore_internals import declared_type_of, set_features_of
 
 
 def eclass_of(kind: Any) -> Any:
@@ -40,7 +41,7 @@ def all_features(eclass: Any) -> list[Any]:
 
 def declared_type(feature: Any) -> Any:
     """The EClass or EDataType of a feature; for a type parameter its bound, or EObject (EJavaObject for attributes)."""
-    kind = real(feature._eType if feature._eType is not None else feature.eType)
+    kind = real(declared_type_of(feature) if declared_type_of(feature) is not None else feature.eType)
     if kind is None:
         generic = getattr(feature, "eGenericType", None)
         kind = _erased(generic) if generic is not None else None
@@ -84,7 +85,7 @@ def is_abstract(eclass: Any) -> bool:
 def is_off(element: Any, name: str) -> bool:
     """Whether a flag that is on by default was switched off; pyecore says False of what was never set as well."""
     feature = type(element).__dict__.get(name) or getattr(type(element), name)
-    return feature in element._isset and not getattr(element, name)
+    return feature in set_features_of(element) and not getattr(element, name)
 
 
 def root_package(package: Any) -> Any:

@@ -13,12 +13,13 @@ from pyecore.ecore import EModelElement, ENamedElement
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.features import all_features
+from robosmi.model.pyecore_internals import key_of, xmi_id_of
 from robosmi.model.structure import contents, place_in
 
 
 def own_id(element: Any) -> str | None:
     """The xmi:id of an element, or the value of the attribute that is its class's id, or None."""
-    if identity := getattr(element, "_internal_id", None):
+    if identity := xmi_id_of(element):
         return str(identity)
     for name in _id_attributes(element):
         if (value := getattr(element, name)) is not None:
@@ -30,7 +31,7 @@ def _id_attributes(element: Any) -> list[str]:
     cls = element.__class__
     known: list[str] | None = cls.__dict__.get("_robosmi_ids")
     if known is None:
-        known = [f._name for f in all_features(element.eClass) if f.is_attribute and f.iD]
+        known = [key_of(f) for f in all_features(element.eClass) if f.is_attribute and f.iD]
         if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
             cls._robosmi_ids = known
     return known
@@ -52,7 +53,7 @@ def fragment_of(element: Any, roots: list[Any]) -> str:
         if name and _named(container, name) is element:
             steps.append(quote(name, safe=_SAFE))
         elif feature.many:
-            steps.append(f"@{feature.name}.{place_in(getattr(container, feature._name), element)}")
+            steps.append(f"@{feature.name}.{place_in(getattr(container, key_of(feature)), element)}")
         else:
             steps.append(f"@{feature.name}")
         element = container
@@ -93,7 +94,7 @@ def _step(element: Any, step: str) -> Any:
     if step[:1] != "@" and isinstance(element, EModelElement):
         return _named(element, unquote(step))
     name, _, position = step[1:].rpartition(".") if step[-1:].isdecimal() and "." in step else (step[1:], "", "")
-    known = {str(feature.name): feature._name for feature in all_features(element.eClass)}
+    known = {str(feature.name): key_of(feature) for feature in all_features(element.eClass)}
     if step[:1] != "@" or name not in known:
         raise ModelError(
             f"the step '{step}' of the fragment is no feature of {element.eClass.name}{did_you_mean(name, known)}",

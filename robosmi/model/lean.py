@@ -14,11 +14,26 @@ from contextlib import contextmanager
 from typing import Any
 
 from pyecore.ecore import EAttribute, EEnum, EEnumLiteral
-from pyecore.innerutils import InternalSet
 from pyecore.valuecontainer import ECollection, EValue
 
 from robosmi.model import datatypes
 from robosmi.model.feature_values import FeatureCollection, FeatureOrderedSet, kind_of
+from robosmi.model.pyecore_internals import (
+    CONTAINER,
+    CONTAINING_FEATURE,
+    FIRST_LISTENERS,
+    IDENTITY,
+    INVERSE_REFERENCES,
+    IS_STATIC,
+    RESOURCE,
+    SET_FEATURES,
+    FeatureSet,
+    empty_ordered_set,
+    hold,
+    inverse_references_of,
+    key_of,
+    value_in,
+)
 from robosmi.model.structure import resource_of
 
 
@@ -33,7 +48,7 @@ def _holder_class(name: str, is_ref: bool, is_cont: bool) -> Any:
 
 
 AttributeValue = _holder_class("AttributeValue", False, False)
-"""Holder of one attribute value; `owner`, `feature` and `_value` are its own, as in EValue."""
+"""Holder of one attribute value; `owner`, `feature` and the value are its own, as in EValue."""
 ReferenceValue = _holder_class("ReferenceValue", True, False)
 """Holder of one reference."""
 ContainedValue = _holder_class("ContainedValue", True, True)
@@ -52,7 +67,7 @@ BARE = frozenset([int, str, bool, float, EEnumLiteral])
 def _value_of(self: Any, instance: Any, owner: Any = None) -> Any:
     if instance is None:
         return self
-    value = instance.__dict__.get(self._name, _NOTHING)
+    value = instance.__dict__.get(key_of(self), _NOTHING)
     if value.__class__ in BARE:
         return value
     if value is _NOTHING and REFUSAL in instance.__dict__:
@@ -63,10 +78,10 @@ def _value_of(self: Any, instance: Any, owner: Any = None) -> Any:
 def _change(self: Any, instance: Any, value: Any) -> None:
     slots = instance.__dict__
     if REFUSAL in slots:
-        raise slots[REFUSAL](instance, self._name)
-    present = slots.get(self._name, _NOTHING)
+        raise slots[REFUSAL](instance, key_of(self))
+    present = slots.get(key_of(self), _NOTHING)
     if present.__class__ in BARE:
-        slots[self._name] = holder(AttributeValue, instance, self, present)
+        slots[key_of(self)] = holder(AttributeValue, instance, self, present)
     EAttribute.__set__(self, instance, value)
 
 
@@ -92,7 +107,7 @@ def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
     made = _new(cls)
     made.owner = owner
     made.feature = feature
-    made._value = value
+    hold(made, value)
     return made
 
 
@@ -119,9 +134,7 @@ def collection(owner: Any, feature: Any) -> Any:
     _, made.is_ref, made.is_cont, is_born = form
     made.generic_type = None
     if form[0] is FeatureOrderedSet:
-        made._orderedset_update = False
-        made.items = []
-        made.map = {}
+        empty_ordered_set(made)
     made.birth = (owner, feature) if is_born and form[0] is FeatureOrderedSet else None
     return made
 
@@ -131,9 +144,9 @@ def holders_of(element: Any) -> list[Any]:
     return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
 
 
-def value_in(slot: Any) -> Any:
+def plain_value(slot: Any) -> Any:
     """The value in a slot of an attribute of one value, bare or in a holder."""
-    return slot if slot.__class__ in BARE else slot._value
+    return slot if slot.__class__ in BARE else value_in(slot)
 
 
 class _Made:
@@ -152,7 +165,7 @@ class _Made:
 
 def _set_features(element: Any) -> Any:
     """The features that were given a value: bare ones, those with a holder or collection of ours, collections with something."""
-    found = InternalSet()
+    found = FeatureSet()
     cls = element.__class__
     for name, value in element.__dict__.items():
         if value.__class__ in BARE:
@@ -160,7 +173,7 @@ def _set_features(element: Any) -> Any:
             if feature.__class__ is _BareAttribute:
                 found[feature] = None
         elif isinstance(value, EValue):
-            if value.__class__ is not EValue and (value._value is not None or isinstance(value, HOLDERS)):
+            if value.__class__ is not EValue and (value_in(value) is not None or isinstance(value, HOLDERS)):
                 found[value.feature] = None
         elif isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value)):
             found[value.feature] = None
@@ -184,14 +197,14 @@ def note_link(target: Any, link: tuple[Any, Any]) -> None:
         link: who refers, and by which feature.
     """
     slots = target.__dict__
-    if "_inverse_rels" in slots:
-        slots["_inverse_rels"].add(link)
+    if INVERSE_REFERENCES in slots:
+        slots[INVERSE_REFERENCES].add(link)
     elif "_linked" in slots:
         slots["_linked"].append(link)
-    elif hasattr(type(target), "_inverse_rels"):
+    elif hasattr(type(target), INVERSE_REFERENCES):
         slots["_linked"] = [link]
     else:
-        target._inverse_rels.add(link)
+        inverse_references_of(target).add(link)
 
 
 class _Own:
@@ -206,26 +219,31 @@ class _Own:
 
 
 LAZY: dict[str, Any] = {
-    "_isset": _Made("_isset", _set_features),
-    "_inverse_rels": _Made("_inverse_rels", _back_links),
+    SET_FEATURES: _Made(SET_FEATURES, _set_features),
+    INVERSE_REFERENCES: _Made(INVERSE_REFERENCES, _back_links),
     "listeners": _Made("listeners", lambda element: []),
-    "_eternal_listener": _Made("_eternal_listener", lambda element: []),
+    FIRST_LISTENERS: _Made(FIRST_LISTENERS, lambda element: []),
     "eResource": property(resource_of),
-    "_internal_id": None,
-    "_container": None,
-    "_containment_feature": None,
-    "_eresource": None,
+    IDENTITY: None,
+    CONTAINER: None,
+    CONTAINING_FEATURE: None,
+    RESOURCE: None,
 }
+
+
+def is_prepared(cls: type) -> bool:
+    """Whether `prepare` was called for a class itself, not only for one of its bases."""
+    return INVERSE_REFERENCES in cls.__dict__
 
 
 def prepare(cls: Any) -> None:
     """Make a class ready for elements without ballast: what pyecore would put into each is found in the class."""
-    if "_inverse_rels" in cls.__dict__:
+    if is_prepared(cls):
         return
     for name, value in LAZY.items():
         if not isinstance(getattr(type(cls), name, None), property):  # a metaclass may keep the name for itself
             setattr(cls, name, value)
-    for name, of_element in (("dyn_inst", lambda element: element), ("_staticEClass", lambda element: False)):
+    for name, of_element in (("dyn_inst", lambda element: element), (IS_STATIC, lambda element: False)):
         setattr(cls, name, _Own(getattr(cls, name, None), of_element))
 
 

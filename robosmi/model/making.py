@@ -9,6 +9,14 @@ from pyecore import ecore
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import class_of
 from robosmi.model.features import all_features
+from robosmi.model.pyecore_internals import (
+    first_listeners_of,
+    inverse_references_of,
+    key_of,
+    own_resource_of,
+    read,
+    set_features_of,
+)
 from robosmi.model.structure import walk
 
 
@@ -51,40 +59,40 @@ def of_ecore(cls: type) -> Any:
     as_data(made)
     if isinstance(made, ecore.EClass):  # no name was given yet
         made.name = None
-        made._isset.pop(ecore.ENamedElement.name, None)
+        set_features_of(made).pop(ecore.ENamedElement.name, None)
     return made
 
 
 def as_data(classifier: Any) -> None:
     """Let what is said of a class or enumeration of a metamodel that is a model have no effect on Python's classes."""
-    if isinstance(classifier, (ecore.EClass, ecore.EEnum)) and classifier in classifier._eternal_listener:
-        classifier._eternal_listener.remove(classifier)
+    if isinstance(classifier, (ecore.EClass, ecore.EEnum)) and classifier in first_listeners_of(classifier):
+        first_listeners_of(classifier).remove(classifier)
 
 
 def unlink(element: Any) -> list[Any]:
     """Take an element with all it contains out of its container, its resource and all references; all that was taken out."""
     doomed = list(walk(element))
     for one in reversed(doomed):
-        for owner, feature in list(one._inverse_rels):
+        for owner, feature in list(inverse_references_of(one)):
             _forget(owner, feature, one)
         for feature in all_features(one.eClass):
-            slot = one.__dict__.get(feature._name) if feature.is_reference and not feature.derived else None
+            slot = one.__dict__.get(key_of(feature)) if feature.is_reference and not feature.derived else None
             if slot is not None and feature.many:
-                slot._get().clear()
-            elif slot is not None and slot._get() is not None:
-                setattr(one, feature._name, None)
+                read(slot).clear()
+            elif slot is not None and read(slot) is not None:
+                setattr(one, key_of(feature), None)
         if (container := one.eContainer()) is not None:
             _forget(container, one.eContainmentFeature(), one)
-    if element._eresource is not None:
-        element._eresource.remove(element)
+    if (resource := own_resource_of(element)) is not None:
+        resource.remove(element)
     return doomed
 
 
 def _forget(owner: Any, feature: Any, value: Any) -> None:
-    held = getattr(owner, feature._name)
+    held = getattr(owner, key_of(feature))
     if not feature.many:
         if held is value:
-            setattr(owner, feature._name, None)
+            setattr(owner, key_of(feature), None)
         return
     while value in held:
         held.remove(value)

@@ -12,6 +12,7 @@ from typing import Any
 
 from robosmi.model.driver import Model, TypeHandle, unknown_type
 from robosmi.model.metamodels import Metamodels
+from robosmi.model.pyecore_internals import is_element
 from robosmi.model.strict_dynamic import make_strict
 
 
@@ -29,9 +30,9 @@ class Metamodel(Metamodels):
     def __init__(self, packages: Iterable[Any] = ()) -> None:
         super().__init__(packages)
         for package in self.packages:
-            if hasattr(package, "_isset"):  # made in pyecore itself, and not a package of generated code
+            if is_element(package):  # made in pyecore itself, and not a package of generated code
                 make_strict(package)
-        self.epackages: list[Any] = [p if hasattr(p, "_isset") else p.eClass for p in self.packages]
+        self.epackages: list[Any] = [p if is_element(p) else p.eClass for p in self.packages]
         self._index: dict[str, Any] = {}
 
     @classmethod

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from typing import Any
 
+from robosmi.model.pyecore_internals import is_element
+
 BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
 """The names of the built-in metamodels, each a package of `robosmi.metamodels`."""
 
@@ -42,7 +44,7 @@ def _with_subpackages(packages: Iterable[Any]) -> Iterator[Any]:
     while pending:
         package = pending.pop()
         yield package
-        epackage = getattr(package, "eClass", package) if not hasattr(package, "_isset") else package
+        epackage = package if is_element(package) else getattr(package, "eClass", package)
         pending.extend(reversed(list(epackage.eSubpackages)))
 
 

@@ -19,6 +19,7 @@ from robosmi.model.driver import ReadOnlyError
 from robosmi.model.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.features import all_features
 from robosmi.model.lean import BARE, REFUSAL, bare, prepare
+from robosmi.model.pyecore_internals import SET_FEATURES, GuardedValue, Slot, contain, fill_silently, hold, key_of, read, value_in
 
 
 def refused(element: Any, name: str) -> ReadOnlyError:
@@ -29,7 +30,7 @@ def refused(element: Any, name: str) -> ReadOnlyError:
     )
 
 
-class Promise:
+class Promise(Slot):
     """A slot whose value is made when it is asked for.
 
     Args:
@@ -46,25 +47,27 @@ class Promise:
         self.feature = feature
         self.make = make
         self.hint = hint
-        element.__dict__[feature._name] = self
+        element.__dict__[key_of(feature)] = self
 
     def value(self) -> Any:
         """The value, made now."""
         return self.make()
 
-    def _get(self) -> Any:
+    def read(self) -> Any:
+        """The value, which lies in the slot from now on."""
         try:
             value = self.value()
         except AttributeError as error:  # pyecore would take the promise itself for the value
-            raise InternalError(f"{self.feature._name} cannot be built: {error}") from error
-        slots, name = self.element.__dict__, self.feature._name
+            raise InternalError(f"{key_of(self.feature)} cannot be built: {error}") from error
+        slots, name = self.element.__dict__, key_of(self.feature)
         if slots[name] is self:
             fill(self.element, self.feature, value)
         held = slots[name]
-        return held if held.__class__ in BARE else held._get()
+        return held if held.__class__ in BARE else read(held)
 
-    def _set(self, value: Any, update_opposite: bool = True) -> None:
-        raise refused(self.element, self.feature._name)
+    def assign(self, value: Any) -> None:
+        """Refused."""
+        raise refused(self.element, key_of(self.feature))
 
 
 class OnDemandLink(Promise):
@@ -77,15 +80,16 @@ class OnDemandLink(Promise):
         return self.make(self.element, self.feature)
 
 
-class ReadOnlyValue(EValue):  # type: ignore[misc]
+class ReadOnlyValue(GuardedValue):
     """A holder of one value that nobody can change."""
 
-    def _set(self, value: Any, update_opposite: bool = True) -> None:
-        raise refused(self.owner, self.feature._name)
+    def assign(self, value: Any) -> None:
+        """Refused."""
+        raise refused(self.owner, key_of(self.feature))
 
 
 def _refuse(self: Any, *_: Any, **__: Any) -> Any:
-    raise refused(self.owner, self.feature._name)
+    raise refused(self.owner, key_of(self.feature))
 
 
 _CHANGES = (
@@ -103,8 +107,7 @@ def _collection(owner: Any, feature: Any, values: Iterable[Any]) -> Any:
         list.extend(made, values)
         return made
     made = ReadOnlySet(owner, feature)
-    made.items = list(values)
-    made.map = {value: place for place, value in enumerate(made.items)}
+    fill_silently(made, list(values))
     return made
 
 
@@ -113,19 +116,19 @@ def fill(element: Any, feature: Any, value: Any) -> None:
     values = list(value) if feature.many else [] if value is None else [value]
     if feature.is_reference and feature.containment:
         for child in values:
-            inner = child.__dict__
-            inner["_container"], inner["_containment_feature"] = element, feature
+            contain(child, element, feature)
     slots = element.__dict__
     if feature.many:
-        slots[feature._name] = _collection(element, feature, values)
+        slots[key_of(feature)] = _collection(element, feature, values)
     elif value.__class__ in BARE and bare(feature):
-        slots[feature._name] = value
+        slots[key_of(feature)] = value
     else:
-        holder = slots[feature._name] = object.__new__(ReadOnlyValue)
-        holder.owner, holder.feature, holder._value = element, feature, value
+        holder = slots[key_of(feature)] = object.__new__(ReadOnlyValue)
+        holder.owner, holder.feature = element, feature
+        hold(holder, value)
         holder.is_ref = feature.is_reference
-    if values and "_isset" in slots:
-        slots["_isset"][feature] = None
+    if values and SET_FEATURES in slots:
+        slots[SET_FEATURES][feature] = None
 
 
 @cache
@@ -190,7 +193,7 @@ def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
     Each with its slot, whether it is a cross reference, whether it contains elements.
     """
     features = [f for f in all_features(cls.eClass) if f.is_reference or not bare(f)]
-    return [(f, f._name, _is_link(f), bool(f.is_reference and f.containment)) for f in features]
+    return [(f, key_of(f), _is_link(f), bool(f.is_reference and f.containment)) for f in features]
 
 
 def _is_link(feature: Any) -> bool:
@@ -203,12 +206,12 @@ def _parts(slot: Any, feature: Any) -> list[Any]:
     """The elements that a slot of containment contains already."""
     if isinstance(slot, Promise):
         return []
-    return list(slot) if feature.many else [] if slot._value is None else [slot._value]
+    return list(slot) if feature.many else [] if value_in(slot) is None else [value_in(slot)]
 
 
 def _promised(element: Any, feature: Any, slot: Any) -> list[Any] | None:
     """Turn a slot with stand-ins into a promise; the elements in it that are built already, or None if there was no stand-in."""
-    parts = list(slot) if feature.many else [slot._value]
+    parts = list(slot) if feature.many else [value_in(slot)]
     if not any(part is not None and "_make" in part.__dict__ for part in parts):
         return None
     if not feature.many:

@@ -12,6 +12,8 @@ import re
 import unicodedata
 from collections.abc import Collection
 
+from robosmi.model.pyecore_internals import FIELDS
+
 _FOREIGN = re.compile(r"[^A-Za-z0-9_]")
 
 MODULE = frozenset(
@@ -26,8 +28,7 @@ MEMBER = frozenset(
     {
         "allInstances", "cls", "delete", "dyn_inst", "eAllContents", "eClass", "eContainer", "eContainmentFeature", "eContents",
         "eGet", "eIsSet", "eResource", "eRoot", "eSet", "eURIFragment", "force_resolve", "listeners", "mro", "notify", "self",
-        "_container", "_containment_feature", "_eresource", "_eternal_listener", "_instances", "_internal_id", "_inverse_rels",
-        "_isset", "_staticEClass",
+        *FIELDS,
     }
 )  # fmt: skip
 """Names that every element has, and those that a constructor cannot take as keywords."""

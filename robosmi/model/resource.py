@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from robosmi.model.pyecore_internals import ListenedTo, set_own_resource
+
 
 class Watch:
     """Hears of changes; `changed` says whether one of them was about containment."""
@@ -24,18 +26,17 @@ class Watch:
             self.changed = feature is None or bool(getattr(feature, "containment", False))
 
 
-class Home:
+class Home(ListenedTo):
     """What pyecore asks of a resource: who listens, and what its roots are."""
 
     def __init__(self, watch: Watch) -> None:
-        self.listeners: list[Any] = [watch]
-        self._eternal_listener: list[Any] = []
+        super().__init__([watch])
         self.contents = _Roots()
 
     def remove(self, root: Any) -> None:
         """Called by pyecore when a root is put into a container."""
         self.contents.remove(root)
-        root._eresource = None
+        set_own_resource(root, None)
         for listener in self.listeners:
             if isinstance(listener, Watch):
                 listener.changed = True
@@ -65,5 +66,5 @@ class _Roots:
         self._items[id(root)] = root
 
     def remove(self, root: Any) -> None:
-        """A root less."""
+        """Take a root out, if it is one."""
         self._items.pop(id(root), None)

@@ -21,7 +21,7 @@ from robosmi.model.feature_errors import (
     literal_wanted,
     unknown_feature,
 )
-from robosmi.model.lean import prepare
+from robosmi.model.lean import is_prepared, prepare
 from robosmi.model.structure import resource_of
 
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError"]
@@ -70,7 +70,7 @@ class Element(_Base):
 
         def __new__(cls, /, *args: Any, **features: Any) -> Any:
             """As pyecore's, without its process-wide set of all instances and without ballast (`lean`)."""
-            if "_inverse_rels" not in cls.__dict__:
+            if not is_prepared(cls):
                 prepare(cls)
             return object.__new__(cls)
 

@@ -12,6 +12,7 @@ from pyecore import ecore
 
 from robosmi.errors import did_you_mean
 from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, literal_wanted
+from robosmi.model.pyecore_internals import is_static
 from robosmi.model.strict import INTERNAL, Element
 
 
@@ -29,7 +30,7 @@ def make_strict(package: Any) -> None:
             cls = getattr(classifier, "python_class", None)
             if not isinstance(classifier, ecore.EClass) or cls is None or issubclass(cls, Element):
                 continue
-            if not getattr(cls, "_staticEClass", False) and "__setattr__" not in cls.__dict__:
+            if not is_static(cls) and "__setattr__" not in cls.__dict__:
                 cls.__setattr__ = _set
 
 

@@ -21,6 +21,7 @@ from pyecore import ecore
 from robosmi.model.construct import initialise
 from robosmi.model.ecore_description import XML_TYPE_URI
 from robosmi.model.feature_values import FeatureCollection
+from robosmi.model.pyecore_internals import first_listeners_of, set_first_listeners, set_key
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
 
@@ -86,7 +87,7 @@ else:
                 other = getattr(cls, feature.name, None)
                 hidden = other is not None and getattr(other, "name", None) != feature.name
                 if feature.name in MEMBER or feature.name.startswith("__") or hidden:
-                    feature._name = key
+                    set_key(feature, key)
                     cls._renamed = {**cls._renamed, feature.name: key}
                 else:
                     setattr(cls, feature.name, feature)
@@ -171,7 +172,8 @@ def enumeration(
         names: name -> Python attribute, where the name is none.
     """
     result = ecore.EEnum(name)
-    listeners, result._eternal_listener = result._eternal_listener, []  # pyecore would set each literal over its own attributes
+    listeners = first_listeners_of(result)
+    set_first_listeners(result, [])  # pyecore would set each literal over its own attributes
     by_text = {}
     for literal, value in literals.items():
         made = ecore.EEnumLiteral(name=literal, value=value)
@@ -181,7 +183,7 @@ def enumeration(
         by_text[text] = made
         result.eLiterals.append(made)
         result.__dict__[(names or {}).get(literal, literal)] = made
-    result._eternal_listener = listeners
+    set_first_listeners(result, listeners)
     result.from_string = lambda text: by_text.get(text) or result.getEEnumLiteral(name=text)
     return result
 

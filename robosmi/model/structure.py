@@ -12,11 +12,12 @@ from typing import Any
 
 from robosmi.errors import ModelError
 from robosmi.model.features import all_features
+from robosmi.model.pyecore_internals import container_of, key_of, own_resource_of, read
 
 
 def feature_names(eclass: Any) -> list[str]:
     """The names by which all features of an EClass are read from an element, those of supertypes first."""
-    return [str(feature._name) for feature in all_features(eclass)]
+    return [str(key_of(feature)) for feature in all_features(eclass)]
 
 
 def contents(element: Any) -> list[Any]:
@@ -32,7 +33,7 @@ def contents(element: Any) -> list[Any]:
             slot = slots.get(name)
             if slot is None:
                 continue  # a slot that was never touched is empty
-            value = slot._get()
+            value = read(slot)
             if many:
                 found += value
             elif value is not None:
@@ -44,7 +45,7 @@ def _containments(element: Any) -> list[tuple[str, bool]]:
     """The containment features of an element's class: name, and whether it holds many."""
     cls = element.__class__
     features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not f.derived]
-    names = [(f._name, f.many) for f in features]
+    names = [(key_of(f), f.many) for f in features]
     if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
         cls._robosmi_containments = names
     return names
@@ -75,14 +76,14 @@ def resource_of(element: Any) -> Any:
         ModelError: the element contains itself.
     """
     steps, limit, seen = 0, 64, element  # a circle passes by one that was seen, sooner or later (Brent)
-    while (container := element._container) is not None:
+    while (container := container_of(element)) is not None:
         element = container.dyn_inst
         if element is seen:
             raise ModelError(f"{element!r} contains itself", fix="take it out of what it contains first")
         steps += 1
         if steps == limit:
             steps, limit, seen = 0, limit * 2, element
-    return element._eresource
+    return own_resource_of(element)
 
 
 def place_in(collection: Any, element: Any) -> int:

@@ -13,6 +13,7 @@ from typing import Any
 from robosmi.errors import did_you_mean
 from robosmi.model.features import class_in, class_names
 from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder
+from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
 from robosmi.model.xmi_document import Document, PackageOf, Problem
 from robosmi.model.xmi_plan import (
     CHILD,
@@ -63,18 +64,18 @@ class Builder:
         if entry.many:
             if entry.key not in slots:
                 slots[entry.key] = collection(element, feature)
-            list.append(slots[entry.key], child)
+            add_silently(slots[entry.key], child)
         elif entry.key in slots:
             self.here(f"{type(element).__name__}.{feature.name} takes one element, not two")
             return
         else:
             slots[entry.key] = holder(ContainedValue, element, feature, child)
-        child_slots["_container"] = element
-        child_slots["_containment_feature"] = feature
+        child_slots[CONTAINER] = element
+        child_slots[CONTAINING_FEATURE] = feature
         if entry.back is None:
             child_slots["_birth"] = (element, feature)
         else:
-            child_slots[entry.back._name] = holder(ReferenceValue, child, entry.back, element)
+            child_slots[key_of(entry.back)] = holder(ReferenceValue, child, entry.back, element)
 
     def here(self, text: str) -> None:
         """Note a problem at the current line."""
@@ -147,7 +148,7 @@ class Builder:
     ) -> None:
         """Attributes other than single values and references."""
         if entry.kind == XMI_ID:
-            slots["_internal_id"] = text
+            slots[IDENTITY] = text
             self.identify(text, child)
         elif entry.kind == VALUES:
             for part in text.split():
@@ -179,13 +180,8 @@ class Builder:
         many = slots.get(entry.key)
         if many is None:
             many = slots[entry.key] = collection(element, entry.feature)
-        if isinstance(many, list):
-            list.append(many, value)
-        elif value in many.map:
+        if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
-        else:
-            many.map[value] = len(many.items)
-            many.items.append(value)
 
     def part_elsewhere(self, element: Any, entry: FeatureEntry, link: str) -> None:
         """Note a contained element that lies in another file."""

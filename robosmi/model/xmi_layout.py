@@ -13,6 +13,7 @@ from pyecore import ecore
 from robosmi.errors import ModelError
 from robosmi.model import datatypes, features
 from robosmi.model.feature_values import is_stored
+from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
 
 _KEPT = 1 << 10  # texts of values of one feature
@@ -52,7 +53,7 @@ class Column:
         self.kind = kind
         self.feature = feature
         self.name = str(feature.name)
-        self.key: str = feature._name
+        self.key: str = key_of(feature)
         self.start = f' {self.name}="'
         self.many = bool(feature.many)
         self.upper = int(feature.upperBound)

@@ -17,6 +17,7 @@ from pyecore import ecore
 from robosmi.model import lean
 from robosmi.model.features import as_package
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder
+from robosmi.model.pyecore_internals import add_silently, contain, container_of, fill_silently, is_value, key_of, value_in
 from robosmi.model.xmi_document import Document
 from robosmi.model.xmi_places import shown
 from robosmi.model.xmi_plan import FeatureEntry
@@ -114,7 +115,7 @@ class XmiLinker:
     def _set(self, document: Document, line: int, owner: Any, entry: FeatureEntry, target: Any) -> None:
         slots = owner.__dict__
         slot = slots.get(entry.key)
-        if slot is not None and slot._value is not None and slot._value is not target:
+        if slot is not None and value_in(slot) is not None and value_in(slot) is not target:
             self._wrong(document, line, owner, entry, "takes one element, not two")
             return
         slots[entry.key] = holder(ReferenceValue, owner, entry.feature, target)
@@ -129,7 +130,7 @@ class XmiLinker:
         if many is None:
             many = slots[entry.key] = collection(owner, entry.feature)
         for target in targets:
-            if _put(many, target) and entry.back is None:
+            if add_silently(many, target) and entry.back is None:
                 lean.note_link(target, (owner, entry.feature))
         if entry.back is not None:
             self._two_sided.append((document, line, owner, entry, targets))
@@ -138,17 +139,17 @@ class XmiLinker:
         """Make both sides of all opposites agree."""
         for document, line, owner, entry, targets in self._two_sided:
             back = entry.back
-            key = back._name
+            key = key_of(back)
             for target in targets:
                 slot = target.__dict__.get(key)
                 if back.many:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
-                    _put(slot, owner)
-                elif slot is None or slot._value is None:
+                    add_silently(slot, owner)
+                elif slot is None or value_in(slot) is None:
                     target.__dict__[key] = holder(ReferenceValue, target, back, owner)
-                elif slot._value is not owner:
-                    other = shown(slot._value)
+                elif value_in(slot) is not owner:
+                    other = shown(value_in(slot))
                     self._wrong(
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
                     )
@@ -166,8 +167,8 @@ class XmiLinker:
             if container is part:
                 self._wrong(document, line, owner, entry, f"would make {shown(part)} contain itself")
                 return
-            container = container._container
-        if part._container is not None:
+            container = container_of(container)
+        if container_of(part) is not None:
             self._wrong(document, line, owner, entry, f"takes {shown(part)}, which is contained elsewhere already")
             return
         slots = owner.__dict__
@@ -179,34 +180,20 @@ class XmiLinker:
         else:
             if entry.key not in slots:
                 slots[entry.key] = collection(owner, entry.feature)
-            _put(slots[entry.key], part)
+            add_silently(slots[entry.key], part)
             _move(slots[entry.key], place)
-        part._container, part._containment_feature = owner, entry.feature
+        contain(part, owner, entry.feature)
         if entry.back is None:
             lean.note_link(part, (owner, entry.feature))
         else:
-            part.__dict__[entry.back._name] = holder(ReferenceValue, part, entry.back, owner)
-
-
-def _put(many: Any, value: Any) -> bool:
-    """Add to a collection, without a word to anybody; False if it is there and may be there once."""
-    if isinstance(many, list):
-        list.append(many, value)
-        return True
-    positions = many.map
-    if value in positions:
-        return False
-    positions[value] = len(many.items)
-    many.items.append(value)
-    return True
+            part.__dict__[key_of(entry.back)] = holder(ReferenceValue, part, entry.back, owner)
 
 
 def _move(many: Any, place: int) -> None:
     """Put the last of a collection at its place."""
-    items = many if isinstance(many, list) else many.items
-    list.insert(items, place, list.pop(items))
-    if not isinstance(many, list):
-        many.map.update((item, index) for index, item in enumerate(items[place:], place))
+    items = list(many)
+    items.insert(place, items.pop())
+    fill_silently(many, items)
 
 
 def _without_types(parts: list[str]) -> list[str]:
@@ -257,7 +244,7 @@ def _step(element: Any, step: str) -> Any:
             return None
     if slot is None and (keys := _KEYS.fullmatch(step)):
         return _by_keys(element, keys[1], dict(_KEY.findall(keys[2])))
-    value = getattr(slot, "_value", None) if not index else None
+    value = value_in(slot) if not index and is_value(slot) else None
     return value if isinstance(value, ecore.EObject) else None
 
 

@@ -16,6 +16,7 @@ from xml.parsers import expat
 from robosmi.errors import did_you_mean
 from robosmi.model.features import class_in
 from robosmi.model.lean import AttributeValue, ReferenceValue, collection, holder
+from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, key_of
 from robosmi.model.xmi_builder import XMI_NAMESPACES, Builder
 from robosmi.model.xmi_document import Document, ForeignRoot, PackageOf, Problem, UnknownEncoding, Unreadable
 from robosmi.model.xmi_plan import (
@@ -113,6 +114,7 @@ class _Parser(Builder):
         """What is called at the start and the end of every element; made for speed, so all names are local."""
         parser, references, counted = self.expat, self.document.references, self.document.counted
         new = object.__new__
+        container_key, feature_key = CONTAINER, CONTAINING_FEATURE
         other_child, child_plan, other_attribute = self.other_child, self.child_plan, self.other_attribute
         xsi_type, xmi_type = f"{XSI}}}type", f"{XMI}}}type"
         roots = self.document.roots
@@ -151,11 +153,7 @@ class _Parser(Builder):
                     except ValueError as error:
                         self.problem(parser.CurrentLineNumber, f"{plan.name}.{name}: {error}")
                         continue
-                    made = new(AttributeValue)
-                    made.owner = child
-                    made.feature = attribute.feature
-                    made._value = value
-                    child_slots[attribute.key] = made
+                    child_slots[attribute.key] = holder(AttributeValue, child, attribute.feature, value)
                     if attribute.is_id:
                         self.identify(text, child)
                 elif what == REFERENCE:
@@ -170,17 +168,13 @@ class _Parser(Builder):
                 items = many.items
                 many.map[child] = len(items)
                 items.append(child)
-                child_slots["_container"] = element
-                child_slots["_containment_feature"] = feature
+                child_slots[container_key] = element
+                child_slots[feature_key] = feature
                 back = entry.back
                 if back is None:
                     child_slots["_birth"] = many.birth
                 else:
-                    made = new(ReferenceValue)
-                    made.owner = child
-                    made.feature = back
-                    made._value = element
-                    child_slots[back._name] = made
+                    child_slots[key_of(back)] = holder(ReferenceValue, child, back, element)
             elif elsewhere is not None:
                 self.part_elsewhere(element, entry, elsewhere)
             elif kind == CHILD:

@@ -19,7 +19,8 @@ from pyecore import ecore
 from robosmi.errors import ModelError
 from robosmi.model import datatypes
 from robosmi.model.features import as_package, id_attribute, root_package
-from robosmi.model.lean import value_in
+from robosmi.model.lean import plain_value
+from robosmi.model.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
 _NOT_IN_PATHS = re.compile(r"[^A-Za-z0-9/_.!~*'()@=+$,;\u00a0-\U0010ffff-]")  # as EMF's URI.createFileURI, but for & and :
@@ -46,7 +47,7 @@ class XmiPlaces:
         self.roots: dict[int, str] = {}
         self._ids: dict[Any, Any] = {}
         self._steps: dict[Any, _Step] = {}
-        self.nested = {id(root) for roots in models.values() for root in roots if getattr(root, "_container", None) is not None}
+        self.nested = {id(root) for roots in models.values() for root in roots if root.eContainer() is not None}
         for name, roots in models.items():
             for index, root in enumerate(roots):
                 if id(root) in self.roots:
@@ -70,7 +71,7 @@ class XmiPlaces:
 
     def identity(self, element: Any) -> str | None:
         """The xmi:id of an element or the value of its ID attribute, or None."""
-        own = element._internal_id
+        own = xmi_id_of(element)
         if own is not None:
             return str(own)
         known = self._ids.get(element.__class__)
@@ -80,11 +81,11 @@ class XmiPlaces:
                 known = (None, None, None)
             else:
                 kind = attribute.eType
-                known = (attribute._name, datatypes.to_text(kind), datatypes.default(attribute, kind))
+                known = (key_of(attribute), datatypes.to_text(kind), datatypes.default(attribute, kind))
             self._ids[element.__class__] = known
         key, convert, default = known
         slot = element.__dict__.get(key) if key is not None else None
-        value = value_in(slot) if slot is not None else None
+        value = plain_value(slot) if slot is not None else None
         if convert is None or value is None or value == default:
             return None
         identity = str(convert(value))
@@ -100,14 +101,14 @@ class XmiPlaces:
             if isinstance(one, (ecore.EModelElement, type)):
                 return "", metamodel_uri(one)
             climbed.append(one)
-            container = one._container
+            container = container_of(one)
             if container is None or len(climbed) > 10_000_000:
                 raise Unplaced
             one = container
         known = self._known
         file, way = known[id(one)]
         for child in reversed(climbed):
-            feature = child._containment_feature
+            feature = containing_feature_of(child)
             step = self._steps.get(feature) or self._step_of(feature)
             slot = one.__dict__.get(step.key)
             if step.is_plain and slot is not None:
@@ -133,7 +134,7 @@ class _Step:
     __slots__ = ("is_plain", "key", "keys", "many", "text")
 
     def __init__(self, feature: Any) -> None:
-        self.key = feature._name
+        self.key = key_of(feature)
         self.many = feature.many
         self.keys = list(getattr(feature, "eKeys", None) or ())
         self.is_plain = self.many and feature.unique and feature.ordered and not self.keys
@@ -146,14 +147,14 @@ def shown(element: Any) -> str:
     if " object at 0x" not in text:
         return text
     name = element.__dict__.get("name")
-    value = name if isinstance(name, str) else getattr(name, "_value", None)
+    value = value_in(name) if is_value(name) else name if isinstance(name, str) else None
     return f"<{type(element).__name__}{f' name={value!r}' if value is not None else ''}>"
 
 
 def _rest(step: _Step, slot: Any, child: Any) -> str:
     """What follows the feature's name in a fragment, where it is no index of an ordered set."""
     if not step.many:
-        if slot is None or slot._value is not child:
+        if slot is None or value_in(slot) is not child:
             raise Unplaced
         return ""
     index = _index([] if slot is None else list(slot), child)

@@ -12,6 +12,7 @@ from pyecore import ecore
 
 from robosmi.model import datatypes, features, lean
 from robosmi.model.feature_values import is_stored
+from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
 
 VALUE, REFERENCE, CHILDREN, CHILD, VALUES, XMI_ID, IGNORED, REFUSED, ROOT = range(9)
@@ -44,7 +45,7 @@ class FeatureEntry:
     def __init__(self, kind: int, feature: Any = None, message: str = "") -> None:
         self.kind = kind
         self.feature = feature
-        self.key: str = feature._name if feature is not None else ""
+        self.key: str = key_of(feature) if feature is not None else ""
         self.many = feature is not None and feature.many
         self.convert: Any = None
         self.is_id = False

@@ -17,6 +17,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.metamodels import Metamodels
+from robosmi.model.pyecore_internals import is_value
 from robosmi.model.xmi_document import Document, ForeignRoot, Unreadable
 from robosmi.model.xmi_links import XmiLinker, resolve
 from robosmi.model.xmi_parser import parse
@@ -264,7 +265,7 @@ class _Reader:
                 slots = element.__dict__
                 for key, name, lower, upper in plan.bounds:
                     slot = slots.get(key)
-                    number = 0 if slot is None else 1 if hasattr(slot, "_value") else len(slot)
+                    number = 0 if slot is None else 1 if is_value(slot) else len(slot)
                     if number < lower:
                         wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
                         text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"

@@ -20,6 +20,7 @@ from robosmi.model.datatypes import real
 from robosmi.model.ecore_writer import EcoreText
 from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
+from robosmi.model.pyecore_internals import container_of, set_features_of, value_in, xmi_id_of
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi_places import Unplaced, UnusableId, XmiPlaces, metamodel_place, metamodel_uri, relative, shown
 from robosmi.model.xml_characters import in_attribute, in_text, refuse_forbidden
@@ -131,13 +132,13 @@ class _Writer:
                 layout = layouts.get(element.__class__) or self.layouts.of(element)
                 append(f"{indent}{opening}")
                 slots = element.__dict__
-                if layout.has_id or element._internal_id is not None:
+                if layout.has_id or xmi_id_of(element) is not None:
                     self.identify(element, append)
                 later: list[Any] | None = None
                 for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
                     slot = slots[key]
                     if kind == VALUE:
-                        value = slot if slot.__class__ in BARE else slot._value
+                        value = slot if slot.__class__ in BARE else value_in(slot)
                         if value.__class__ is plain and (text := rendered.get(value)) is not None:
                             append(text)
                         else:
@@ -146,10 +147,10 @@ class _Writer:
                         if column.many:
                             children = slot.items if isinstance(slot, EOrderedSet) else slot
                         else:
-                            children = () if slot._value is None else (slot._value,)
+                            children = () if value_in(slot) is None else (value_in(slot),)
                         for child in children:
                             begun = rendered.get(child.__class__)
-                            if begun is None or child._container is not element or (nested and id(child) in nested):
+                            if begun is None or container_of(child) is not element or (nested and id(child) in nested):
                                 later = self.child(element, column, child, indent, later)
                             elif later is None:
                                 later = [(begun, column.name, child)]
@@ -247,7 +248,7 @@ class _Writer:
         if other is not element:
             fix = "give every element of a file an id of its own"
             raise self.problem(element, None, f"has the id '{identity}', and so has {shown(other)}", fix)
-        if element._internal_id is not None:
+        if xmi_id_of(element) is not None:
             append(f' xmi:id="{in_attribute(identity)}"')
 
     def nothing(
@@ -255,7 +256,7 @@ class _Writer:
     ) -> list[Any] | None:
         """A feature that holds nothing though its default is something, or that knows whether it was set."""
         if column.is_unsettable:
-            if column.feature not in element._isset:
+            if column.feature not in set_features_of(element):
                 return later
             if column.many and column.kind != VALUE:
                 append(f'{column.start}"')
@@ -286,7 +287,7 @@ class _Writer:
     ) -> list[Any] | None:
         """Many values, as elements; anything else is refused."""
         if column.kind != VALUES:
-            if len(slot) if column.many else slot._value is not None:
+            if len(slot) if column.many else value_in(slot) is not None:
                 raise self.problem(element, column, "is a feature map, which is not supported", "leave it empty")
             return later
         values = list(slot)
@@ -312,7 +313,7 @@ class _Writer:
         self, element: Any, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
     ) -> list[Any] | None:
         """References: fragments in an attribute if all lead into this file, else elements with hrefs."""
-        targets = slot if column.many else () if slot._value is None else (slot._value,)
+        targets = slot if column.many else () if value_in(slot) is None else (value_in(slot),)
         if column.upper > 1:
             self.limit(element, column, targets)
         local = self.local
@@ -368,8 +369,8 @@ class _Writer:
     def child(self, element: Any, column: Column, child: Any, indent: str, later: list[Any] | None) -> list[Any]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""
         child = real(child)
-        if child._container is not element:
-            what = f"contains {shown(child)}, whose container is {shown(child._container)}"
+        if container_of(child) is not element:
+            what = f"contains {shown(child)}, whose container is {shown(container_of(child))}"
             raise self.problem(element, column, what, "put the element into one container")
         if id(child) not in self.places.nested:
             eclass = child.eClass

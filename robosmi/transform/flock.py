@@ -14,6 +14,7 @@ from robosmi.errors import RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
 from robosmi.model.emf import EmfModel
 from robosmi.model.features import eclass_of
+from robosmi.model.pyecore_internals import set_xmi_id, xmi_id_of
 from robosmi.model.structure import feature_names
 from robosmi.query.collections import Q
 from robosmi.query.erl import RuleBlocks, as_model, failed, run_over, technology
@@ -196,7 +197,7 @@ class Flock:
         for original in elements:
             rules.append(fitting := self._fitting_rules(original))
             if (migrated := self._equivalents[id(original)][1]) is not None:
-                migrated._internal_id = original._internal_id
+                set_xmi_id(migrated, xmi_id_of(original))
                 copy.copy(original, migrated, [name for rule in fitting for name in rule.ignoring])
         if self.keep_order:
             for original, migrated in list(self._equivalents.values()):

@@ -23,6 +23,7 @@ from robosmi.model.fragments import fragment_of, resolve
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.metamodel import Metamodel, TypedModel
 from robosmi.model.on_demand import Promise, settle
+from robosmi.model.pyecore_internals import key_of, read
 from robosmi.model.strict import Element
 from robosmi.model.structure import root_of
 from robosmi.project import defaults
@@ -138,7 +139,7 @@ class OnDemandProgram(TypedModel):
                 slot = slots[name]
                 if slot.__class__ is Promise and _holds_only_others(slot, wanted):
                     continue
-                value = slot._get()
+                value = read(slot)
                 if many:
                     parts += value
                 elif value is not None:
@@ -173,7 +174,7 @@ class OnDemandProgram(TypedModel):
         if found is None:
             self._link_all()
             slot = element.__dict__[feature.name]  # what was built after all was linked has no link
-            return (() if feature.many else None) if isinstance(slot, Promise) else slot._get()
+            return (() if feature.many else None) if isinstance(slot, Promise) else read(slot)
         return found
 
     def _near(self, unit: Unit, element: Any, name: str) -> Any:
@@ -219,7 +220,7 @@ class OnDemandProgram(TypedModel):
         elements = [x for unit in self._units for x in self._walk(object, unit.element)]
         for element in elements:
             for feature in _links(element.__class__):
-                element.__dict__.pop(feature._name, None)
+                element.__dict__.pop(key_of(feature), None)
         contexts = [unit.context for unit in self._units]
         for unit in self._units:
             in_building_order(unit)
@@ -249,7 +250,7 @@ def _containments(cls: type) -> list[Any]:
 @cache
 def _ways(cls: type, wanted: type) -> list[tuple[str, bool]]:
     """Where elements of the wanted class may be below an element of a class: slots, and whether they hold many."""
-    return [(feature._name, feature.many) for feature in _containments(cls) if _can_hold(feature, wanted)]
+    return [(key_of(feature), feature.many) for feature in _containments(cls) if _can_hold(feature, wanted)]
 
 
 def _links(cls: type) -> list[Any]:
