@@ -6,6 +6,8 @@ Everything here is read from the source text (ast), so that a rule also holds fo
 from __future__ import annotations
 
 import ast
+import importlib
+import inspect
 import json
 import pkgutil
 import re
@@ -275,6 +277,45 @@ def test_no_platform_board_or_drawing_tool_is_named_in_the_framework() -> None:
         if words.search(line)
     ]
     assert found == []
+
+
+def private_names_of_pyecore() -> set[str]:
+    """Fields and methods with one leading underscore that pyecore's modules give to their objects."""
+    found = set()
+    for name in ("ecore", "valuecontainer", "notification", "innerutils", "resources.resource"):
+        module = importlib.import_module(f"pyecore.{name}")
+        for node in ast.walk(ast.parse(inspect.getsource(module))):
+            if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+                found.add(node.attr)
+            elif isinstance(node, ast.ClassDef):
+                found |= {part.name for part in node.body if isinstance(part, ast.FunctionDef)}
+    return {name for name in found if name.startswith("_") and not name.startswith("__")}
+
+
+def test_pyecores_private_names_are_in_one_module_only() -> None:
+    """Where our own classes have a private name of that spelling, it is theirs on `self` and `cls` alone."""
+    private = private_names_of_pyecore()
+    assert {"_container", "_isset", "_value", "_name", "_get", "_inverse_rels", "_wrapped"} <= private
+    wrong = []
+    for path in written_by_hand():
+        if path.name == "pyecore_internals.py":
+            continue
+        tree = tree_of(path)
+        own = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+        own |= {n.attr for n in ast.walk(tree) if isinstance(n, ast.Attribute) and is_of_self(n) and isinstance(n.ctx, ast.Store)}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Attribute) and node.attr in private and node.attr not in own:
+                wrong.append(f"{path.relative_to(ROOT)}:{node.lineno}: {node.attr}")
+            elif isinstance(node, ast.Constant) and node.value in private - own:
+                wrong.append(f"{path.relative_to(ROOT)}:{node.lineno}: {node.value!r}")
+        if "pyecore.innerutils" in {name for _, name in imported(path)}:
+            wrong.append(f"{path.relative_to(ROOT)}: innerutils")
+    assert wrong == []
+
+
+def is_of_self(node: ast.Attribute) -> bool:
+    """Whether an attribute is read or written as `self.x` or `cls.x`."""
+    return isinstance(node.value, ast.Name) and node.value.id in ("self", "cls")
 
 
 def written_by_hand() -> list[Path]:

@@ -121,6 +121,7 @@ class _Writer:
         out: list[str] = []
         append = out.append
         layouts, nested = self.layouts.known, self.places.nested
+        held, inside, xmi_id = value_in, container_of, xmi_id_of  # local names are faster
         stack: list[tuple[Iterator[Any], str, str]] = []
         work: Iterator[Any] = iter(roots)
         while True:
@@ -132,13 +133,13 @@ class _Writer:
                 layout = layouts.get(element.__class__) or self.layouts.of(element)
                 append(f"{indent}{opening}")
                 slots = element.__dict__
-                if layout.has_id or xmi_id_of(element) is not None:
+                if layout.has_id or xmi_id(element) is not None:
                     self.identify(element, append)
                 later: list[Any] | None = None
                 for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
                     slot = slots[key]
                     if kind == VALUE:
-                        value = slot if slot.__class__ in BARE else value_in(slot)
+                        value = slot if slot.__class__ in BARE else held(slot)
                         if value.__class__ is plain and (text := rendered.get(value)) is not None:
                             append(text)
                         else:
@@ -147,10 +148,10 @@ class _Writer:
                         if column.many:
                             children = slot.items if isinstance(slot, EOrderedSet) else slot
                         else:
-                            children = () if value_in(slot) is None else (value_in(slot),)
+                            children = () if held(slot) is None else (held(slot),)
                         for child in children:
                             begun = rendered.get(child.__class__)
-                            if begun is None or container_of(child) is not element or (nested and id(child) in nested):
+                            if begun is None or inside(child) is not element or (nested and id(child) in nested):
                                 later = self.child(element, column, child, indent, later)
                             elif later is None:
                                 later = [(begun, column.name, child)]
