@@ -11,10 +11,10 @@ from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import platform
-from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.chains.reading import HEADERS_ONLY, Drawing, read_drawing
 from robosmi.transformations.knowledge.target_platform import TargetFacts
 from robosmi.transformations.m2m.migration_plan import Hardware
-from robosmi.transformations.queries.circuit import the_board
+from robosmi.transformations.queries.circuit import of_board, the_board
 
 
 class StoredDrawing(NamedTuple):
@@ -50,19 +50,30 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
         UsageError: a role or component does not exist.
     """
     drawing = read_drawing(path, roles, target.board)
-    component = the_board(drawing.circuit)
+    component = _board_of(drawing)
+    connections = of_board(drawing.connections, component)
     board = _checked(component, drawing.board_models.get(component.elementId), target, path)
     lost = next((finding for finding in drawing.findings if finding.rule == "RS223"), None)
-    if lost is not None and any(connection.pin is None for connection in drawing.connections):
+    if lost is not None and any(connection.pin is None for connection in connections):
         labels = ", ".join(pin.label for pin in board.pins)
         raise SourceError(lost.message, location=Location(str(path)), fix=f"wire it to one of the board's pins: {labels}")
     drawing.circuit.path = copy = f"source/{path.name}"
     files = {copy: inputs.read_bytes(path, inputs.DRAWING)}
     for name in drawing.circuit.companions:
         files[f"source/{name}"] = inputs.read_bytes(path.parent / name, inputs.DRAWING)
-    return StoredDrawing(
-        Hardware(drawing.circuit, component, drawing.connections), board, str(path), copy, files, drawing.findings
-    )
+    return StoredDrawing(Hardware(drawing.circuit, component, connections), board, str(path), copy, files, drawing.findings)
+
+
+def _board_of(drawing: Drawing) -> hw.Component:
+    """The board that programs are moved to.
+
+    Raises:
+        SourceError: there is none, or more than one; in the words of the reader where it has told why.
+    """
+    told = next((finding for finding in drawing.findings if finding.rule == HEADERS_ONLY), None)
+    if told is not None:
+        raise SourceError(told.message, location=told.location, fix=told.fix)
+    return the_board(drawing.circuit)
 
 
 def _tool(component: hw.Component) -> str:

@@ -14,9 +14,9 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.reading import Drawing, read_drawing
+from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
-from robosmi.transformations.queries.circuit import boards, hardware_report, the_board
+from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, the_board
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,8 @@ class HardwareAnalysis:
         titles = ", ".join(b["title"] for b in self.result["boards"])
         shown = [c for c in self.circuit.components if c.role not in (hw.Role.Decoration, hw.Role.Passive)]
         between = [c for c in self.circuit.components if c.role is hw.Role.Passive]
-        lines = [f"{titles}: {len(self.result['components'])} components, {len(self.result['mappings'])} connections", ""]
+        counts = f"{len(self.result['components'])} components, {len(self.result['mappings'])} connections"
+        lines = [f"{titles or 'no board'}: {counts}", ""]
         rows = [(_title(c), c.partTitle or c.partId, c.role.name + (", driver" if c.driver else "")) for c in shown]
         lines += table(("component", "part", "role"), rows)
         if between:
@@ -50,6 +51,8 @@ class HardwareAnalysis:
             )
             for m in self.result["mappings"]
         ]
+        if not boards:
+            return [*lines, "", *table(("net", "pins"), [(_net_name(net), _pins(net)) for net in self.result["nets"]])]
         return [*lines, "", *table(("pin", "name", "signal", "wired to", "through"), wires)]
 
     def picture(self) -> str:
@@ -69,7 +72,7 @@ class HardwareAnalysis:
 
         board = the_board(self.circuit)
         model = self.board_models.get(board.elementId)
-        return pin_table(self.connections, model.name if model is not None else "", target)
+        return pin_table(of_board(self.connections, board), model.name if model is not None else "", target)
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
@@ -81,6 +84,14 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
 
 def _title(component: hw.Component) -> str:
     return component.title or component.partTitle or f"#{component.elementId}"
+
+
+def _net_name(net: Mapping[str, Any]) -> str:
+    return str(net["voltage"] or net["name"])
+
+
+def _pins(net: Mapping[str, Any]) -> str:
+    return ", ".join(f"{c['component'] or '#' + c['component_model_index']} {c['name'] or c['id']}" for c in net["connectors"])
 
 
 def _in_brackets(connectors: Sequence[Mapping[str, str]]) -> str:
@@ -101,11 +112,13 @@ def hardware_chain() -> Chain:
 def drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
     """The circuit with its connections.
 
+    A schematic may be one sheet of several: without a board it is read as far as it goes, and the reader has said so.
+
     Raises:
-        SourceError: the drawing cannot be read, or has no board.
+        SourceError: the drawing cannot be read, or has no board and is no schematic.
     """
     made = read_drawing(path, roles)
-    if not boards(made.circuit):
+    if not boards(made.circuit) and not any(finding.rule in (HEADERS_ONLY, NO_BOARD) for finding in made.findings):
         the_board(made.circuit)  # says what is missing
     return made
 
@@ -134,7 +147,7 @@ def hardware(
         chain: steps of one's own, which make `analysis`; `hardware_chain()` if None.
 
     Raises:
-        SourceError: it cannot be read, or has no board.
+        SourceError: it cannot be read, or has no board and is no schematic.
     """
     run = (chain or hardware_chain()).start(progress=progress, path=path, roles=roles or {})
     with project_of_input(path), read_once():

@@ -17,6 +17,9 @@ from robosmi.transformations.knowledge.described_circuit import describe
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 
+HEADERS_ONLY, NO_BOARD = "RS219", "RS229"
+"""Rules by which readers say that a schematic has no board: it seems to be drawn as headers, or there is none."""
+
 if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration, platform
 

@@ -10,6 +10,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+GIVEN = "given by the user"
+"""The evidence of a role that a person gave."""
+
 ROLES = ("Unknown", "Board", "Input", "Output", "Both", "Passive", "Power", "Decoration")
 """The roles, as the hardware metamodel names them."""
 

@@ -12,6 +12,8 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.query import Q, root_of
+from robosmi.quoting import toml
+from robosmi.transformations.knowledge.part import GIVEN
 from robosmi.transformations.queries.circuit_walk import behind, either_side
 
 if TYPE_CHECKING:
@@ -24,12 +26,14 @@ def boards(circuit: hardware.Circuit) -> Q[hardware.Component]:
 
 
 def the_board(circuit: hardware.Circuit) -> hardware.Component:
-    """The one board of a circuit.
+    """The board of a circuit that programs are moved to: the only one, or of several the one that a person gave that role.
 
     Raises:
         SourceError: there is none, or more than one.
     """
     found = boards(circuit)
+    named = found.select(lambda board: board.roleEvidence == GIVEN)
+    found = named if len(named) == 1 else found
     place = Location(circuit.path)
     if not found:
         raise SourceError(
@@ -42,9 +46,14 @@ def the_board(circuit: hardware.Circuit) -> hardware.Component:
         raise SourceError(
             f"there are {len(found)} boards in this drawing: {names}",
             location=place,
-            fix="keep the board that is to run the program, or give the others the role Decoration in robosmi.toml under [roles]",
+            fix=f'name the one that runs the program in robosmi.toml under [roles]: {toml("#" + found[0].elementId)} = "Board"',
         )
     return found[0]
+
+
+def of_board(connections: Iterable[migration.Connection], board: hardware.Component) -> list[migration.Connection]:
+    """Those of the connections that a board's own pins have."""
+    return [c for c in connections if c.boardConnectors and c.boardConnectors[0].component is board]
 
 
 def component_named(circuit: hardware.Circuit, name: str) -> hardware.Component:
@@ -136,7 +145,7 @@ def circuit_graph(
 
 
 def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
-    """The result of the command `hardware`, JSON values only (docs/reference: `boards`, `components`, `mappings`)."""
+    """The result of the command `hardware`, JSON values only (`boards`, `components`, `mappings`, `nets`)."""
     beyond = {c: behind(c) for c in circuit.components if c.driver}
     return {
         "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
@@ -153,7 +162,16 @@ def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.C
             for c in circuit.components
         ],
         "mappings": [_mapping(connection, beyond) for connection in connections],
+        "nets": [{"name": net.name, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net)} for net in circuit.nets],
     }
+
+
+def _ends(net: hardware.Net) -> list[dict[str, str]]:
+    return [
+        {"component": c.component.title, "component_model_index": c.component.elementId, "id": c.connectorId, "name": c.name}
+        for c in net.connectors
+        if c.component is not None
+    ]
 
 
 def _mapping(

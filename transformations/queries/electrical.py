@@ -104,8 +104,9 @@ class Wiring:
     def board_model(self, board: hardware.Component) -> platform.Board | None:
         """The platform's board that a component is drawn as, or None."""
         if board not in self._board_models:
-            drawn = drawn_board(board.partId, self.circuit.tool.lower())
-            self._board_models[board] = load_board(drawn.name) if drawn is not None else None
+            drawn = None if board.boardName else drawn_board(board.partId, self.circuit.tool.lower())
+            name = board.boardName or (drawn.name if drawn is not None else "")
+            self._board_models[board] = load_board(name) if name else None
         return self._board_models[board]
 
     def know_board(self, board: hardware.Component, model: platform.Board) -> None:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
-from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
+from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
@@ -254,7 +254,7 @@ class CircuitBuilder:
     def _part(self, placed: Placed, known: KnownPart, facts: Sequence[PartConnector]) -> Part:
         """The part with the role that it has in this place: given by the user, known, or told by label and pin names."""
         if (role := self._given.get(placed.identity)) is not None:
-            return replace(known.part, role=role, evidence="given by the user")
+            return replace(known.part, role=role, evidence=GIVEN)
         if known.part.role != "Unknown" or known.own:
             return known.part
         named = replace(known.part, connectors={fact.id: fact for fact in facts})

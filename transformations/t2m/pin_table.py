@@ -25,7 +25,7 @@ from robosmi.project import defaults
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
-from robosmi.transformations.knowledge.part import ROLES, Part
+from robosmi.transformations.knowledge.part import GIVEN, ROLES, Part
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.target_platform import target_facts
@@ -190,7 +190,7 @@ class _Table:
         found = classify(Part("", title=rows[0]["part"]), self.project)
         driver = any(row["driver"].lower() in _TRUE for row in rows)
         if told:
-            why = "given by the user" if given else "the table says so"
+            why = GIVEN if given else "the table says so"
             if not any(row["driver"] for row in rows):
                 driver = found.driver and found.role == told
             return Part("", found.title, role=told, evidence=why, driver=driver)

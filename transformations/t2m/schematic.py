@@ -250,7 +250,7 @@ class _Making:
                 "RS212", Severity.warning, "no part is connected to another", fix=f"connect the parts in {self.drawn.tool}"
             )
         self._clocks()
-        self._headers_alone()
+        self._without_board()
         return self.builder.circuit(
             Path(self.drawn.path).stem, self.drawn.digest, self.drawn.tool, self.drawn.version, companions=self.drawn.companions
         )
@@ -285,9 +285,9 @@ class _Making:
                     part.line, "times and baud rates differ: check that the target board has the clock that you need",
                 )  # fmt: skip
 
-    def _headers_alone(self) -> None:
-        """Say where a board seems to be drawn as headers only, which tell nothing of its pins."""
-        if any(known.part.role == "Board" for _, known in self.known.values()):
+    def _without_board(self) -> None:
+        """Say that there is no board: its headers only, which tell nothing of its pins, or none, as on a sheet of several."""
+        if any(component.role is hardware.Role.Board for component in self.builder.components):
             return
         words = ("digital", "analog", "power", "arduino", "shield")
         found = [
@@ -297,9 +297,14 @@ class _Making:
         ]  # fmt: skip
         if len(found) > 1:
             self.report(
-                "RS219", Severity.warning, f"there is no board: {', '.join(found[:4])} seem to be the headers of one", None,
+                "RS219", Severity.error, f"there is no board: {', '.join(found[:4])} seem to be the headers of one", None,
                 "draw the board by its own symbol (an Arduino Uno, a shield), so that its pins are told",
             )  # fmt: skip
+            return
+        self.report(
+            "RS229", Severity.warning, "there is no board in this drawing: its parts and nets are read, and no pin is told", None,
+            "give the file that has the board, or give a part the role Board in robosmi.toml under [roles]",
+        )  # fmt: skip
 
 
 def hash_of(pins: Mapping[str, str]) -> str:

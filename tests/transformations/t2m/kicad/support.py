@@ -1,0 +1,79 @@
+"""Small KiCad schematics for tests: symbols, wires and labels as text, and what is read of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from robosmi.diagnostics import Finding
+from robosmi.transformations.chains.hardware import hardware
+
+UNO = [*(f"D{n}" for n in range(14)), "A0", "A1", "GND"]
+TWO = ["1", "2"]
+
+
+def symbol(name: str, pins: list[str], power: str = "", kind: str = "passive") -> str:
+    """A symbol of a library: pins one below the other, ten millimetres apart."""
+    listed = "".join(f'(pin {kind} line (at 0 {-10 * n} 0) (name "{p}") (number "{n + 1}"))' for n, p in enumerate(pins))
+    return f'(symbol "{name}" {power} (symbol "{name.partition(":")[2]}_1_1" {listed}))'
+
+
+def placed(kind: str, reference: str, x: int, y: int, value: str = "", unit: int = 1, more: str = "") -> str:
+    """A symbol on a sheet; its first pin is at its place."""
+    known = f'(property "Reference" "{reference}") (property "Value" "{value or kind.partition(":")[2]}")'
+    return f'(symbol (lib_id "{kind}") (at {x} {y} 0) {more} (unit {unit}) (uuid "{reference}-{x}-{y}") {known})'
+
+
+def wire(x1: int, y1: int, x2: int, y2: int) -> str:
+    """A wire."""
+    return f"(wire (pts (xy {x1} {y1}) (xy {x2} {y2})))"
+
+
+def label(text: str, x: int, y: int, kind: str = "label") -> str:
+    """A label."""
+    return f'({kind} "{text}" (at {x} {y} 0))'
+
+
+def below(name: str, file: str, *pins: tuple[str, int, int]) -> str:
+    """A sheet's symbol."""
+    listed = " ".join(f'(pin "{pin}" input (at {x} {y} 0))' for pin, x, y in pins)
+    return f'(sheet (at 0 0) (uuid "{name}-id") (property "Sheetname" "{name}") (property "Sheetfile" "{file}") {listed})'
+
+
+LIBRARY = [
+    symbol("MCU_Module:Arduino_UNO_R3", UNO), symbol("Device:LED", TWO), symbol("Connector:Conn_01x04", ["1", "2", "3", "4"]),
+    symbol("power:GND", ["GND"], "(power)", "power_in"), symbol("power:+5V", ["+5V"], "(power)", "power_in"),
+]  # fmt: skip
+
+
+def schematic(path: Path, *entries: str, library: list[str] | None = None) -> Path:
+    """A schematic on disk, an entry to a line."""
+    lines = [
+        f'(kicad_sch (version 20230121) (uuid "{path.stem}")',
+        f"(lib_symbols {' '.join(library or LIBRARY)})",
+        *entries,
+        ")",
+    ]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def uno(reference: str = "A1", x: int = 100, y: int = 0) -> str:
+    """An Arduino Uno: D0 at its place, D1 ten millimetres below, ..."""
+    return placed("MCU_Module:Arduino_UNO_R3", reference, x, y)
+
+
+def led(reference: str, x: int, y: int) -> str:
+    """A light emitting diode."""
+    return placed("Device:LED", reference, x, y)
+
+
+def pins(path: Path) -> dict[str, str]:
+    """The component on each pin of the board."""
+    return {m["pin"]: m["component"] for m in hardware(path).result["mappings"]}
+
+
+def said(findings: list[Finding], rule: str) -> list[str]:
+    """What the findings of a rule say; each has a fix."""
+    found = [f for f in findings if f.rule == rule]
+    assert all(f.fix for f in found)
+    return [f.message for f in found]
