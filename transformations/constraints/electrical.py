@@ -1,4 +1,4 @@
-"""The electrical constraints on circuits, put together: supplies, signals, loads, buses (rules RS230 to RS255).
+"""The electrical constraints on circuits, put together: supplies, signals, loads, buses (rules RS230 to RS256).
 
 What only a plan can tell, with the program and the chosen libraries, is in `electrical_plan`.
 """

@@ -6,6 +6,7 @@ What a pin can is in the board's data. Pins of boards that nobody has written do
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from robosmi.metamodels import hardware
@@ -43,6 +44,38 @@ def DriversAreApart(n: hardware.Net) -> Any:
         return True
     said = listed([f"{c.name} of '{who(o)}'" for o, c in driving])
     return fault(driving[1][0], f"outputs are joined: {said}")
+
+
+@devices.critique(
+    id="RS256", location=drawing,
+    advice="put a resistor of 10 kilo-ohms from the pin to the other supply, or let the sketch set INPUT_PULLUP where it leads to ground",
+)  # fmt: skip
+def IsHeldWhileOpen(c: hardware.Component) -> Any:
+    """A pin that a contact ties to a supply has a level while the contact is open."""
+    w = wiring_of(c)
+    if w.facts(c).output != "contact" or not any(net.rail for _, net in w.nets(c)):
+        return True
+    open_pins = [p.label for p in w.board_pins(c) if not w.once("held", p.net, partial(_is_held, w, p.net))]
+    message = f"nothing holds {listed(open_pins)} while '{who(c)}' is open" if open_pins else ""
+    return not open_pins or fault(c, message, pins=", ".join(open_pins))
+
+
+def _is_held(w: Wiring, start: hardware.Net) -> bool:
+    """Whether resistors to a supply, or a device that is no contact, give a net its level."""
+    seen, todo = {start}, [start]
+    while todo:
+        net = todo.pop()
+        for owner, _ in w.on(net):
+            if owner.role is Role.Passive and "capacitor" not in f"{owner.family} {owner.partTitle}".lower():
+                across = w.across(owner, net)
+                if across is not None and across.rail:
+                    return True
+                if across is not None and across not in seen:
+                    seen.add(across)
+                    todo.append(across)
+            elif owner.role in (Role.Input, Role.Output, Role.Both) and w.facts(owner).output != "contact":
+                return True
+    return False
 
 
 def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring, BoardPin], bool]) -> list[str]:

@@ -76,6 +76,7 @@ class PartNames:
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    contacts: tuple[tuple[tuple[str, ...], tuple[tuple[str, ...], ...]], ...] = ()
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
 
@@ -186,6 +187,9 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         headers=tuple(table.get("drawn", {}).get("headers", ())),
         solder_jumpers=tuple(table.get("drawn", {}).get("solder_jumpers", ())),
         symbols={means: tuple(called) for means, called in table.get("drawn", {}).get("symbols", {}).items()},
+        contacts=tuple(
+            (tuple(entry["called"]), tuple(map(tuple, entry["joined"]))) for entry in table.get("drawn", {}).get("contacts", ())
+        ),
         generated=tuple(table.get("generated", ())),
     )
 

@@ -122,7 +122,7 @@ class _Making:
         connectors = {pin: self._connector(pin, name) for pin, name in part.pins.items()}
         found = Part(
             part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors,
-            source="the drawing", description=part.description or self._meaning(part),
+            source="the drawing", description=part.description or self._meaning(part), buses=self._contacts(part),
         )  # fmt: skip
         if part.power:
             return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
@@ -158,6 +158,12 @@ class _Making:
             if connector_kind(name, self.builder.names) in ("supply", "ground"):
                 by_name.setdefault(name, []).append(pin)
         return {name: tuple(pins) for name, pins in by_name.items() if len(pins) > 1}
+
+    def _contacts(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
+        """Pins of a switch that are one contact."""
+        known = (groups for called, groups in self.builder.names.contacts if len(part.pins) == 4 and self._called(part, called))
+        groups = next(known, ())
+        return {"-".join(group): group for group in groups if all(pin in part.pins for pin in group)}
 
     def _called(self, part: SchematicPart, patterns: Sequence[str]) -> bool:
         return any(fnmatchcase(part.symbol.lower(), pattern) for pattern in patterns)
