@@ -51,6 +51,7 @@ bench: $(VENV)/.ready
 	$(BIN)/python tests/bench/rules.py
 	$(BIN)/python tests/bench/query.py
 	$(BIN)/python tests/bench/generate.py
+	$(BIN)/python tests/bench/simulation.py
 
 evaluate: $(VENV)/.ready
 	$(BIN)/python -m tests.recommend.paper_ranks

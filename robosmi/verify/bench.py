@@ -11,6 +11,7 @@ import heapq
 import itertools
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from operator import itemgetter
 from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError
@@ -131,7 +132,7 @@ class Bench(ABC):
         """What was seen until the horizon, by time."""
 
         def by_time(found: Iterable[Seen]) -> tuple[Seen, ...]:
-            return tuple(sorted((each for each in found if each.at_us <= horizon_us), key=lambda each: each.at_us))
+            return tuple(sorted((each for each in found if each.at_us <= horizon_us), key=itemgetter(0)))
 
         return PinTrace(
             engine, state, min(self.now, horizon_us),

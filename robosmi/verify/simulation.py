@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from robosmi.errors import InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
@@ -73,8 +73,7 @@ class Job:
     reached: bool = False
 
 
-@dataclass(frozen=True)
-class PinChange:
+class PinChange(NamedTuple):
     """A program drives a pin differently from `at_us` on: `level` is one of `LEVELS`."""
 
     at_us: float
@@ -82,8 +81,7 @@ class PinChange:
     level: int | str
 
 
-@dataclass(frozen=True)
-class Wave:
+class Wave(NamedTuple):
     """From `at_us` on a timer makes a wave at a pin: `hz` pulses a second, high for the part `duty` of each; 0 Hz ends it."""
 
     at_us: float
@@ -92,16 +90,14 @@ class Wave:
     duty: float
 
 
-@dataclass(frozen=True)
-class ConsoleByte:
+class ConsoleByte(NamedTuple):
     """A byte that the program sent on its console (its first serial port)."""
 
     at_us: float
     byte: int
 
 
-@dataclass(frozen=True)
-class DeviceEvent:
+class DeviceEvent(NamedTuple):
     """What a device noticed: `value` is a value of JSON that the device's documentation explains."""
 
     at_us: float

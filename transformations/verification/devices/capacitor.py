@@ -30,10 +30,11 @@ class Capacitor(Device):
         self._turn += 1
         if level in (0, 1):
             self._charged = level == 1
-            self.bench.set_level(pin, None if level == 1 else 0)
+            self.bench.set_level(pin, level)  # which it keeps when it is let go
         elif self._charged or level == "p":
-            self.bench.set_level(pin, 1)
-            if level == "z":
+            if level == "p":
+                self.bench.set_level(pin, 1)
+            else:
                 turn, decay = self._turn, value_at(self.settings["points"], self.bench.now)
                 self.bench.at(self.bench.now + decay, lambda: self._fall(turn))
 

@@ -1,8 +1,9 @@
 """The engine `simavr`: the library libsimavr (GPL-3, Debian's libsimavr2), reached through ctypes, in the worker's process only.
 
 Nothing of it is shipped or linked. The layout of its structures is not relied on, but for the head of `elf_firmware_t`, which
-versions 1.4 to 1.8 have in common; the clock is read from a timer that never fires. `avr_run` runs one instruction: the C
-library's `lfind` calls it in a loop, which is eleven times faster than a loop in Python.
+versions 1.4 to 1.8 have in common; the clock is read from a timer that never fires. `avr_run` runs one instruction, or a few
+where the field that says so is found by what stands in it: the C library's `lfind` calls it in a loop, which is eleven times
+faster than a loop in Python.
 """
 
 from __future__ import annotations
@@ -26,6 +27,11 @@ _AT_ONCE = 20000
 """Instructions between two looks at the clock."""
 _LONGEST = 5
 """Cycles of the longest instruction, an interrupt's call."""
+_IN_A_ROW = 64
+"""Cycles that the library may run before it looks at its timers again, which it does earlier where one is due: a third faster."""
+_LOOKS = 16
+_HEAD_WORDS = 64
+"""So many words of 8 bytes of the library's `avr_t` are looked at: it has more than 16 kB."""
 _ALL_PINS, _DIRECTIONS, _PORT = 8, 9, 10
 _EVERY_WRITE = 8
 _UART_INPUT, _UART_OUTPUT = 0, 1
@@ -135,6 +141,7 @@ class _Run(Bench):
         library.avr_cycle_timer_register(self._avr, _FAR, self._clock, None)
         self._waking = False
         self._ended_at: int | None = None
+        self._called, self._instant = False, 0  # whether C calls now, and at which cycle if that was asked, else 0
         self._alarm = _TIMER(self._woken)
         self._fast_external_interrupts()
         self._watch_ports()
@@ -165,10 +172,14 @@ class _Run(Bench):
             return
 
         def notified(irq: int, value: int, data: Any) -> None:
+            outermost, self._called = not self._called, True
             try:
                 call(value)
             except BaseException as error:
                 self._failed.append(error)
+            finally:
+                if outermost:
+                    self._called, self._instant = False, 0
 
         function = _NOTIFY(notified)
         self._kept.append(function)
@@ -176,23 +187,29 @@ class _Run(Bench):
 
     def _woken(self, avr: int, when: int, data: Any) -> int:
         """The timer that wakes the devices; its answer is the cycle of the next time, 0 for never."""
-        self._waking = True
+        self._waking = self._called = True
         try:
             return self.wake() or 0
         except BaseException as error:
             self._failed.append(error)
             return 0
         finally:
-            self._waking = False
+            self._waking = self._called = False
+            self._instant = 0
 
     # ---- time
 
     @property
     def cycle(self) -> int:
         """The cycles since reset."""
+        if self._instant:
+            return self._instant
         if self._ended_at is not None:
             return self._ended_at
-        return _FAR + 1 - int(self._library.avr_cycle_timer_status(self._avr, self._clock, None))
+        now = _FAR + 1 - int(self._library.avr_cycle_timer_status(self._avr, self._clock, None))
+        if self._called:
+            self._instant = now  # no time passes while C waits
+        return now
 
     def wake_at(self, cycle: int) -> None:
         """Have `wake` called at that cycle. One timer does for all actions: the library has room for 64, and drops the others."""
@@ -225,13 +242,17 @@ class _Run(Bench):
                 self._notify(self._irq(f"iog{port}", which), self._port_listener(labels, state, which))
 
     def _port_listener(self, labels: dict[int, str], state: dict[int, int], which: int) -> Callable[[int], None]:
+        places = {1 << bit: label for bit, label in labels.items()}
+
         def written(value: int) -> None:
             changed = state[which] ^ value
             state[which] = value
-            for bit, label in labels.items():
-                if changed >> bit & 1:
-                    high, output = state[_PORT] >> bit & 1, state[_DIRECTIONS] >> bit & 1
-                    self.pin_changed(label, high if output else "p" if high else "z")
+            while changed:
+                bit = changed & -changed
+                changed ^= bit
+                if (label := places.get(bit)) is not None:
+                    high = 1 if state[_PORT] & bit else 0
+                    self.pin_changed(label, high if state[_DIRECTIONS] & bit else "p" if high else "z")
 
         return written
 
@@ -317,9 +338,28 @@ class _Run(Bench):
 
     # ---- the run
 
+    def _run_in_a_row(self) -> int:
+        """Let the library run some instructions at once; for how many cycles.
+
+        How many cycles it may run stands in `avr_t` (run_cycle_limit) behind those that are left (run_cycle_count) and the
+        clock (cycle). Versions have these at different places: they are looked for while the first instructions run, and where
+        they are not found at one place only, nothing is changed.
+        """
+        head = (ctypes.c_uint64 * _HEAD_WORDS).from_address(self._avr)
+        found = set(range(_HEAD_WORDS - 2))
+        for _ in range(_LOOKS):
+            self._library.avr_run(self._avr)
+            now = self.cycle
+            found = {at for at in found if head[at] == now and head[at + 1] <= 1 and head[at + 2] == 1}
+        if len(found) != 1 or self._failed:
+            return 1
+        head[found.pop() + 2] = _IN_A_ROW
+        return _IN_A_ROW
+
     def run(self) -> PinTrace:
         """Run until the horizon."""
         self.connect(self._job.devices)
+        longest = self._run_in_a_row() + _LONGEST
         end = round(self._job.horizon_us * self._job.clock_hz / 1e6)
         run = ctypes.cast(self._library.avr_run, ctypes.c_void_p)
         c_library = ctypes.CDLL(None)
@@ -328,7 +368,7 @@ class _Run(Bench):
         count, base = ctypes.c_size_t(), ctypes.c_char_p(b"\0")
         state = "running"
         while (left := end - self.cycle) > 0 and state == "running":
-            count.value = max(1, min(_AT_ONCE, left // _LONGEST))
+            count.value = max(1, min(_AT_ONCE, left // longest))
             if c_library.lfind(self._avr, base, ctypes.byref(count), 0, run):
                 state = "done"  # avr_run answered 0: the processor left its loop
             else:
