@@ -1,7 +1,7 @@
 """Processor time of simulating the migrated line follower for 16 seconds on simavr, after compiling.
 
-Its sensors are polled all the time: 124,000 changes of pins. The time is that of the engine's process with its start and of the trace
-that it answers with. Exit 1 when the best of five runs is over its bound.
+Its sensors are polled all the time: 124,000 changes of pins. The time is that of the engine's process with its start and of the
+trace that it answers with. Exit 1 when the best of five runs is over its bound.
 """
 
 from __future__ import annotations
