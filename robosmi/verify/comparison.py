@@ -13,6 +13,7 @@ from typing import Any
 
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike
+from robosmi.verify.difference_words import lasts_otherwise, told_difference
 
 SAME, DIFFERENT, NOT_EXERCISED, RACY = "same", "different", "not-exercised", "racy"
 
@@ -147,40 +148,31 @@ def compare(
         lasts = (source[after[0]].at_us - source[own].at_us) / 1000
         theirs_last = (target[after[1]].at_us - target[other].at_us) / 1000
         if not _lasts_alike(source[own], source[after[0]], lasts, theirs_last, off[own].duration_ms):
-            message = f"{source[own]} lasts {theirs_last:.2f} ms instead of {lasts:.2f} ms"
-            at_ms = source[own].at_us / 1000
-            return _different(channel, at_ms, message, source[own], target[other], source, greatest)
+            message = lasts_otherwise(source[own], lasts, theirs_last)
+            difference = FirstDifference(source[own].at_us / 1000, channel, message, source[own], target[other])
+            return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     mine = source[found.own] if found.own < len(source) else None
     theirs = target[found.other] if found.other < len(target) else None
     if (mine or theirs) is not None:
         beyond = off[min(found.own, len(off) - 1)].time_ms
-        told = _unmatched(mine, theirs, beyond, horizon_ms)
-        if told is not None:
-            at_ms = ((mine or theirs) or ActivityEvent(0.0, LEVEL, (0,))).at_us / 1000
-            return _different(channel, at_ms, told, mine, theirs, source, greatest)
+        if not _may_be_beyond(mine, theirs, beyond, horizon_ms):
+            told = told_difference(source, target, found, in_time, lambda own: _tau(source[own], off[own].time_ms))
+            difference = FirstDifference(told.at_us / 1000, channel, told.message, told.source, told.target)
+            return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     matched = len(found.pairs) - bool(source and source[0].kind not in _PRINTED)
     if matched <= 0:
         return ChannelComparison(channel, NOT_EXERCISED)
     return ChannelComparison(channel, SAME, None, matched, greatest)
 
 
-def _unmatched(mine: ActivityEvent | None, theirs: ActivityEvent | None, beyond_ms: float, horizon_ms: float) -> str | None:
-    """What to say of the first events that do not belong together; None so near to the end that the other side may be late."""
+def _may_be_beyond(mine: ActivityEvent | None, theirs: ActivityEvent | None, beyond_ms: float, horizon_ms: float) -> bool:
+    """Whether events that do not belong together are so near to the end that the other side may be late."""
     if mine is None or theirs is None:
         extra = mine or theirs
         assert extra is not None
-        if extra.at_us / 1000 >= horizon_ms - _tau(extra, beyond_ms):
-            return None
-        return f"{extra} is missing" if mine is not None else f"{extra}, which the source does not do"
-    tau = _tau(mine, beyond_ms)
-    if alike(mine, theirs):
-        dt = (theirs.at_us - mine.at_us) / 1000
-        if max(mine.at_us, theirs.at_us) / 1000 >= horizon_ms and mine.at_us / 1000 >= horizon_ms - tau:
-            return None
-        return f"{mine} comes {abs(dt):.1f} ms too {'late' if dt > 0 else 'early'} (allowed are {tau:.1f} ms)"
-    if mine.at_us / 1000 >= horizon_ms - tau:
-        return None
-    return f"{theirs} instead of {mine}"
+        return extra.at_us / 1000 >= horizon_ms - _tau(extra, beyond_ms)
+    near = mine.at_us / 1000 >= horizon_ms - _tau(mine, beyond_ms)
+    return near and (not alike(mine, theirs) or max(mine.at_us, theirs.at_us) / 1000 >= horizon_ms)
 
 
 def _tau(event: ActivityEvent, beyond_ms: float) -> float:
@@ -209,11 +201,3 @@ def _ends_differ(
             if number < len(events) and events[number].at_us / 1000 < horizon_ms - 3 * _tau(events[number], 20.0) - late_ms:
                 return True
     return False
-
-
-def _different(
-    channel: str, at_ms: float, message: str, source: ActivityEvent | None, target: ActivityEvent | None,
-    events: Sequence[ActivityEvent], greatest: float,
-) -> ChannelComparison:  # fmt: skip
-    difference = FirstDifference(at_ms, channel, message, source, target)
-    return ChannelComparison(channel, DIFFERENT, difference, max(0, len(events) - 1), greatest)
