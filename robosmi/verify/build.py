@@ -241,7 +241,8 @@ class Build:
             undefined = messages.linker_findings(done.stderr, self.toolchain.messages, own)
             overflow = bool(self.toolchain.messages.pattern("overflow").search(done.stderr))
             if undefined or not overflow:
-                return _with(report, undefined or [messages.unread("linking", done.stderr)])
+                unread = messages.assembler_findings(done.stderr, self.toolchain.messages, own)
+                return _with(report, undefined or unread or [messages.unread("linking", done.stderr)])
             self.installed.run(tool, [*data.texts("measure"), *arguments])
         flash, ram = self._measure(values) if elf.is_file() else (None, None)
         fits = not overflow and flash is not None and flash <= self.board.flash_bytes and (ram or 0) <= self.board.ram_bytes

@@ -101,8 +101,34 @@ def linker_findings(text: str, patterns: DataTable, files: Iterable[Path]) -> li
     return list(findings.values())
 
 
+def assembler_findings(text: str, patterns: DataTable, files: Iterable[Path]) -> list[Finding]:
+    """The finding for instructions that the assembler does not take, with all that it says of them; none if it says nothing.
+
+    A program that is optimised as a whole is assembled when it is linked, from a temporary file: the place is where the sketch
+    first has assembler.
+
+    Args:
+        text: what was printed.
+        patterns: the toolchain's messages.
+        files: the sketch's own files.
+    """
+    said = list(dict.fromkeys(match["message"].strip() for match in patterns.pattern("assembler").finditer(text)))
+    if not said:
+        return []
+    place = _first(patterns.pattern("assembler_word"), files)
+    message = f"the assembler does not take an instruction: {said[0]}"
+    return [
+        Finding(
+            COMPILER_ERROR, Severity.error, message, place, fix=patterns.text("assembler_fix"), evidence={"output": said[:20]}
+        )
+    ]
+
+
 def _first_use(symbol: str, files: Iterable[Path]) -> Location | None:
-    word = re.compile(rf"\b{re.escape(symbol.rpartition('::')[2])}\b")
+    return _first(re.compile(rf"\b{re.escape(symbol.rpartition('::')[2])}\b"), files)
+
+
+def _first(word: re.Pattern[str], files: Iterable[Path]) -> Location | None:
     for path in files:
         for number, line in enumerate(inputs.read_text(path, inputs.OUTPUT, errors="replace").splitlines(), 1):
             if found := word.search(line.partition("//")[0]):
@@ -118,5 +144,6 @@ def unread(what: str, text: str) -> Finding:
         text: what the tool printed.
     """
     lines = [line for line in text.splitlines() if line.strip()]
-    message = f"{what} failed: {lines[0] if lines else 'the tool said nothing'}"
+    told = next((line for line in lines if "error" in line.lower()), lines[0] if lines else "the tool said nothing")
+    message = f"{what} failed: {told}"
     return Finding(COMPILER_ERROR, Severity.error, message, evidence={"output": lines[:20]})

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import select
+import signal
 import struct
 import subprocess
 import tempfile
@@ -36,6 +37,8 @@ _GO, _LEVEL, _VOLTAGE, _TYPED = range(4)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
 _MOST_RECORDS = 5_000_000
+_TOGETHER_US = 45_000.0
+"""Cores that print within this time print together: by so much a line may be later in another run (see `comparison`)."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +75,7 @@ class OriginalRun:
         counts: the program's static data, with its coverage counters; empty where the run did not come to an end of its own.
         calls: where that was asked, calls of library functions that the program was in: microseconds, the address in the
             program to which the call goes back, an address in what was called, and whether it prints.
+        mixed_text_us: when cores print so soon after one another that which of them is first is a matter of luck.
     """
 
     trace: PinTrace
@@ -79,6 +83,7 @@ class OriginalRun:
     cause: str
     counts: bytes
     calls: tuple[tuple[float, int, int, bool], ...] = ()
+    mixed_text_us: tuple[float, ...] = ()
 
 
 def run_original(
@@ -118,7 +123,7 @@ def run_original(
     trace = bench.trace(
         f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
     )
-    return OriginalRun(trace, status, cause, counts, tuple(bench.calls))
+    return OriginalRun(trace, status, cause, counts, tuple(bench.calls), tuple(bench.mixed_text_us))
 
 
 def _boards_own(program: OriginalProgram, devices: Sequence[DeviceUse]) -> list[DeviceUse]:
@@ -135,6 +140,18 @@ def _address(use: DeviceUse) -> object:
     return use.settings.get("address", known.get("address"))
 
 
+def _ended_by(code: int) -> str:
+    """Why a process ended that could not tell it itself, by its exit code, or its signal as a negative number."""
+    if code == -signal.SIGKILL:
+        return (
+            "it was stopped from outside: it calls the operating system itself, which it may not, or needs more memory than "
+            "there is"
+        )
+    if code == -signal.SIGXCPU:
+        return "it used up the processor time that it may have"
+    return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} before its time"
+
+
 class _HostBench(Bench):
     """The bench of a program that runs in a host model: its cycles are the ticks of the virtual time."""
 
@@ -148,6 +165,8 @@ class _HostBench(Bench):
         self.waves: list[Wave] = []
         self.console: list[ConsoleByte] = []
         self.calls: list[tuple[float, int, int, bool]] = []
+        self.mixed_text_us: list[float] = []
+        self._speaker = 0
         self.tick = 0
         self.next_wake = _NEVER
         self._address = 0
@@ -207,6 +226,9 @@ class _HostBench(Bench):
             self.waves.append(Wave(self.now, self.labels[a], hz, duty))
             return None
         if kind == _CONSOLE:
+            if self.console and self._speaker != b and self.now - self.console[-1].at_us < _TOGETHER_US:
+                self.mixed_text_us.append(self.now)
+            self._speaker = b
             self.console.append(ConsoleByte(self.now, a))
             return None
         if kind == _CALL:
@@ -277,7 +299,7 @@ class _Conversation:
         self.bench.ended()
         if monotonic() >= self.until:
             return "time limit", "", b""
-        return "crashed", f"the process ended with {self.process.wait()}", b""
+        return ("crashed", _ended_by(self.process.wait()), b"")
 
     def _say(self, data: bytes) -> None:
         try:

@@ -95,6 +95,7 @@ class Verdict:
         functions: channel -> the platform's functions that make it.
         not_compared: ports that are not compared: lines of buses, and what is not wired on the target.
         calls: those of the source around the first difference.
+        stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
     """
 
     scenarios: list[ScenarioVerdict] = field(default_factory=list)
@@ -113,6 +114,7 @@ class Verdict:
     functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
     not_compared: list[str] = field(default_factory=list)
     calls: CallsAround = field(default_factory=CallsAround)
+    stand_ins: list[str] = field(default_factory=list)
 
     @property
     def verdict(self) -> str:
@@ -181,6 +183,7 @@ class Verdict:
             "first_difference": None if first is None else self._difference_json(*first),
             "engine": self.engine,
             "compiler": self.compiler,
+            "stand_ins": self.stand_ins,
             "original": self.original,
             "binding": self.binding,
         }  # fmt: skip
@@ -209,7 +212,12 @@ class Verdict:
         said += f"; {self._reached()}"
         if (first := self.first_difference) is not None:
             said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
-        return "; ".join([said, *self.all_reasons()])
+        return "; ".join([said, *self._stood_in(), *self.all_reasons()])
+
+    def _stood_in(self) -> list[str]:
+        """Which libraries were not the real ones, in words."""
+        names = ", ".join(f"'{name}'" for name in self.stand_ins)
+        return [f"simulated with stand-ins for libraries that are not installed here: {names}"] if names else []
 
     def _reached(self) -> str:
         """How much of the source was reached, in words."""
@@ -228,6 +236,7 @@ class Verdict:
         what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
         what += f"; {self._reached()}"
         lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
+        lines += [f"  {told}" for told in self._stood_in()]
         if (first := self.first_difference) is not None:
             scenario, difference = first
             lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")

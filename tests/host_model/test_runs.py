@@ -72,6 +72,12 @@ def test_what_ends_a_run_is_told(text: str, status: str, cause: str) -> None:
     assert [level for _, level in found.trace.levels("P5")] == [1]
 
 
+def test_a_call_of_the_operating_system_is_told() -> None:
+    found = run('int main() { __asm__ volatile("int $0x80" : : "a"(20)); return 0; }')
+    assert found.status == "crashed"
+    assert "it calls the operating system itself" in found.cause
+
+
 def test_functions_without_a_model_are_told_before_the_run() -> None:
     with built("#include <simpletools.h>\nvoid other(void);\nint main() { if (input(3)) other(); high(5); }") as program:
         assert program.unmodelled == ("other",)

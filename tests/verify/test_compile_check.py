@@ -96,6 +96,7 @@ def test_further_sources_are_compiled_too() -> None:
         ("several_files", ("RS801", "b_steps.ino", 3, "'undeclared' was not declared in this scope")),
         ("missing_header", ("RS803", "missing_header.ino", 5, "Unheard_Of.h: No such file or directory")),
         ("undefined", ("RS804", "undefined.ino", 2, "undefined reference to `set_everything(int)'")),
+        ("assembler", ("RS801", "assembler.ino", 3, "the assembler does not take an instruction: bad expression")),
     ],
 )
 def test_an_error_is_reported_at_its_place(case: str, finding: tuple[str, str, int, str]) -> None:

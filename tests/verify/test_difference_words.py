@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.activity import LEVEL, LINE, PULSES, ActivityEvent
+from robosmi.verify.activity import LEVEL, LINE, PULSES, READING, ActivityEvent
 from robosmi.verify.comparison import compare
 
 Told = list[tuple[float, float | str]]
@@ -75,3 +75,11 @@ def test_more_than_one_pulse_is_told_as_many() -> None:
     difference = compare("x", *longer, [longer[0]], 4000).difference
     assert difference is not None
     assert difference.message == "pulses of 1600 us last 1100.00 ms instead of 800.00 ms"
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "same"), [("t nan", "t nan", True), ("t nan", "t 1.00", False), ("t inf", "t nan", False)]
+)
+def test_measured_values_that_are_no_numbers_are_compared_as_text(one: str, other: str, same: bool) -> None:
+    sides = [[ActivityEvent(100_000.0, READING, (text,))] for text in (one, other)]
+    assert (compare("x", *sides, [], 4000).status == "same") is same

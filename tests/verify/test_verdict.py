@@ -49,3 +49,12 @@ def test_lines_of_the_source_are_counted_only_where_a_scenario_counts() -> None:
         assert "%" not in text
     counted = Verdict(scenarios=[told("no-difference-found", "same")], counted=1, lines_pct=50.0, branches_pct=25.0)
     assert "source lines 50.0 %, branches 25.0 %" in counted.sentence()
+
+
+def test_stand_ins_for_libraries_are_said() -> None:
+    found = Verdict(scenarios=[told("no-difference-found", "same")], stand_ins=["Servo"])
+    said = "simulated with stand-ins for libraries that are not installed here: 'Servo'"
+    assert found.to_json()["stand_ins"] == ["Servo"]
+    assert said in found.sentence()
+    assert f"  {said}" in found.lines()
+    assert said not in Verdict(scenarios=[told("no-difference-found", "same")]).sentence()

@@ -22,6 +22,7 @@ from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
 from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.simulation import simulate as run_job
@@ -87,6 +88,9 @@ class Simulated:
         if trace is None:
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
+        names = [f"'{each.name}'" for each in self.compiled.libraries if each.source == STAND_IN]
+        if names:
+            lines.append(f"  with stand-ins for libraries that are not installed here: {', '.join(names)}")
         if trace.state != "running":
             lines.append("  the program stopped itself" if trace.state == "done" else "  the program crashed")
         if trace.text:

@@ -42,6 +42,7 @@ from robosmi.transformations.verification.port_devices import BoundPort, bound_p
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.host_model import load_host_model
+from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import SourceCoverage, coverage
 from robosmi.verify.scenario import Scenario, read_scenario
@@ -130,6 +131,7 @@ def verify(
         (folder / "target").mkdir()
         report = compile_sketch(output, keep=folder / "target")
         verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
+        verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
         verdict.functions = {port.title: port.functions for port in ports}
         verdict.not_compared = [port.title for port in ports if port.line or not port.target]
         if not report.ok:
@@ -151,7 +153,7 @@ def verify(
         cases, made = _cases(
             program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
         )
-        if not cases:
+        if verdict.racy and not made.new and not any(not runs.racy_channels for _, runs in cases):
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         traces = side.run([scenario for scenario, _ in cases])
         for (scenario, runs), trace in zip(cases, traces, strict=True):
@@ -280,6 +282,9 @@ def _cases(
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts
     made.new = [scenario for scenario, _ in fresh]
+    if not cases and not fresh and found.least_racy is not None:  # what is not racy in it can be compared all the same
+        nominal = run_source(program, ports, found.least_racy, LIMIT_S)
+        fresh = [(found.least_racy, run_varied(program, ports, found.least_racy, nominal, LIMIT_S))]
     return [*cases, *fresh], made
 
 

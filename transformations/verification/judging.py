@@ -6,19 +6,33 @@ in `robosmi.verify.verdict`.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
+from itertools import pairwise
 
-from robosmi.transformations.verification.original_side import DRIVEN, SETTLED, SourceRuns, channel_events, compared
+from robosmi.transformations.verification.original_side import (
+    CONSOLE_CHANNEL,
+    DRIVEN,
+    SETTLED,
+    SourceRuns,
+    channel_events,
+    compared,
+)
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.activity import ActivityEvent
-from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, FirstDifference
+from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, ChannelComparison, FirstDifference
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, PROGRAM, ScenarioVerdict, Verdict
 
-_UNSETTLED = {"unmodelled": "it calls a function that has no model", "recursion": "its calls use up the stack"}
-_CRASH_MS = 45.0
-"""Two crashes whose times differ by no more, and by what resonators are off, are at the same time: as for other events."""
+_UNSETTLED = {
+    "unmodelled": "it calls a function that has no model",
+    "recursion": "its calls use up the stack",
+    "time limit": "it takes more time of this machine than it may: simulate less time",
+    "output limit": "it changes its pins or prints more often than can be recorded: simulate less time",
+}
+_SAME_MS = 45.0
+"""What is no further apart, beside what resonators are off, is at the same time: as for other events."""
 
 
 def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort]) -> ScenarioVerdict:
@@ -44,6 +58,7 @@ def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequenc
         for name, seen in runs.channels.items()
     )
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith(DRIVEN))
+    found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     if any(c.status == DIFFERENT for c in found):
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms)
     if crashed_ms is not None and not _crashes_by(runs, crashed_ms):
@@ -55,13 +70,38 @@ def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequenc
     return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
 
 
+def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bool:
+    """Whether a first difference of what is printed is only that cores that print at about the same time do so in another order.
+
+    When the source has printed nothing for a while, both sides have printed the same letters then.
+    """
+    if found.channel != CONSOLE_CHANNEL or found.difference is None:
+        return False
+    allowed_us = 1000 * (_SAME_MS + RESONATOR * found.difference.at_ms)
+    at_us = 1000 * found.difference.at_ms
+    if not any(abs(mixed_us - at_us) <= allowed_us for mixed_us in runs.nominal.mixed_text_us):
+        return False
+    source = runs.nominal.trace
+    times = [*(byte.at_us for byte in source.console), source.simulated_us]
+    pauses = [last for last, after in pairwise(times) if after >= at_us and after - last > allowed_us]
+    if not pauses:
+        return True
+    until_us = max(at_us, pauses[0]) + allowed_us
+    printed = [Counter(byte.byte for byte in each.console if byte.at_us <= until_us) for each in (source, trace)]
+    return printed[0] == printed[1]
+
+
+def _racy_text(found: ChannelComparison) -> ChannelComparison:
+    return ChannelComparison(found.channel, RACY, None, found.events, found.greatest_dt_ms)
+
+
 def _until(events: Sequence[ActivityEvent], horizon_ms: float) -> list[ActivityEvent]:
     return [event for event in events if event.at_us / 1000 <= horizon_ms]
 
 
 def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:
     """Whether the original, as it is or with other costs, has come to no good end until about then: it may be its own fault."""
-    latest_ms = at_ms + _CRASH_MS + RESONATOR * at_ms
+    latest_ms = at_ms + _SAME_MS + RESONATOR * at_ms
     return any(run.status not in SETTLED and run.trace.simulated_us / 1000 <= latest_ms for run in (runs.nominal, *runs.varied))
 
 

@@ -154,8 +154,9 @@ def places_reached(program: OriginalProgram, run: OriginalRun, ports: Sequence[B
 
 
 def run_varied(
-    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0
-) -> SourceRuns:
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0,
+    until_racy: bool = False,
+) -> SourceRuns:  # fmt: skip
     """The varied runs of a scenario beside its nominal one.
 
     Args:
@@ -164,6 +165,8 @@ def run_varied(
         scenario: what happens.
         nominal: its nominal run.
         limit_s: seconds of this machine's time for each run.
+        until_racy: whether no further runs are wanted when the source differs from itself on a channel; other channels could not
+            be compared well then.
     """
     devices = played(ports, scenario, target=False)
     varied: list[OriginalRun] = []
@@ -174,8 +177,8 @@ def run_varied(
         seen.append(channel_events(varied[-1].trace, ports, target=False))
         channels = {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
         runs = SourceRuns(nominal, tuple(varied), channels)
-        if runs.racy_channels:
-            break  # the others could not make it decidable
+        if until_racy and runs.racy_channels:
+            break
     return runs
 
 

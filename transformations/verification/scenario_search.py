@@ -42,12 +42,14 @@ class FoundScenarios:
         scenarios: those to verify with, each with its runs of the source.
         racy: how many were dropped because the source differs from itself.
         racy_counts: what dropped ones left, for the branches that only they reach.
+        least_racy: the first dropped one, in which least happens.
         tried: how many were run.
     """
 
     scenarios: list[tuple[Scenario, SourceRuns]] = field(default_factory=list)
     racy: int = 0
     racy_counts: list[bytes] = field(default_factory=list)
+    least_racy: Scenario | None = None
     tried: int = 0
 
 
@@ -114,8 +116,9 @@ class _Search:
             return places
         if places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
-        runs = run_varied(self.program, self.ports, scenario, run)
+        runs = run_varied(self.program, self.ports, scenario, run, until_racy=True)
         if runs.racy_channels:
+            found.least_racy = found.least_racy or scenario
             found.racy += 1
             found.racy_counts.append(run.counts)
             self.only_racy |= places - self.seen

@@ -125,7 +125,7 @@ unsigned host_random(void) {
 
 void host_console_write(int byte) {
   tell_call(__builtin_frame_address(0), 1);
-  link_record(host_now(), RECORD_CONSOLE, byte & 0xFF, 0, 0);
+  link_record(host_now(), RECORD_CONSOLE, byte & 0xFF, running, 0);
 }
 
 int host_console_read(host_time limit) {

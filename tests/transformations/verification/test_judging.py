@@ -1,0 +1,69 @@
+"""What one scenario says: texts of cores that print together, and why an original did not run to its end."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import ConsoleByte, PinTrace
+
+SCENARIO = Scenario("s", 1000.0)
+
+
+def printed(*lines: tuple[float, str]) -> PinTrace:
+    """A run that prints these lines, a millisecond for each letter, from these milliseconds on."""
+    letters = [
+        ConsoleByte(1000 * (at_ms + number), ord(letter)) for at_ms, text in lines for number, letter in enumerate(text + "\n")
+    ]
+    return PinTrace("e", "running", 1e6, (), (), tuple(sorted(letters)), ())
+
+
+def original(trace: PinTrace, mixed_us: tuple[float, ...] = (), status: str = "running", cause: str = "") -> SourceRuns:
+    """Its runs: the nominal one, and one that does the same."""
+    run = OriginalRun(trace, status, cause, b"", mixed_text_us=mixed_us)
+    events = channel_events(trace, [], target=False)
+    return SourceRuns(run, (run,), {name: [[events[name][0]] * 2] for name in events})
+
+
+@pytest.mark.parametrize(
+    ("target", "verdict", "status"),
+    [
+        (((100, "left"), (110, "right")), "no-difference-found", "same"),
+        (((110, "left"), (100, "right")), "not-decidable", "racy"),
+        (((104, "left"), (102, "right")), "not-decidable", "racy"),
+        (((100, "left"), (110, "night")), "different", "different"),
+        (((100, "left"),), "different", "different"),
+        (((100, "left"), (110, "right"), (400, "left")), "different", "different"),
+    ],
+    ids=["same", "other order", "between one another", "another letter", "missing", "more, later"],
+)
+def test_which_of_two_cores_prints_first_is_luck(
+    target: tuple[tuple[float, str], ...], verdict: str, status: str
+) -> None:  # fmt: skip
+    runs = original(printed((100, "left"), (110, "right")), (110_000.0,))
+    told = judged(SCENARIO, runs, printed(*target), [])
+    assert (told.verdict, told.channels[0].status) == (verdict, status)
+
+
+def test_one_core_prints_in_its_order() -> None:
+    told = judged(SCENARIO, original(printed((100, "left"), (110, "right"))), printed((110, "left"), (100, "right")), [])
+    assert told.verdict == "different"
+
+
+@pytest.mark.parametrize(
+    ("status", "cause", "said"),
+    [
+        ("unmodelled", "wav_play", "it calls a function that has no model: wav_play"),
+        ("time limit", "", "it takes more time of this machine than it may"),
+        ("output limit", "", "more often than can be recorded"),
+        ("crashed", "divides by zero", "crashed: divides by zero"),
+    ],
+)
+def test_why_an_original_did_not_run_to_its_end(status: str, cause: str, said: str) -> None:
+    trace = printed((100, "left"))
+    told = judged(SCENARIO, original(trace, status=status, cause=cause), trace, [])
+    assert told.verdict == "not-decidable"
+    assert said in told.reason

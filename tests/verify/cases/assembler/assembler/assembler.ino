@@ -1,0 +1,6 @@
+void setup() {
+  // Assembler (asm) of another processor.
+  __asm__ volatile("mov r0, #1");
+}
+
+void loop() {}
