@@ -81,5 +81,5 @@ def test_more_than_one_pulse_is_told_as_many() -> None:
     ("one", "other", "same"), [("t nan", "t nan", True), ("t nan", "t 1.00", False), ("t inf", "t nan", False)]
 )
 def test_measured_values_that_are_no_numbers_are_compared_as_text(one: str, other: str, same: bool) -> None:
-    sides = [[ActivityEvent(100_000.0, READING, (text,))] for text in (one, other)]
-    assert (compare("x", *sides, [], 4000).status == "same") is same
+    source, target = ([ActivityEvent(100_000.0, READING, (text,))] for text in (one, other))
+    assert (compare("x", source, target, [], 4000).status == "same") is same
