@@ -50,6 +50,40 @@ class Location:
 
 
 @dataclass(frozen=True, slots=True)
+class FlowStep:
+    """One step of how a program, or a tool, comes to what a finding says.
+
+    Attributes:
+        location: where it happens.
+        message: what happens there.
+    """
+
+    location: Location
+    message: str
+
+    def to_json(self) -> dict[str, Any]:
+        """The form that findings have in JSON."""
+        return {"location": self.location.to_json(), "message": self.message}
+
+
+@dataclass(frozen=True, slots=True)
+class TextEdit:
+    """A change of a text that mends what a finding says, exactly as it would be typed.
+
+    Attributes:
+        location: the range that is replaced, with its end, which is behind the last character; an empty range for an insertion.
+        text: what comes there.
+    """
+
+    location: Location
+    text: str
+
+    def to_json(self) -> dict[str, Any]:
+        """The form that findings have in JSON."""
+        return {"location": self.location.to_json(), "text": self.text}
+
+
+@dataclass(frozen=True, slots=True)
 class Finding:
     """One thing worth knowing about an input or a result.
 
@@ -61,6 +95,8 @@ class Finding:
         element: URI of the model element, or None.
         fix: what to do, or None.
         evidence: what the finding rests on, JSON values only.
+        steps: how it comes to it, from the first step to the last, where that is known.
+        edits: changes of text that together mend it, where there are such.
     """
 
     rule: str
@@ -70,6 +106,8 @@ class Finding:
     element: str | None = None
     fix: str | None = None
     evidence: dict[str, Any] = field(default_factory=dict)
+    steps: tuple[FlowStep, ...] = ()
+    edits: tuple[TextEdit, ...] = ()
 
     @property
     def id(self) -> str:
@@ -90,6 +128,8 @@ class Finding:
             "element": self.element,
             "fix": self.fix,
             "evidence": self.evidence,
+            "steps": [step.to_json() for step in self.steps],
+            "edits": [edit.to_json() for edit in self.edits],
         }
 
 

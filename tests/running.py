@@ -17,7 +17,7 @@ from typing import Any
 from robosmi.cli.main import main
 
 DOCUMENT_KEYS = {"schema", "command", "ok", "result", "findings", "tasks", "artifacts", "timings"}
-FINDING_KEYS = {"id", "rule", "severity", "message", "location", "element", "fix", "evidence"}
+FINDING_KEYS = {"id", "rule", "severity", "message", "location", "element", "fix", "evidence", "steps", "edits"}
 LOCATION_KEYS = {"path", "line", "column", "end_line", "end_column"}
 
 

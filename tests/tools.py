@@ -17,6 +17,12 @@ from robosmi.verify.simulation import Engine
 KNOWN_PLACES = {
     "arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h"),
     "gcc-32-bits": Path("/usr/lib32/libc.so"),
+    "sarif-multitool": Path(__file__).parents[1]
+    / ".npm"
+    / "node_modules"
+    / "@microsoft"
+    / "sarif-multitool-linux"
+    / "Sarif.Multitool",
     "wokwi-elements": Path(__file__).parents[1] / ".npm" / "node_modules" / "@wokwi" / "elements" / "package.json",
 }
 """Things that are no programs: name -> a file that is there if it is installed (of Debian, of `.ci/npm-packages`)."""

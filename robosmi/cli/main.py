@@ -15,9 +15,10 @@ import signal
 import sys
 import time
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, NoReturn
 
-from robosmi.cli import streams
+from robosmi.cli import sarif_file, streams
 from robosmi.cli.examples import EXAMPLES
 from robosmi.cli.failures import as_error
 from robosmi.diagnostics import Finding, Severity
@@ -110,6 +111,7 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
             formatter_class=_Help,
         )  # fmt: skip
         sub.add_argument("--json", action="store_true", help="print one JSON document to stdout and nothing else")
+        sarif_file.add_option(sub)
         sub.add_argument("-v", "--verbose", action="store_true", help="show every finding, and not only the first of many alike")
         sub.add_argument(
             "--fail-on", choices=("info", "warning", "error", "never"), default="error",
@@ -136,6 +138,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     as_json, started = "--json" in words, time.perf_counter()
     name = next((w for w in words if not w.startswith("-")), "")
+    sarif = sarif_file.asked_for(words)
     try:
         if name and name not in COMMANDS:
             raise UsageError(
@@ -145,7 +148,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         try:
             return _run(parsed)
         except SystemExit as error:  # no command ends so: a plug-in does
-            return _failed(as_error(error), name, as_json, started)
+            return _failed(as_error(error), name, as_json, started, sarif)
     except KeyboardInterrupt:
         if arguments is None:  # the process is at its end
             signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -157,7 +160,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if os.environ.get("ROBOSMI_DEBUG") and not isinstance(error, RobosmiError):
             raise
-        return _failed(as_error(error), name, as_json, started)
+        return _failed(as_error(error), name, as_json, started, sarif)
 
 
 _received: list[int] = []
@@ -191,19 +194,25 @@ def _run(parsed: argparse.Namespace) -> int:
     from robosmi.plugins import broken_findings
     from robosmi.report import takes_colour, terminal_text
 
+    sarif_file.check_file(parsed.sarif)
     report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
     report.findings += broken_findings()
+    code = int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
+    if parsed.sarif is not None:
+        sarif_file.write_file(report, parsed.sarif, code)
     if parsed.json:
         _print_json(report.to_json())
     elif text := terminal_text(report, verbose=parsed.verbose, colour=takes_colour(sys.stdout)):
         streams.say(text)
-    return int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
+    return code
 
 
-def _failed(error: RobosmiError, command: str, as_json: bool, started: float) -> int:
+def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sarif: Path | None) -> int:
+    rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
+    finding = Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
+    if sarif is not None:
+        sarif_file.write_failure(command or "robosmi", finding, sarif, error.exit_code)
     if as_json:
-        rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
-        finding = Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
         document = {
             "schema": "robosmi/1", "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
             "artifacts": [], "timings": {"total_s": round(time.perf_counter() - started, 6)},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
@@ -54,15 +54,8 @@ class Report:
                 continue
             if level or reason is not None:
                 evidence = dict(finding.evidence) | ({"accepted": reason} if reason is not None else {})
-                finding = Finding(
-                    finding.rule,
-                    Severity.info if reason is not None else Severity[level or "info"],
-                    finding.message,
-                    finding.location,
-                    finding.element,
-                    finding.fix,
-                    evidence,
-                )
+                severity_now = Severity.info if reason is not None else Severity[level or "info"]
+                finding = replace(finding, severity=severity_now, evidence=evidence)
             judged.append(finding)
         self.findings = judged
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from robosmi import inputs
-from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.diagnostics import Finding, Location, Severity, FlowStep
 from robosmi.verify.compile_report import (
     COMPILER_ERROR,
     COMPILER_WARNING,
@@ -55,7 +55,8 @@ def compiler_findings(text: str, patterns: DataTable, folder: Path) -> tuple[lis
         if match["severity"] not in _SEVERITY:
             if last is not None:
                 notes = [*findings[last].evidence.get("notes", []), {"message": match["message"], "location": place.to_json()}]
-                findings[last] = replace(findings[last], evidence=findings[last].evidence | {"notes": notes})
+                steps = (*findings[last].steps, FlowStep(place, match["message"]))
+                findings[last] = replace(findings[last], evidence=findings[last].evidence | {"notes": notes}, steps=steps)
             continue
         finding = _finding(match["message"], _SEVERITY[match["severity"]], place, patterns)
         if own is None and finding.severity is Severity.warning:

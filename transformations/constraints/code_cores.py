@@ -11,7 +11,7 @@ from typing import Any
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, ancestor_of_kind
-from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
+from robosmi.transformations.constraints.code_move import FLOW, move, moved, place, the_move, together
 from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
 from robosmi.transformations.queries.plan import called
@@ -175,7 +175,8 @@ def EndsByItself(loop: ccode.Loop) -> Any:
     changed = written(inside)
     waited = [v for v in variables if id(v) in elsewhere]
     ends = leaves or not waited or any(id(v) in changed for v in variables)
-    return ends or Fail(f"this loop ends when code on another core changes '{waited[0].name}'; the target has one core")
+    said = f"this loop ends when code on another core changes '{waited[0].name}'; the target has one core" if waited else ""
+    return ends or Fail(said, **{FLOW: (loop, *the_move().cores.way_to(waited[0]))})
 
 
 @units.critique(id="RS324", info=True, location=place, advice="nothing; or include it in the source, too")

@@ -38,6 +38,8 @@ moved = EVL()
 MANY = 5
 """So many findings of a rule in one file are one each; more are one together."""
 PLACES = "places"
+FLOW = "flow"
+"""Of what a check says: the element, then the steps that lead to it; kept where a finding is about one element alone."""
 _running: ContextVar[Move | None] = ContextVar("robosmi_move", default=None)
 _FIXED = re.compile(r"\bu?int(?:8|16|32|64)_t\b|\bfloat\b")
 
@@ -262,6 +264,8 @@ def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> li
 def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
     first = same[0]
     elements = [e for u in same for e in u.extras.get(PLACES, (u.element,))]
+    if len(same) == 1:
+        elements = list(first.extras.get(FLOW, elements))
     located = next((e for e in elements if isinstance(e, ccode.Located)), None)
     message = first.message
     if len(same) > 1:

@@ -76,6 +76,16 @@ class Cores:
         functions = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
         codes = [functions[s.function].body for s in self.starts.values() if s.function in functions]
         self.elsewhere = written(reached(codes)) if codes else {}
+        self._functions = functions
         self.blocking = {
             f.name for v in views for f in v.called().values() if f.entry is not None and v.api.meaning(f.name).get("blocking")
         }
+
+    def way_to(self, variable: ccode.Variable) -> list[ccode.Located]:
+        """The call that first starts code which may change a variable, and what changes it there; none if no code does."""
+        for start in self.starts.values():
+            body = self._functions[start.function].body if start.function in self._functions else None
+            change = next((e for e in reached([body]) if id(variable) in written([e])), None)
+            if isinstance(change, ccode.Located):
+                return [start.call, change]
+        return []

@@ -9,6 +9,7 @@ from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
+from robosmi.transformations.queries.finding_flows import edits_of, has_flow, steps_of
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 
@@ -222,10 +223,19 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
         evidence |= {"done": True} if entry.done else {}
         if isinstance(entry, migration.PlanFinding):
             evidence |= next(({"component": e.title, "model_index": e.elementId} for e in _components(entry)), {})
-            if len(located := _located(entry)) > 1:
+            if len(located := _located(entry)) > 1 and not has_flow(entry):
                 evidence["places"] = [[e.line, e.column, e.endLine, e.endColumn] for e in located]
         result.append(
-            kind(entry.rule, Severity[entry.severity.name], entry.message, location, fix=entry.fix or None, evidence=evidence)
+            kind(
+                entry.rule,
+                Severity[entry.severity.name],
+                entry.message,
+                location,
+                fix=entry.fix or None,
+                evidence=evidence,
+                steps=steps_of(entry, places),
+                edits=edits_of(entry, places),
+            )
         )
     return result
 

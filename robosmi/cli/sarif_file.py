@@ -1,0 +1,68 @@
+"""The option `--sarif FILE` of every command: its findings and tasks, or the error that stopped it, as a file in SARIF 2.1.0."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+from robosmi.cli.common import check_replaced
+from robosmi.diagnostics import Finding
+from robosmi.errors import RobosmiError
+from robosmi.report import Report
+
+OPTION = "--sarif"
+
+
+def add_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option to a command."""
+    parser.add_argument(
+        OPTION, metavar="FILE", type=Path, help="write findings and tasks in SARIF 2.1.0, too, for code scanning and editors"
+    )
+
+
+def asked_for(words: Sequence[str]) -> Path | None:
+    """The file that the words of a command line name, also where they are wrong otherwise."""
+    for word, following in zip(words, [*words[1:], ""], strict=True):
+        if word == "--":
+            return None
+        if word == OPTION and following:
+            return Path(following)
+        if word.startswith(f"{OPTION}="):
+            return Path(word.partition("=")[2])
+    return None
+
+
+def check_file(path: Path | None) -> None:
+    """Make sure, before the command runs, that its findings are not written over a file of another kind.
+
+    Raises:
+        StoppedError: there is such a file.
+    """
+    if path is not None:
+        from robosmi.report.sarif import MARK
+
+        check_replaced(path, MARK, "file in SARIF")
+
+
+def write_file(report: Report, path: Path, exit_code: int) -> None:
+    """Write the file, and list it among the report's artifacts.
+
+    Raises:
+        SourceError: it cannot be written.
+    """
+    from robosmi.model.files import write_atomic
+    from robosmi.report.sarif import sarif_text
+
+    write_atomic(path, sarif_text(report, exit_code).encode())
+    report.artifacts.append({"path": str(path), "kind": "sarif"})
+
+
+def write_failure(command: str, finding: Finding, path: Path, exit_code: int) -> None:
+    """Write the error that stopped a command; where that cannot be written, the message on the terminal has to do."""
+    report = Report(command, findings=[finding], ok=False)
+    try:
+        check_file(path)
+        write_file(report, path, exit_code)
+    except RobosmiError:
+        return

@@ -1,0 +1,182 @@
+"""A report's findings and tasks in SARIF 2.1.0, the form that code scanning services, editors and viewers read.
+
+https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html; section numbers below are of that text. Columns, which findings
+count in bytes, are counted in characters here, for which the files are read again; `sarif_places` does both. Same findings and
+same files give the same bytes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Severity, Task
+from robosmi.errors import PlatformDataError
+from robosmi.report.document import Report
+from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, sentence
+from robosmi.report.sarif_places import SarifPlaces
+
+SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
+MARK = b"sarif-"
+"""What stands at the beginning of each file of SARIF 2.1.0: the name of its schema."""
+HOME = "http://robosmi.org/"
+"""The project's namespace, which its metamodels have, too."""
+FINGERPRINT = "robosmiFinding/v1"
+LEVELS = {Severity.info: "note", Severity.warning: "warning", Severity.error: "error"}
+_LINES = re.compile(r"\(lines? [\d, .]+\)|\b(?:in|from)? ?lines? \d+(?: to \d+)?|:\d+(?::\d+)?")
+
+
+def sarif_text(report: Report, exit_code: int, base: Path | None = None) -> str:
+    """The text of the SARIF file of one command's findings and tasks.
+
+    Args:
+        report: what the command found.
+        exit_code: with which it ends.
+        base: the folder that paths are relative to; None for the root of the repository that the current folder is in, else that
+            folder.
+    """
+    return json.dumps(sarif_document(report, exit_code, base), indent=1, ensure_ascii=True) + "\n"
+
+
+def sarif_document(report: Report, exit_code: int, base: Path | None = None) -> dict[str, Any]:
+    """The SARIF log, as values of JSON: one run.
+
+    Args:
+        report: what the command found.
+        exit_code: with which it ends.
+        base: as for `sarif_text`.
+    """
+    from robosmi import __version__
+
+    places = SarifPlaces(base)
+    said = [*report.findings, *report.tasks]
+    try:
+        known = finding_rules()
+    except PlatformDataError:  # a damaged file of rules is an error of `explain`; findings are not lost for it
+        known = {}
+    ids = sorted({finding.rule for finding in said})
+    levels = {rule: next(f.severity for f in said if f.rule == rule) for rule in ids}
+    seen: Counter[str] = Counter()
+    results = [_result(finding, ids.index(finding.rule), places, seen) for finding in said]
+    driver = {
+        "name": "RoboSMi", "version": __version__, "semanticVersion": __version__, "informationUri": HOME,
+        "rules": [_rule(rule, levels[rule], known.get(rule)) for rule in ids],
+    }  # fmt: skip
+    run = {
+        "tool": {"driver": driver},
+        "invocations": [{"executionSuccessful": report.ok, "exitCode": exit_code}],
+        "automationDetails": {"id": f"robosmi/{report.command}/"},
+        "columnKind": "unicodeCodePoints",
+        "originalUriBaseIds": places.bases(),
+        "results": results,
+    }
+    return {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
+
+
+def _rule(rule: str, level: Severity, known: FindingRule | None) -> dict[str, Any]:
+    """A rule (3.49) with its help; one that nobody has described has its id alone."""
+    if known is None:
+        short = f"Rule {rule} of a constraint that has no page."
+        return {
+            "id": rule, "shortDescription": {"text": short}, "defaultConfiguration": {"level": LEVELS[level]},
+            "messageStrings": {"default": {"text": "{0}."}},
+        }  # fmt: skip
+    meaning, advice = sentence(plain_text(known.meaning)), sentence(plain_text(known.do))
+    said = f"\nRoboSMi says: {known.says}" if known.says else ""
+    return {
+        "id": rule,
+        "name": known.name,
+        "shortDescription": {"text": meaning},
+        "fullDescription": {"text": f"{meaning} What to do: {advice}"},
+        "help": {
+            "text": f"{meaning}\n\nExample:\n{known.code or plain_text(known.example)}{said}\n\nWhat to do: {advice}",
+            "markdown": page(known),
+        },
+        "messageStrings": {"default": {"text": "{0}."}},
+        "defaultConfiguration": {"level": LEVELS[known.severities[0]]},
+        "properties": {"tags": [known.section]} if known.section else {},
+    }
+
+
+def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str]) -> dict[str, Any]:
+    """A result (3.27)."""
+    text = finding.message.rstrip(". \n")
+    result: dict[str, Any] = {
+        "ruleId": finding.rule,
+        "ruleIndex": index,
+        "level": LEVELS[finding.severity],
+        "message": {"text": f"{text}.", "id": "default", "arguments": [text]},
+    }
+    if places_of := _locations(finding, places):
+        result["locations"] = places_of[:1]
+        if others := _related(finding, places, places_of[1:]):
+            result["relatedLocations"] = others
+    result["partialFingerprints"] = {FINGERPRINT: _fingerprint(finding, places, seen)}
+    if finding.steps:
+        result["codeFlows"] = [_flow(finding, places)]
+    if finding.edits and (fix := _fix(finding, places)):
+        result["fixes"] = [fix]
+    if isinstance(reason := finding.evidence.get("accepted"), str):
+        result["suppressions"] = [{"kind": "external", "status": "accepted", "justification": reason}]
+    about = {"advice": finding.fix} if finding.fix else {}
+    result["properties"] = {"id": finding.id, "kind": "task" if isinstance(finding, Task) else "finding", **about}
+    return result
+
+
+def _locations(finding: Finding, places: SarifPlaces) -> list[dict[str, Any]]:
+    """The locations (3.28) of a finding: its own, then the other places that it is about."""
+    logical = [{"fullyQualifiedName": finding.element, "kind": "element"}] if finding.element else []
+    if finding.location is None:
+        return [{"logicalLocations": logical}] if logical else []
+    first: dict[str, Any] = {"physicalLocation": places.physical(finding.location)}
+    if logical:
+        first["logicalLocations"] = logical
+    more = [p for p in finding.evidence.get("places", ()) if isinstance(p, Sequence) and len(p) == 4][1:]
+    return [first, *({"physicalLocation": places.physical_at(finding.location.path, *p)} for p in more)]
+
+
+def _related(finding: Finding, places: SarifPlaces, others: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Further places that a finding is about (3.27.22)."""
+    return [{"id": n, **place, "message": {"text": "The same is said of this place."}} for n, place in enumerate(others, 1)]
+
+
+def _flow(finding: Finding, places: SarifPlaces) -> dict[str, Any]:
+    """How the program comes to it (3.36): one thread, its steps in order."""
+    steps = [
+        {"location": {"physicalLocation": places.physical(s.location), "message": {"text": sentence(s.message)}}}
+        for s in finding.steps
+    ]
+    return {"threadFlows": [{"locations": steps}]}
+
+
+def _fix(finding: Finding, places: SarifPlaces) -> dict[str, Any] | None:
+    """A change of text that mends it (3.55), one entry for each file; None where a place cannot be told in characters."""
+    changes: dict[str, dict[str, Any]] = {}
+    for edit in finding.edits:
+        place = places.physical(edit.location, snippet=False)
+        region = place.get("region", {})
+        if not {"startLine", "startColumn", "endColumn"} <= set(region):
+            return None
+        replacement = {"deletedRegion": region, "insertedContent": {"text": edit.text}}
+        own = changes.setdefault(edit.location.path, {"artifactLocation": place["artifactLocation"], "replacements": []})
+        own["replacements"].append(replacement)
+    return {"description": {"text": sentence(finding.fix or finding.message)}, "artifactChanges": list(changes.values())}
+
+
+def _fingerprint(finding: Finding, places: SarifPlaces, seen: Counter[str]) -> str:
+    """What stays of a finding when lines are added above it: rule, file, element, message, and the text of its line.
+
+    The second and further ones that are alike in all that have their number behind a colon (Appendix B of SARIF).
+    """
+    where, line = places.named(finding.location) if finding.location else ("", "")
+    message = _LINES.sub("", finding.message)
+    about = finding.element or str(finding.evidence.get("component", ""))
+    parts = [finding.rule, where, " ".join(line.split()), about, message]
+    key = hashlib.sha256("\0".join(parts).encode(errors="surrogatepass")).hexdigest()[:32]
+    seen[key] += 1
+    return f"{key}:{seen[key]}"
