@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from robosmi import inputs
-from robosmi.diagnostics import Finding, Location, Severity, FlowStep
+from robosmi.diagnostics import Finding, FlowStep, Location, Severity
 from robosmi.verify.compile_report import (
     COMPILER_ERROR,
     COMPILER_WARNING,

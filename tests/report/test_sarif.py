@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.diagnostics import Finding, Location, Severity, FlowStep, Task, TextEdit
+from robosmi.diagnostics import Finding, FlowStep, Location, Severity, Task, TextEdit
 from robosmi.report import Report
 from robosmi.report.sarif import FINGERPRINT, sarif_document, sarif_text
 from tests.running import run

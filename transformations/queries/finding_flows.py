@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from robosmi.diagnostics import Location, FlowStep, TextEdit
+from robosmi.diagnostics import FlowStep, Location, TextEdit
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 
