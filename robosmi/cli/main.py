@@ -199,7 +199,7 @@ def _run(parsed: argparse.Namespace) -> int:
     report.findings += broken_findings()
     code = int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
     if parsed.sarif is not None:
-        sarif_file.write_file(report, parsed.sarif, code)
+        sarif_file.write_file(report, parsed.sarif, code, sarif_file.subject(parsed) or Path.cwd())
     if parsed.json:
         _print_json(report.to_json())
     elif text := terminal_text(report, verbose=parsed.verbose, colour=takes_colour(sys.stdout)):

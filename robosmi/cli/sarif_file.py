@@ -45,8 +45,21 @@ def check_file(path: Path | None) -> None:
         check_replaced(path, MARK, "file in SARIF")
 
 
-def write_file(report: Report, path: Path, exit_code: int) -> None:
+def subject(parsed: argparse.Namespace) -> Path | None:
+    """The first file or folder that a command was given to read, the place of what it says without one."""
+    given = [value for name, value in vars(parsed).items() if name not in (OPTION[2:], "include_dirs")]
+    paths = (path for value in given for path in (value if isinstance(value, list) else [value]) if isinstance(path, Path))
+    return next((path for path in paths if path.exists()), None)
+
+
+def write_file(report: Report, path: Path, exit_code: int, about: Path | None = None) -> None:
     """Write the file, and list it among the report's artifacts.
+
+    Args:
+        report: what the command found.
+        path: the file.
+        exit_code: with which the command ends.
+        about: the file that the command is about.
 
     Raises:
         SourceError: it cannot be written.
@@ -54,7 +67,7 @@ def write_file(report: Report, path: Path, exit_code: int) -> None:
     from robosmi.model.files import write_atomic
     from robosmi.report.sarif import sarif_text
 
-    write_atomic(path, sarif_text(report, exit_code).encode())
+    write_atomic(path, sarif_text(report, exit_code, about=about).encode())
     report.artifacts.append({"path": str(path), "kind": "sarif"})
 
 
@@ -63,6 +76,6 @@ def write_failure(command: str, finding: Finding, path: Path, exit_code: int) ->
     report = Report(command, findings=[finding], ok=False)
     try:
         check_file(path)
-        write_file(report, path, exit_code)
+        write_file(report, path, exit_code, Path.cwd())
     except RobosmiError:
         return

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Finding, Severity, Task
+from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import PlatformDataError
 from robosmi.report.document import Report
 from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, sentence
@@ -31,7 +31,7 @@ LEVELS = {Severity.info: "note", Severity.warning: "warning", Severity.error: "e
 _LINES = re.compile(r"\(lines? [\d, .]+\)|\b(?:in|from)? ?lines? \d+(?: to \d+)?|:\d+(?::\d+)?")
 
 
-def sarif_text(report: Report, exit_code: int, base: Path | None = None) -> str:
+def sarif_text(report: Report, exit_code: int, base: Path | None = None, about: Path | None = None) -> str:
     """The text of the SARIF file of one command's findings and tasks.
 
     Args:
@@ -39,17 +39,20 @@ def sarif_text(report: Report, exit_code: int, base: Path | None = None) -> str:
         exit_code: with which it ends.
         base: the folder that paths are relative to; None for the root of the repository that the current folder is in, else that
             folder.
+        about: the file that the command is about: the place of findings that have none, without which code scanning services
+            refuse them.
     """
-    return json.dumps(sarif_document(report, exit_code, base), indent=1, ensure_ascii=True) + "\n"
+    return json.dumps(sarif_document(report, exit_code, base, about), indent=1, ensure_ascii=True) + "\n"
 
 
-def sarif_document(report: Report, exit_code: int, base: Path | None = None) -> dict[str, Any]:
+def sarif_document(report: Report, exit_code: int, base: Path | None = None, about: Path | None = None) -> dict[str, Any]:
     """The SARIF log, as values of JSON: one run.
 
     Args:
         report: what the command found.
         exit_code: with which it ends.
         base: as for `sarif_text`.
+        about: as for `sarif_text`.
     """
     from robosmi import __version__
 
@@ -62,7 +65,7 @@ def sarif_document(report: Report, exit_code: int, base: Path | None = None) -> 
     ids = sorted({finding.rule for finding in said})
     levels = {rule: next(f.severity for f in said if f.rule == rule) for rule in ids}
     seen: Counter[str] = Counter()
-    results = [_result(finding, ids.index(finding.rule), places, seen) for finding in said]
+    results = [_result(finding, ids.index(finding.rule), places, seen, about) for finding in said]
     driver = {
         "name": "RoboSMi", "version": __version__, "semanticVersion": __version__, "informationUri": HOME,
         "rules": [_rule(rule, levels[rule], known.get(rule)) for rule in ids],
@@ -103,7 +106,7 @@ def _rule(rule: str, level: Severity, known: FindingRule | None) -> dict[str, An
     }
 
 
-def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str]) -> dict[str, Any]:
+def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str], about: Path | None) -> dict[str, Any]:
     """A result (3.27)."""
     text = finding.message.rstrip(". \n")
     result: dict[str, Any] = {
@@ -112,7 +115,7 @@ def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str
         "level": LEVELS[finding.severity],
         "message": {"text": f"{text}.", "id": "default", "arguments": [text]},
     }
-    if places_of := _locations(finding, places):
+    if places_of := _locations(finding, places, about):
         result["locations"] = places_of[:1]
         if others := _related(finding, places, places_of[1:]):
             result["relatedLocations"] = others
@@ -123,21 +126,22 @@ def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str
         result["fixes"] = [fix]
     if isinstance(reason := finding.evidence.get("accepted"), str):
         result["suppressions"] = [{"kind": "external", "status": "accepted", "justification": reason}]
-    about = {"advice": finding.fix} if finding.fix else {}
-    result["properties"] = {"id": finding.id, "kind": "task" if isinstance(finding, Task) else "finding", **about}
+    advice = {"advice": finding.fix} if finding.fix else {}
+    result["properties"] = {"id": finding.id, "kind": "task" if isinstance(finding, Task) else "finding", **advice}
     return result
 
 
-def _locations(finding: Finding, places: SarifPlaces) -> list[dict[str, Any]]:
+def _locations(finding: Finding, places: SarifPlaces, about: Path | None) -> list[dict[str, Any]]:
     """The locations (3.28) of a finding: its own, then the other places that it is about."""
     logical = [{"fullyQualifiedName": finding.element, "kind": "element"}] if finding.element else []
-    if finding.location is None:
+    place = finding.location or (Location(str(about)) if about is not None else None)
+    if place is None:
         return [{"logicalLocations": logical}] if logical else []
-    first: dict[str, Any] = {"physicalLocation": places.physical(finding.location)}
+    first: dict[str, Any] = {"physicalLocation": places.physical(place)}
     if logical:
         first["logicalLocations"] = logical
     more = [p for p in finding.evidence.get("places", ()) if isinstance(p, Sequence) and len(p) == 4][1:]
-    return [first, *({"physicalLocation": places.physical_at(finding.location.path, *p)} for p in more)]
+    return [first, *({"physicalLocation": places.physical_at(place.path, *p)} for p in more)]
 
 
 def _related(finding: Finding, places: SarifPlaces, others: list[dict[str, Any]]) -> list[dict[str, Any]]:
