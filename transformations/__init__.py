@@ -39,6 +39,7 @@ _CONTENT = {
     ("chain", "recommend"): "chains.recommend:recommend",
     ("chain", "migrate"): "chains.migrate:migrate",
     ("chain", "plan"): "chains.migrate:plan_migration",
+    ("chain", "choose"): "chains.choose:choose",
     ("chain", "generate"): "chains.generate:generate",
     ("chain", "check"): "chains.check:check",
     ("chain", "simulate"): "chains.simulate:simulate",

@@ -305,6 +305,8 @@ class Decision(Element, metaclass=MetaEClass):
     """True when nothing is chosen."""
     choice: str = EAttribute(eType=EString, default_value="")
     """What is chosen: the label of an option, what a person named instead, or the action of a disposition; empty when open."""
+    chosenAt: str = EAttribute(eType=EString, default_value="")
+    """When a person chose, in UTC (2026-05-01T12:00:00Z); empty where that is not recorded, as for flags and project files."""
     options: MutableSequence[Option] = EReference(upper=-1, containment=True)
     """The options, best first."""
     changes: MutableSequence[TextChange] = EReference(upper=-1, containment=True)
@@ -320,6 +322,7 @@ class Decision(Element, metaclass=MetaEClass):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
         ) -> None: ...
@@ -376,6 +379,7 @@ class Disposition(Decision):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             action: Action | None = None,
@@ -405,6 +409,7 @@ class Widening(Decision):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             element: Located | None = None,
@@ -435,6 +440,7 @@ class Concurrency(Decision):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             slots: int | None = None,
@@ -543,6 +549,7 @@ class PortBinding(Decision):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             name: str | None = None,
@@ -582,6 +589,7 @@ class PortFlow(Decision):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             name: str | None = None,
@@ -615,6 +623,7 @@ class LibraryChoice(Decision):
             evidence: Iterable[str] | None = None,
             open: bool | None = None,
             choice: str | None = None,
+            chosenAt: str | None = None,
             options: Iterable[Option] | None = None,
             changes: Iterable[TextChange] | None = None,
             component: Component | None = None,

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TextIO
 
-from robosmi.cli.project_entries import add_to_project
+from robosmi.generate.project_entries import add_to_project
 from robosmi.project import FILE_NAME
 from robosmi.quoting import terminal
 

@@ -8,6 +8,7 @@ EXAMPLES = {
     "recommend": "robosmi recommend robot.fzz",
     "migrate": "robosmi migrate robot.c --hardware robot.fzz -o out --bind leftQTI=D10",
     "generate": "robosmi generate out/models/plan.xmi -o out",
+    "choose": "robosmi choose out port:leftServo=D9",
     "wiring": "robosmi wiring out --as csv -o wiring.csv",
     "undo": "robosmi undo out",
     "check": "robosmi check robot.fzz --fail-on warning",

@@ -41,6 +41,7 @@ COMMANDS = {
     "hardware": "which pin of a drawn board drives which component",
     "recommend": "which library drives which component",
     "migrate": "move a program to the board of a drawing",
+    "choose": "make a choice of a migration's plan, and the sketch again",
     "generate": "make the sketch again from a stored plan",
     "wiring": "hand the wiring of a migration back: for another tool, as a table or as a picture",
     "undo": "put an output folder back as it was before the last run",

@@ -49,12 +49,14 @@ class Manifest:
         choices: choices of persons that were already counted in the history, so that a second run does not count them again.
         found: its bytes as they were read; None if there was no file.
         own: whether a run of this user has written it, where it is now.
+        beside_choices: SHA-256 of what the last run wrote into the plan without the choices in it; empty where none is recorded.
     """
 
     files: dict[str, str] = field(default_factory=dict)
     choices: list[str] = field(default_factory=list)
     found: bytes | None = None
     own: bool = True
+    beside_choices: str = ""
 
     @classmethod
     def load(cls, folder: Path) -> Manifest:
@@ -68,7 +70,7 @@ class Manifest:
         try:
             found = read_bytes(path, RECORD, follow=False)
             data = json_of(found.decode())
-            files, choices = _entries(data)
+            files, choices, beside_choices = _entries(data)
         except (FileNotFoundError, NotADirectoryError):
             return cls()
         except IsADirectoryError as error:
@@ -84,7 +86,7 @@ class Manifest:
             raise SourceError(
                 f"the record of the last run cannot be read: {error}", location=Location(str(path)), fix=fix
             ) from error
-        return cls(files, choices, found, is_noted(path, found))
+        return cls(files, choices, found, is_noted(path, found), beside_choices)
 
     def note(self, folder: Path, data: bytes) -> None:
         """Note that a run of this user is about to write these bytes in place of this manifest.
@@ -106,9 +108,10 @@ class Manifest:
 
     def to_bytes(self) -> bytes:
         """The file's bytes, the same for the same contents."""
-        return (
-            json.dumps({"schema": SCHEMA, "choices": self.choices, "files": self.files}, indent=1, sort_keys=True) + "\n"
-        ).encode()
+        data: dict[str, object] = {"schema": SCHEMA, "choices": self.choices, "files": self.files}
+        if self.beside_choices:
+            data["beside_choices"] = self.beside_choices
+        return (json.dumps(data, indent=1, sort_keys=True) + "\n").encode()
 
     def guard(
         self, places: Places, contents: Mapping[str, bytes], *, inputs: Mapping[str, bytes | None] | None = None
@@ -158,8 +161,8 @@ class Manifest:
         return guarded
 
 
-def _entries(data: object) -> tuple[dict[str, str], list[str]]:
-    """The files and choices of a manifest.
+def _entries(data: object) -> tuple[dict[str, str], list[str], str]:
+    """The files and choices of a manifest, and the digest of the plan beside its choices.
 
     Raises:
         ValueError: it has another form, or names a file outside of its folder.
@@ -172,7 +175,10 @@ def _entries(data: object) -> tuple[dict[str, str], list[str]]:
         raise ValueError("'choices' must be a list of texts")
     if outside := [name for name in files if not within(name)]:
         raise ValueError(f"'{outside[0]}' lies outside of the folder")
-    return files, choices
+    beside = data.get("beside_choices", "") if isinstance(data, dict) else ""
+    if not isinstance(beside, str):
+        raise ValueError("'beside_choices' must be a text")
+    return files, choices, beside
 
 
 def hidden(name: str) -> bool:

@@ -1,7 +1,8 @@
 """The state of an output folder before the last run, and the way back to it.
 
 A run that changes files of its output folder first puts what they held into a record among the user's own data. `undo` puts
-it all back, and the state that it replaces into the record, so that a second `undo` takes the first one back. A file that was
+it all back (and the project file, where the run wrote a choice there), and the state that it replaces into the record, so that a
+second `undo` takes the first one back. A file that was
 changed since stops it before anything is written. Files that no run has made are never touched. The record belongs to the
 folder where it is: one that was moved or sent has no way back.
 """
@@ -10,8 +11,10 @@ from __future__ import annotations
 
 import base64
 import json
+import os
 import zlib
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -21,8 +24,9 @@ from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
 from robosmi.generate.places import Places
+from robosmi.inputs import SETTINGS, read_bytes
 from robosmi.model.commit import update
-from robosmi.model.files import digest, within
+from robosmi.model.files import digest, within, write_atomic
 from robosmi.model.recovery import at_work
 from robosmi.model.runs import keep_state, kept_state
 
@@ -42,7 +46,13 @@ class Undone:
     removed: list[str] = field(default_factory=list)
 
 
-def keep_before(folder: Path, places: Places, contents: Mapping[str, bytes], removed: Collection[str] = ()) -> None:
+def keep_before(
+    folder: Path,
+    places: Places,
+    contents: Mapping[str, bytes],
+    removed: Collection[str] = (),
+    outside: Mapping[Path, tuple[bytes | None, bytes | None]] | None = None,
+) -> None:
     """Keep the state of a folder for a run that is about to write and remove these files; nothing where it changes nothing.
 
     Args:
@@ -50,6 +60,7 @@ def keep_before(folder: Path, places: Places, contents: Mapping[str, bytes], rem
         places: what is in it.
         contents: what is about to be written, relative path -> bytes.
         removed: paths of files that go.
+        outside: files elsewhere that the run writes, too, such as the project file: what each holds and what it is about to hold.
 
     Raises:
         SourceError: there is no place for the record.
@@ -57,10 +68,13 @@ def keep_before(folder: Path, places: Places, contents: Mapping[str, bytes], rem
     after: dict[str, bytes | None] = {**contents, **dict.fromkeys(removed)}
     before = {name: places.look(name) for name in sorted(after)}
     changed = [name for name in before if before[name] != after[name]]
-    if not changed:
+    beyond = {os.path.abspath(path): pair for path, pair in (outside or {}).items() if pair[0] != pair[1]}
+    if not changed and not beyond:
         return
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
-    keep_state(folder, json.dumps({"schema": SCHEMA, "files": files}, indent=1, sort_keys=True) + "\n")
+    elsewhere = {path: [_packed(old), digest(new) if new is not None else None] for path, (old, new) in beyond.items()}
+    state = {"schema": SCHEMA, "files": files} | ({"outside": elsewhere} if elsewhere else {})
+    keep_state(folder, json.dumps(state, indent=1, sort_keys=True) + "\n")
 
 
 def _packed(data: bytes | None) -> str | None:
@@ -80,9 +94,11 @@ def undo(folder: Path) -> Undone:
     """
     with at_work(folder):
         places, manifest = Places(folder), Manifest.load(folder)
-        before, after = _read(folder)
+        before, after, outside = _read(folder)
         found = {name: places.look(name) for name in before}
         edited = [name for name, data in found.items() if (digest(data) if data is not None else None) != after[name]]
+        there = {path: _bytes(path) for path in outside}
+        edited += [str(p) for p, (_, new) in outside.items() if (digest(d) if (d := there[p]) is not None else None) != new]
         if edited:
             raise StoppedError(
                 f"changed since the last run: {', '.join(sorted(edited))}; nothing was put back",
@@ -93,11 +109,63 @@ def undo(folder: Path) -> Undone:
         if MANIFEST in contents:
             kept = json_of(contents[MANIFEST].decode())
             choices = sorted({*kept.get("choices", ()), *manifest.choices})  # what was counted stays counted
-            contents[MANIFEST] = Manifest(kept["files"], choices).to_bytes()
+            beside = kept.get("beside_choices", "")
+            contents[MANIFEST] = Manifest(kept["files"], choices, beside_choices=beside).to_bytes()
             manifest.note(folder, contents[MANIFEST])
-        keep_before(folder, places, contents, removed)
-        update(folder, contents, removed, places.seen)
-    return Undone(_shown(contents), _shown(removed))
+        put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
+        keep_before(folder, places, contents, removed, put_back)
+        with written_outside(put_back):
+            update(folder, contents, removed, places.seen)
+    restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
+    gone = [str(path) for path, (_, old) in put_back.items() if old is None]
+    return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
+
+
+@contextmanager
+def written_outside(files: Mapping[Path, tuple[bytes | None, bytes | None]]) -> Iterator[None]:
+    """Write files outside of an output folder before what is done within this, and put them back where that fails.
+
+    Args:
+        files: path -> what it holds, and what it is to hold; None for no file.
+
+    Raises:
+        SourceError: a file cannot be written, or was changed since it was read.
+    """
+    done: list[Path] = []
+    try:
+        for path, (old, new) in files.items():
+            if _bytes(path) != old:
+                fix = "do it again"
+                raise StoppedError("it was changed meanwhile; nothing was written", location=Location(str(path)), fix=fix)
+            done.append(path)
+            _put(path, new)
+        yield
+    except BaseException:
+        for path in done:
+            _put(path, files[path][0])
+        raise
+
+
+def _put(path: Path, data: bytes | None) -> None:
+    try:
+        if data is None:
+            path.unlink(missing_ok=True)
+        elif _bytes(path) != data:
+            write_atomic(path, data)
+    except OSError as error:
+        fix = "check its permissions"
+        raise SourceError(f"cannot be written: {error.strerror}", location=Location(str(path)), fix=fix) from error
+
+
+def _bytes(path: Path) -> bytes | None:
+    try:
+        return read_bytes(path, SETTINGS)
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise SourceError(
+            f"cannot be read: {error.strerror}", location=Location(str(path)), fix="check its permissions"
+        ) from error
 
 
 def _shown(names: Collection[str]) -> list[str]:
@@ -105,8 +173,11 @@ def _shown(names: Collection[str]) -> list[str]:
     return sorted(name for name in names if not name.startswith(".robosmi"))
 
 
-def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None]]:
-    """What each file held before the last run, and the digest of what that wrote there.
+Outside = dict[Path, tuple[bytes | None, str | None]]
+
+
+def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None], Outside]:
+    """What each file held before the last run, and the digest of what that wrote there; the same of files outside of the folder.
 
     Raises:
         SourceError: there is no such record, or it is damaged.
@@ -116,9 +187,11 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None]]
         fix="make the sketch anew with migrate or generate",
     )  # fmt: skip
     try:
-        files = json_of(kept_state(folder))["files"]
+        kept = json_of(kept_state(folder))
+        files = kept["files"]
         before = {name: _unpacked(packed) for name, (packed, _) in files.items()}
         after = {name: written for name, (_, written) in files.items()}
+        outside = {Path(path): (_unpacked(old), new) for path, (old, new) in kept.get("outside", {}).items()}
     except FileNotFoundError as error:
         raise SourceError(
             "there is no earlier state of this folder", location=Location(str(folder)),
@@ -128,4 +201,4 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None]]
         raise damaged from error
     if not all(within(name) for name in before):
         raise damaged
-    return before, after
+    return before, after, outside

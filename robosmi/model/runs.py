@@ -134,6 +134,25 @@ def kept_state(folder: Path) -> str:
     return read_text(_place(os.path.realpath(folder), "undo"), OUTPUT)
 
 
+def keep_sources(folder: Path, text: str) -> None:
+    """Keep where the sources lie from which a migration into an output folder was made.
+
+    Raises:
+        SourceError: there is no place for it.
+    """
+    _store(_place(os.path.realpath(folder), "sources"), text)
+
+
+def kept_sources(folder: Path) -> str:
+    """What `keep_sources` kept of an output folder that is where it was then.
+
+    Raises:
+        OSError: nothing was kept, or it cannot be read.
+        ValueError: it is no text.
+    """
+    return read_text(_place(os.path.realpath(folder), "sources"), RECORD)
+
+
 def own_stage(folder: Path, found: os.stat_result | None = None) -> None:
     """Note that a run of this user has made a folder in which files wait.
 

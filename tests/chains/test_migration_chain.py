@@ -23,7 +23,8 @@ from robosmi.project import Project, defaults
 from robosmi.transformations.chains import migrate as chain_module
 from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.hardware import hardware, hardware_chain
-from robosmi.transformations.chains.migrate import library_decisions, migrate, migration_chain, plan_migration
+from robosmi.transformations.chains.library_steps import library_decisions
+from robosmi.transformations.chains.migrate import migrate, migration_chain, plan_migration
 from robosmi.transformations.m2m.library_choice import LibraryModels
 
 ROOT = Path(__file__).resolve().parents[2]

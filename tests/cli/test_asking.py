@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from robosmi.cli.asking import Answers, ask_libraries, ask_ports, may_ask
-from robosmi.cli.project_entries import add_to_project, with_entries
 from robosmi.errors import SourceError
+from robosmi.generate.project_entries import add_to_project, with_entries
 from robosmi.plugins import content
 from robosmi.project import defaults, load_project
 from robosmi.recommend.history import History
@@ -128,10 +128,29 @@ def test_entries_come_to_the_end_of_their_table(text: str, kept: str | None) -> 
     assert made == (kept if kept is not None else expected)
 
 
-def test_a_file_in_which_entries_would_change_others_stays_as_it_is(tmp_path: Path) -> None:
+@pytest.mark.parametrize("text", ["bind = 3\n", "[bind\n", '[[bind]]\na = "D1"\n'])
+def test_a_file_in_which_entries_would_change_others_stays_as_it_is(text: str, tmp_path: Path) -> None:
     path = tmp_path / "robosmi.toml"
-    for text in ('bind = { a = "D1" }\n', '[libraries]\nx = """\n[bind]\n"""\n', "[bind\n"):
-        path.write_text(text)
-        with pytest.raises(SourceError):
-            add_to_project(tmp_path, {"bind": {"LED": "D8"}})
-        assert path.read_text() == text
+    path.write_text(text)
+    with pytest.raises(SourceError):
+        add_to_project(tmp_path, {"bind": {"LED": "D8"}})
+    assert path.read_text() == text
+
+
+@pytest.mark.parametrize(
+    ("text", "made"),
+    [
+        ('bind = { a = "D1" } # one line\n', 'bind = { a = "D1", LED = "D8"} # one line\n'),
+        ('[libraries]\nx = """\n[bind]\n"""\n', '[libraries]\nx = """\n[bind]\n"""\n\n[bind]\nLED = "D8"\n'),
+        ('[bind]\nLED = "D1"\n', '[bind]\nLED = "D1"\n'),
+    ],
+)
+def test_entries_are_added_in_whatever_form_the_table_has(text: str, made: str, tmp_path: Path) -> None:
+    (tmp_path / "robosmi.toml").write_text(text)
+    assert add_to_project(tmp_path, {"bind": {"LED": "D8"}}).read_text() == made
+
+
+def test_a_role_of_a_library_is_set_where_toml_takes_it_for_a_table() -> None:
+    text = '[bind]\ndrive.left = "D1"  # measured\n'
+    assert with_entries(text, "bind", {"drive.left": "D2"}) == '[bind]\ndrive.left = "D2"  # measured\n'
+    assert with_entries(text, "bind", {"drive.left": None, "LED": "D8"}) == '[bind]\nLED = "D8"\n'

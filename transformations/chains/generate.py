@@ -11,6 +11,7 @@ from robosmi.model.recovery import at_work, look_only
 from robosmi.model.runs import alone
 from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce
+from robosmi.transformations.chains.renewed import renew_findings
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 
@@ -45,6 +46,7 @@ def generate(
         models.plan.bench = models.plan.bench or bench
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
+        renew_findings(models.plan)
         return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
 
 
@@ -56,4 +58,5 @@ def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
         models = load_models(plan)
     refuse_nonsense(models.plan)
     settle(models.plan, models.files)
+    renew_findings(models.plan)
     return models

@@ -2,8 +2,8 @@
 
 `migration_chain` says which steps there are: each is a function whose parameters name what it reads. `plan_migration` stops at
 the plan; `migrate` goes on and writes. What a front end is answered is given to the same run, which does again what depends on
-it. The order in which choices count is the contract's: flag, project file, history, rule above the limit; what is left stays
-open. docs/how-to/change-a-step.md shows how to put another function in a step's place.
+it. The order in which choices count is the contract's: flag, project file, the plan that is in the output folder, history, rule
+above the limit; what is left stays open. docs/how-to/change-a-step.md shows how to put another function in a step's place.
 """
 
 from __future__ import annotations
@@ -16,24 +16,25 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import UsageError
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, project_of
 from robosmi.recommend.history import ForgivingHistory
-from robosmi.recommend.ranking import Ranker
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
+from robosmi.transformations.chains.adopted import adopt
 from robosmi.transformations.chains.constraint_sets import added_findings
 from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
-from robosmi.transformations.chains.earlier import earlier_choices, history_findings
+from robosmi.transformations.chains.earlier import history_findings
+from robosmi.transformations.chains.library_steps import choices, earlier, library_decisions, ranker
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters
 from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
+from robosmi.transformations.chains.sources import remember_sources
 from robosmi.transformations.chains.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
@@ -43,18 +44,19 @@ from robosmi.transformations.knowledge.target_platform import TargetFacts, targe
 from robosmi.transformations.m2m.adapter_choice import adapter_choice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
-from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, decide_libraries, judge_program, put_together
+from robosmi.transformations.m2m.migration_plan import Decided, judge_program, put_together
 from robosmi.transformations.m2m.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_texts import looked_up
+from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices, differences
 from robosmi.transformations.m2m.widths import Widened, lost_findings, text_findings
 from robosmi.transformations.queries.plan import binding_json, library_json
 from robosmi.transformations.queries.ports import ProgramPorts
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
-    "adapters", "widths",
+    "adapters", "widths", "stored",
 )  # fmt: skip
 """What a migration is told from outside; `migration_chain` says what each is used for."""
 
@@ -143,35 +145,6 @@ def board(drawing: StoredDrawing | None, target: TargetFacts) -> platform.Board:
     return drawing.board if drawing is not None else target.board_model
 
 
-def choices(libraries: Mapping[str, str], settings: Project, drawing: StoredDrawing | None, target: TargetFacts) -> LibrariesSaid:
-    """The libraries that persons chose, flags before the project file, and how far rules may go.
-
-    Raises:
-        UsageError: a library is chosen, and there is no drawing or the target has no libraries.
-    """
-    if libraries and not target.libraries:
-        raise UsageError(f"a library is chosen, and the target '{target.target}' has none", fix="leave out the choice")
-    limits = defaults()
-    said = {**settings.libraries, **libraries} if target.libraries else {}
-    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"])
-    if made.libraries and drawing is None:
-        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
-    return made
-
-
-def ranker(target: TargetFacts) -> Ranker | None:
-    """What ranks libraries; None for a target that has none."""
-    if not target.libraries:
-        return None
-    made: Ranker = content("ranker", defaults()["rank"]["ranker"])(target.libraries, architecture=target.architecture)
-    return made
-
-
-def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
-    """What was chosen before for the target, or for others with the same libraries."""
-    return earlier_choices(history, target)
-
-
 def judgement(
     program: StoredProgram,
     api: ApiIndex,
@@ -209,22 +182,6 @@ def widenings(
     return widened(program, program_files, judgement[0], api, target, widths)
 
 
-def library_decisions(
-    drawing: StoredDrawing | None,
-    board: platform.Board,
-    target: TargetFacts,
-    choices: LibrariesSaid,
-    ranker: Ranker | None,
-    earlier: ForgivingHistory,
-) -> tuple[list[migration.LibraryChoice], LibraryModels]:
-    """A decision about libraries for each component that a board pin reaches (paper 3.3).
-
-    Raises:
-        UsageError: a component or library does not exist.
-    """
-    return decide_libraries(drawing.hardware if drawing is not None else None, board, target, choices, ranker, earlier)
-
-
 def models(
     program: StoredProgram,
     drawing: StoredDrawing | None,
@@ -239,6 +196,9 @@ def models(
     earlier: ForgivingHistory,
     settings: Project,
     bench: bool,
+    bind: Mapping[str, str],
+    libraries: Mapping[str, str],
+    stored: StoredChoices | None,
 ) -> MigrationModels:
     """The plan with its findings and tasks, and the models that it refers to."""
     places, files, findings = {**program.places}, {**program.copies}, [*program.findings]
@@ -263,10 +223,12 @@ def models(
     )  # fmt: skip
     plan, repository = put_together(decided, lambda made: [*plan_faults(made), *port_faults(made)])
     plan.bench = bench
+    flags, project = {"bind": bind, "libraries": libraries}, {"bind": settings.bind, "libraries": settings.libraries}
     plan.findings.extend(move_findings(plan, program.views))
     plan.findings.extend(plan_findings(plan, added_findings(plan), places))
     circuit = drawing.hardware.circuit if drawing is not None else None
-    return MigrationModels(plan, program.program, circuit, repository, files, {v: k for k, v in places.items()})
+    notes = differences(plan, flags, project, settings.path, stored or NOTHING)
+    return MigrationModels(plan, program.program, circuit, repository, files, {v: k for k, v in places.items()}, notes)
 
 
 # ---- from outside
@@ -316,7 +278,7 @@ def plan_migration(
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=libraries or {}, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench,
+        history=history, widths=widths, bench=bench, stored=NOTHING,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
         made: MigrationModels = run.value("models")
@@ -369,11 +331,11 @@ def migrate(
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    chosen = dict(libraries or {})
+    chosen, adopted = dict(libraries or {}), adopt(Path(output))
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,
-        history=history, widths=widths, bench=bench,
+        history=history, widths=widths, bench=bench, stored=adopted.choices,
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():
@@ -386,6 +348,9 @@ def migrate(
             if ask_ports is not None and ports_left and (pins := ask_ports(ports_left, pins_to_choose(models.plan))):
                 run.give(bind={**(bind or {}), **pins})
                 models = run.value("models")
-        made = produce(models, Path(output), dry_run=dry_run, strict=strict)
+        models.notes += adopted.notes
+        made = produce(models, Path(output), inputs=adopted.inputs, dry_run=dry_run, strict=strict)
+    if made.written:
+        remember_sources(Path(output), models.plan, models.places, Path(files[0]))
     remember(made, history)
     return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi import inputs
-from robosmi.diagnostics import Location
+from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest, within
@@ -36,6 +36,7 @@ class MigrationModels:
         repository: the part of the platform models that the plan refers to.
         files: copies of what was read, path relative to the models' folder -> bytes.
         places: the same paths -> the path as the user knows it.
+        notes: findings of the run that made them, which are not the plan's.
     """
 
     plan: migration.MigrationPlan
@@ -44,6 +45,7 @@ class MigrationModels:
     repository: platform.PlatformRepository
     files: dict[str, bytes]
     places: dict[str, str] = field(default_factory=dict)
+    notes: list[Finding] = field(default_factory=list)
 
     def to_files(self) -> dict[str, bytes]:
         """Everything that is stored, path relative to the models' folder -> bytes; the plan's digests are brought up to date.

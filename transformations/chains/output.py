@@ -22,7 +22,7 @@ from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, refo
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.record import Record
 from robosmi.generate.text_form import read
-from robosmi.generate.undo import keep_before
+from robosmi.generate.undo import keep_before, written_outside
 from robosmi.metamodels import migration, trace
 from robosmi.model.commit import update
 from robosmi.model.recovery import at_work, look_only
@@ -32,6 +32,7 @@ from robosmi.query import Q
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
+from robosmi.transformations.chains.edited_plan import STORED, beside_choices, only_choices_differ
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
 from robosmi.transformations.m2t.program_files import BENCH
 from robosmi.transformations.m2t.terminal_text import terminal_lines
@@ -61,7 +62,7 @@ class Generated:
         new_choices: libraries that a person chose and that no earlier run into this folder has counted.
         notes: findings of this run that are not the plan's.
         verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
-        diff: what a dry run would change, empty for any other.
+        diff: what a dry run would change, or what was changed where that was asked for; else empty.
     """
 
     models: MigrationModels
@@ -81,7 +82,7 @@ class Generated:
     @property
     def findings(self) -> list[Finding]:
         """The plan's findings, and those of this run alone."""
-        return [*said(Q(self.models.plan.findings), self.models.places), *self.notes]
+        return [*said(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes]
 
     def tasks(self) -> list[Finding]:
         """The plan's tasks."""
@@ -125,8 +126,10 @@ def produce(
     output: Path,
     *,
     inputs: Mapping[str, bytes | None] | None = None,
+    outside: Mapping[Path, tuple[bytes | None, bytes | None]] | None = None,
     dry_run: bool = False,
     strict: bool = False,
+    diff: bool = False,
 ) -> Generated:
     """Generate the sketch of a plan and put it, with the models, into the output folder.
 
@@ -134,8 +137,10 @@ def produce(
         models: complete models.
         output: the output folder.
         inputs: files in it that this run has read, whose edits are therefore in what it makes, with their bytes.
+        outside: files elsewhere that belong to the run, such as the project file: what each holds, and what it is to hold.
         dry_run: write nothing.
         strict: stop when a choice is open.
+        diff: say what is changed, as a dry run does.
 
     Raises:
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
@@ -180,17 +185,21 @@ def produce(
         by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
         if not dry_run:
             record = Manifest.of(contents | kept.records, {*by_person, *manifest.choices})
-            # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost.
+            # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost;
+            # not one in which choices alone were edited, which the next run makes, too.
             # Of a manifest that came with the folder nothing else is taken over, or the next run would remove files on its word.
-            staying = [*(name for name in exempt if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
+            edited = [name for name, data in exempt.items() if not only_choices_differ(manifest, name, data)]
+            staying = [*(name for name in edited if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
             record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
+            record.beside_choices = manifest.beside_choices if STORED in staying else beside_choices(contents[STORED])
             everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-            keep_before(output, places, everything, going)
+            keep_before(output, places, everything, going, outside)
             manifest.note(output, everything[MANIFEST])
-            update(output, everything, going, places.seen)
+            with written_outside(outside or {}):
+                update(output, everything, going, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
-    diff = _diff(places, contents, going) if dry_run else ""
-    return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=diff)
+    changes = _diff(places, contents, going) if dry_run or diff else ""
+    return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=changes)
 
 
 def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str]) -> str:

@@ -13,6 +13,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.m2m.conventional_ports import with_conventions
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import ProgramPorts, program_ports
 
@@ -31,8 +32,9 @@ def bindings(
     board: platform.Board,
     bind: Mapping[str, str],
     settings: Project,
+    stored: StoredChoices | None,
 ) -> list[migration.PortBinding]:
-    """Which connection each port of the program becomes; flags go before the project file.
+    """Which connection each port of the program becomes; flags go before the project file, and that before the stored plan.
 
     Raises:
         UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
@@ -41,7 +43,8 @@ def bindings(
     assert source is not None
     connections = list(drawing.hardware.connections) if drawing is not None else []
     asked = with_conventions(ports, judgement[0].adapters, program.views)
-    return bind_ports(asked, api, source, connections, board, (settings.bind, {**bind}), defaults()["choices"]["limit"])
+    said = (settings.bind, {**bind})
+    return bind_ports(asked, api, source, connections, board, said, defaults()["choices"]["limit"], (stored or NOTHING).ports)
 
 
 def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:

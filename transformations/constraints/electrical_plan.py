@@ -42,6 +42,11 @@ def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
     return worst_first(_both.run(EmfModel(plan.circuit, name="hardware"), EmfModel(plan, name="plan")).findings())
 
 
+def plan_rules() -> frozenset[str]:
+    """The ids of the constraints of `plan_faults`."""
+    return frozenset(constraint.id for constraint in _both.declared())
+
+
 def of_plan(element: Any) -> migration.MigrationPlan | None:
     """The plan of an element, or None if it is in none."""
     found = root_of(element)

@@ -19,6 +19,7 @@ from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.transformations.knowledge.library_ranking import library_in, library_index
 from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.knowledge.target_platform import TargetFacts
+from robosmi.transformations.m2m.stored_choices import Said, explain
 from robosmi.transformations.queries.circuit import component_named
 
 NO_LIBRARY = "none"
@@ -123,6 +124,7 @@ def choose_libraries(
     history: Choices,
     limit: int,
     sure: float = 1.0,
+    stored: Mapping[tuple[str, str], Said] | None = None,
 ) -> list[migration.LibraryChoice]:
     """A decision for each component.
 
@@ -135,6 +137,7 @@ def choose_libraries(
         history: earlier choices.
         limit: how many candidates a decision keeps.
         sure: the confidence from which on the ranking's own answer is taken.
+        stored: (elementId, title) -> what a person chose in a stored plan, behind `chosen`; what no longer fits is passed over.
 
     Raises:
         UsageError: a component or library does not exist, or a title is ambiguous.
@@ -151,9 +154,20 @@ def choose_libraries(
             ranked[key] = ranker.rank(query, history if weigh_history else None, limit)
         return ranked[key]
 
+    kept = {
+        identity: said
+        for (identity, title), said in (stored or {}).items()
+        if any((c.elementId, c.title) == (identity, title) for c in circuit.components)
+        and (said.value == NO_LIBRARY or models.index.library_named(said.value) is not None)
+    }
+    by_person = {**{identity: said.value for identity, said in kept.items()}, **by_person}
     listed = list(components)
     listed += [c for c in circuit.components if c.elementId in by_person and c not in listed]
-    return [_decide(c, by_person.get(c.elementId), rank, models, history, sure) for c in listed]
+    made = [_decide(c, by_person.get(c.elementId), rank, models, history, sure) for c in listed]
+    for choice in made:
+        if choice.component is not None:
+            explain(choice, kept.get(choice.component.elementId))
+    return made
 
 
 def _decide(

@@ -24,6 +24,7 @@ from robosmi.transformations.m2m.plan_checks import plan_checks
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
 from robosmi.transformations.m2m.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.port_texts import port_changes
+from robosmi.transformations.m2m.stored_choices import Said
 from robosmi.transformations.m2m.text_changes import mark_rewritten
 from robosmi.transformations.m2m.widths import Widened
 from robosmi.transformations.queries.binding_edits import TRACED
@@ -40,11 +41,13 @@ class LibrariesSaid:
         libraries: component (title or `#model_index`) -> library.
         limit: a rule's choice is taken when its confidence is at least this.
         candidates: how many libraries a decision keeps.
+        stored: (elementId, title) -> what a person chose in a stored plan, behind `libraries`.
     """
 
     libraries: Mapping[str, str] = field(default_factory=dict)
     limit: float = 0.8
     candidates: int = 10
+    stored: Mapping[tuple[str, str], Said] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -97,7 +100,7 @@ def decide_libraries(
         return [], libraries
     reached = [c for c in Q(drawn.connections).collect(lambda c: c.component).distinct() if c is not None]
     made = choose_libraries(
-        drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit
+        drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit, choices.stored
     )
     return made, libraries
 

@@ -49,16 +49,21 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         taken = [left[k] for _, k in pairs]
         left = [c for c in left if c not in taken and (c.pin is None or c.pin not in [t.pin for t in taken])]
         first = False
-    for i, seat in enumerate(waiting):
-        ranked = sorted(((f, left[k]) for (j, k), f in fits.items() if j == i), key=lambda pair: -pair[0].points)
-        wanted = [pair for pair in ranked if pair[0].points > 0] or ranked
-        for found, connection in wanted:
-            seat.binding.options.append(
-                migration.Option(
-                    label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                    reasons=list(found.reasons) or ["fits in direction only"],
-                )
-            )  # fmt: skip
+    for seat in waiting:
+        rank(seat, left)
+
+
+def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
+    """Give a port its options among connections, best first: those for which something speaks, else all that it can be on."""
+    fits = [(found, connection) for connection in free if (found := fit(seat, connection)) is not None]
+    ranked = sorted(fits, key=lambda pair: -pair[0].points)
+    for found, connection in [pair for pair in ranked if pair[0].points > 0] or ranked:
+        seat.binding.options.append(
+            migration.Option(
+                label=connection.name, score=0.5 if found.points > 0 else 0.1,
+                reasons=list(found.reasons) or ["fits in direction only"],
+            )
+        )  # fmt: skip
 
 
 def _best(fits: dict[tuple[int, int], Fit], i: int, k: int) -> bool:

@@ -13,8 +13,10 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.m2m.port_assignment import assign
+from robosmi.transformations.m2m.port_assignment import assign, rank
 from robosmi.transformations.m2m.port_evidence import Seat
+from robosmi.transformations.m2m.stored_choices import Said, explain
+from robosmi.transformations.queries.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
 from robosmi.transformations.queries.value_flows import PinArgument
@@ -30,6 +32,7 @@ def bind_ports(
     board: platform.Board,
     said: Sequence[Mapping[str, str]],
     limit: float,
+    stored: Mapping[str, Said] | None = None,
 ) -> list[migration.PortBinding]:
     """A decision for each port of the program.
 
@@ -41,18 +44,20 @@ def bind_ports(
         board: the target board.
         said: NAME -> PIN (a label, a connection's name, or `none`), as persons said; later ones count before earlier ones.
         limit: a rule's choice is taken when its confidence is at least this.
+        stored: port -> what a person chose in a stored plan, before `said`; what no longer fits is passed over.
 
     Raises:
         UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
     """
     ports = list(found.ports)
-    pins: dict[str, str] = {}
+    pins = _kept(stored or {}, ports, found, api, connections, board)
     for layer in said:
         pins.update(_layer(layer, ports, found, api))
     bindings = [_binding(port, source) for port in ports]
     for port, binding in zip(ports, bindings, strict=True):
         if port.name in pins:
             _take(binding, pins[port.name], connections, board)
+            explain(binding, (stored or {}).get(port.name))
     for port, binding in zip(ports, bindings, strict=True):
         if binding.open:
             _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
@@ -62,7 +67,41 @@ def bind_ports(
     for seat in seats:
         seat.binding.role = seat.role
     assign(seats, free, limit, complete=not found.anything)
+    for port, binding in zip(ports, bindings, strict=True):
+        if not binding.open:
+            seat = _seat(port, binding, found, api)
+            binding.role = seat.role
+            rank(seat, _within_reach(binding, bindings, connections))
     return bindings
+
+
+def _within_reach(
+    binding: migration.PortBinding, bindings: Sequence[migration.PortBinding], connections: Sequence[migration.Connection]
+) -> list[migration.Connection]:
+    """The connections that a port may have: those on pins that no other port is bound to."""
+    others = {id(b.pin) for b in bindings if b is not binding and b.pin is not None}
+    return [c for c in connections if c.pin is None or id(c.pin) not in others]
+
+
+def _kept(
+    stored: Mapping[str, Said],
+    ports: list[Port],
+    program: ProgramPorts,
+    api: ApiIndex,
+    connections: Sequence[migration.Connection],
+    board: platform.Board,
+) -> dict[str, str]:
+    """Port -> pin of a stored plan, without what the program or its hardware does not have any more."""
+    found: dict[str, str] = {}
+    for name, kept in stored.items():
+        try:
+            layer = _layer({name: kept.value}, ports, program, api)
+            if kept.value != NOT_WIRED:
+                _chosen(kept.value, connections, board)
+        except UsageError:
+            continue  # `stored_choices.differences` says so
+        found |= layer
+    return found
 
 
 def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex) -> Seat:
@@ -126,6 +165,20 @@ def _take(binding: migration.PortBinding, said: str, connections: Sequence[migra
         binding.choice = binding.connection.name if binding.connection is not None else said
     binding.open, binding.confidence, binding.chosenBy = False, 1.0, migration.ChosenBy.person
     binding.evidence.append("chosen by flag or project file")
+
+
+def bind_by_hand(
+    binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board
+) -> None:
+    """Let a stored binding refer to what a person says; an empty text leaves it unbound.
+
+    Raises:
+        UsageError: it is neither a pin of the board, nor a connection, nor `none`.
+    """
+    bound = (None, None) if said in ("", NOT_WIRED) else _chosen(said, connections, board)
+    binding.connection, binding.pin = bound
+    binding.choice = referred(binding) or said
+    trace_binding(binding)
 
 
 def _chosen(

@@ -9,6 +9,7 @@ from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
+from robosmi.transformations.queries.choices import choices_json
 from robosmi.transformations.queries.finding_flows import edits_of, has_flow, steps_of
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.port_pins import NOT_WIRED
@@ -144,28 +145,6 @@ def library_json(choice: migration.LibraryChoice) -> dict[str, Any]:
         "chosen_by": choice.chosenBy.name, "confidence": choice.confidence,
         "candidates": [{"library": o.label, "score": o.score, "reasons": list(o.reasons)} for o in choice.options],
     }  # fmt: skip
-
-
-def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
-    """Every choice that a person may make in the contract's form: of a pin for each port, of a library for each component."""
-    ports = [(f"port:{b.name}", "port", b.name, b) for b in plan.portBindings]
-    libraries = [
-        (f"library:{c.component.elementId}", "library", c.component.title, c)
-        for c in plan.libraryChoices
-        if c.component is not None
-    ]
-    return [
-        {
-            "id": identity,
-            "kind": kind,
-            "subject": subject,
-            "options": [{"value": o.label, "score": o.score, "why": "; ".join(o.reasons)} for o in decision.options],
-            "chosen": None if decision.open else decision.choice,
-            "by": decision.chosenBy.name,
-            "why": "; ".join(decision.evidence),
-        }
-        for identity, kind, subject, decision in (*ports, *libraries)
-    ]
 
 
 def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:

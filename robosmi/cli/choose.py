@@ -1,0 +1,49 @@
+"""`robosmi choose OUT ID=VALUE...`: make a choice of a migration's plan, and the sketch again."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from robosmi.cli.common import output_folder, pairs
+from robosmi.cli.migrate import filled
+from robosmi.errors import UsageError
+from robosmi.plugins import content
+from robosmi.project import project_of
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
+    parser.add_argument(
+        "answers", metavar="ID=VALUE", nargs="*",
+        help="a choice (port:NAME, library:ID, or the name of a port or component) and a pin, a connection, a library or none",
+    )  # fmt: skip
+    parser.add_argument("--reopen", action="append", default=[], metavar="ID", help="leave a choice open again")
+    parser.add_argument("--why", default="", metavar="TEXT", help="the reason, which is kept in the plan")
+    parser.add_argument("--source", metavar="FILE", type=Path, help="a source of the program, beside which robosmi.toml lies")
+    parser.add_argument(
+        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+    )
+    parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command.
+
+    Raises:
+        UsageError: nothing is chosen, or a choice comes twice.
+    """
+    report = Report("choose")
+    answers = pairs(arguments.answers, "choose")
+    if twice := set(answers) & set(arguments.reopen):
+        raise UsageError(f"'{min(twice)}' is chosen and left open", fix="give one of them")
+    if not answers and not arguments.reopen:
+        raise UsageError("nothing is chosen", fix="give ID=VALUE; robosmi open shows what there is to choose")
+    done = content("chain", "choose")(
+        arguments.output, answers | dict.fromkeys(arguments.reopen, ""), why=arguments.why, source=arguments.source,
+        dry_run=arguments.dry_run, history=arguments.history,
+    )  # fmt: skip
+    project = project_of(done.project) if done.project is not None else None
+    return filled(report, done, project.severity if project is not None else {}, project.accept if project is not None else ())

@@ -1,0 +1,156 @@
+"""Entries of a `robosmi.toml` that a person keeps, added, changed or taken out with everything else as it stands.
+
+tomlkit keeps comments, order and layout. What was made is read back before it is used; where that does not give what was meant,
+nothing is written. What a project file may say is `robosmi.project`'s business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, MutableMapping
+from pathlib import Path
+from typing import Any
+
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+
+from robosmi import inputs
+from robosmi.data_text import toml_of
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.model.files import write_atomic
+from robosmi.project import FILE_NAME
+
+Entries = Mapping[str, Mapping[str, str | None]]
+"""Table -> key -> value; None takes the key out."""
+
+
+def add_to_project(folder: Path, entries: Mapping[str, Mapping[str, str]]) -> Path:
+    """Add entries to the project file of a folder, which is made if there is none.
+
+    Args:
+        folder: the folder of the program.
+        entries: table -> key -> value; a key that the table has already keeps its value.
+
+    Returns:
+        The file.
+
+    Raises:
+        SourceError: the file cannot be read or written, or an entry cannot be added without changing others.
+    """
+    path = folder / FILE_NAME
+    before = _values(_text(path), path)
+    new = {t: {k: v for k, v in values.items() if _held(before.get(t, {}), k) is None} for t, values in entries.items()}
+    write_atomic(path, project_with(path, new).encode("utf-8"))
+    return path
+
+
+def project_with(path: Path, entries: Entries) -> str:
+    """The text of a project file with entries added, changed or taken out; that of a new one where there is none.
+
+    Raises:
+        SourceError: the file cannot be read, or an entry cannot be set without changing others.
+    """
+    text = _text(path)
+    before = _values(text, path)
+    try:
+        made = text
+        for table, values in entries.items():
+            made = with_entries(made, table, values)
+        right = _values(made, path) == _meant(before, entries)
+    except (TOMLKitError, ValueError, SourceError):
+        right = False
+    if not right:
+        lines = {t: [f'{k} = "{v}"' if v is not None else f"no {k}" for k, v in values.items()] for t, values in entries.items()}
+        advice = [f"in [{table}]: {', '.join(written)}" for table, written in lines.items()]
+        raise SourceError("the choices cannot be set in the project file", location=Location(str(path)), fix="; ".join(advice))
+    return made
+
+
+def with_entries(text: str, table: str, entries: Mapping[str, str | None]) -> str:
+    """The text of a TOML file with entries of a table, which is added if there is none.
+
+    Raises:
+        TOMLKitError, ValueError: it is no TOML, or the table is none.
+    """
+    if not entries:
+        return text
+    crlf = "\r\n" in text
+    text += "" if not text or text.endswith("\n") else "\n"
+    document = tomlkit.parse(text.replace("\r\n", "\n") if crlf else text)
+    if table not in document:
+        document[table] = tomlkit.table()
+    for key, value in entries.items():
+        holder, own = _place(document[table], key)
+        if value is not None:
+            holder[own] = value
+        elif own in holder:
+            del holder[own]
+    made = tomlkit.dumps(document)
+    return made.replace("\n", "\r\n") if crlf else made
+
+
+def key_of(path: Path, table: str, names: tuple[str, ...], otherwise: str) -> str:
+    """The key by which a project file speaks of something that has several names.
+
+    Args:
+        path: the project file; it need not exist.
+        table: of it.
+        names: what it may be called.
+        otherwise: the key where the file does not speak of it.
+    """
+    known = _values(_text(path), path).get(table, {})
+    return next((name for name in names if _held(known, name) is not None), otherwise)
+
+
+def _place(table: Any, key: str) -> tuple[MutableMapping[str, Any], str]:
+    """Where a key stands: TOML takes one with a point in it and without quotation marks for a table."""
+    if not isinstance(table, MutableMapping):
+        raise ValueError("it is no table")
+    head, _, rest = key.partition(".")
+    inner = table.get(head)
+    return (inner, rest) if key not in table and isinstance(inner, MutableMapping) and rest in inner else (table, key)
+
+
+def _held(table: Any, key: str) -> Any:
+    """The value of a key, None for none."""
+    if not isinstance(table, MutableMapping):
+        return None
+    holder, own = _place(table, key)
+    return holder.get(own)
+
+
+def _meant(before: dict[str, Any], entries: Entries) -> dict[str, Any]:
+    """What a file says once the entries are set."""
+    made = {name: value.copy() if isinstance(value, dict) else value for name, value in before.items()}
+    for table, values in entries.items():
+        if not values:
+            continue
+        made.setdefault(table, {})
+        for key, value in values.items():
+            head = key.partition(".")[0]
+            holder, own = _place(made[table], key)
+            if holder is not made[table]:
+                holder = made[table][head] = dict(made[table][head])
+            if value is None:
+                holder.pop(own, None)
+            else:
+                holder[own] = value
+    return made
+
+
+def _text(path: Path) -> str:
+    try:
+        return inputs.read_bytes(path, inputs.SETTINGS).decode("utf-8") if path.exists() else ""
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, error) from error
+
+
+def _values(text: str, path: Path) -> dict[str, Any]:
+    try:
+        return toml_of(text)
+    except ValueError as error:
+        raise _unreadable(path, error) from error
+
+
+def _unreadable(path: Path, error: Exception) -> SourceError:
+    return SourceError(f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it")

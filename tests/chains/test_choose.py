@@ -1,0 +1,212 @@
+"""One truth of choices: what is chosen stands in the plan, in the project file and in the sketch, and later runs keep it."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.errors import StoppedError, UsageError
+from robosmi.generate.undo import undo
+from robosmi.model.files import digest
+from robosmi.recommend.history import History
+from robosmi.transformations.chains.choose import choose
+from robosmi.transformations.queries.choices import choices_json
+from tests.running import run, tree
+
+
+@pytest.fixture
+def program(line_follower: Path) -> Path:
+    """The line follower without what an engineer has said of it."""
+    (line_follower.parent / "robosmi.toml").write_text('# mine\n[migrate]\nhardware = "line_following_robot.fzz"  # drawn\n')
+    return line_follower
+
+
+@pytest.fixture
+def out(program: Path, tmp_path: Path) -> Path:
+    """It, migrated."""
+    robosmi.migrate([program], tmp_path / "out")
+    return tmp_path / "out"
+
+
+def chosen(out: Path, name: str) -> Any:
+    """A choice of the plan in an output folder."""
+    from robosmi.transformations.chains.models import load_models
+
+    return next(c for c in choices_json(load_models(out / "models" / "plan.xmi").plan) if c["id"] == name)
+
+
+def test_a_choice_is_in_the_plan_in_the_project_file_and_in_the_sketch(out: Path, program: Path) -> None:
+    done = choose(out, {"leftQTI": "D10"}, why="it looks to the left")
+    left = chosen(out, "port:leftQTI")
+    assert (left["chosen"], left["by"], left["why"]) == ("HIH40302ReadP1", "person", "it looks to the left")
+    assert left["at"].endswith("Z")
+    text = (program.parent / "robosmi.toml").read_text()
+    assert text == '# mine\n[migrate]\nhardware = "line_following_robot.fzz"  # drawn\n\n[bind]\nleftQTI = "D10"\n'
+    assert "leftQTI  = HIH40302ReadP1;" in (out / "line_follower" / "line_follower.ino").read_text()
+    assert "+const int32_t leftQTI  = HIH40302ReadP1;" in done.diff
+    assert done.command.startswith("robosmi choose ")
+    assert done.command.endswith("port:leftQTI=D10 --why 'it looks to the left'")
+
+
+def test_options_stay_after_a_choice_and_a_port_is_offered_free_pins_and_none(out: Path) -> None:
+    before = [o["value"] for o in chosen(out, "port:leftQTI")["options"]]
+    assert before[-1] == "none"
+    assert {"D2", "A0"} < set(before)
+    assert not {"D8", "D12"} & set(before)  # something is drawn there
+    choose(out, {"port:leftQTI": "none"})
+    assert [o["value"] for o in chosen(out, "port:leftQTI")["options"]] == before
+
+
+def test_one_undo_puts_plan_project_file_and_sketch_back_and_again_forth(out: Path, program: Path) -> None:
+    project = program.parent / "robosmi.toml"
+    states = [(tree(out), project.read_text())]
+    choose(out, {"leftQTI": "D10"})
+    states.append((tree(out), project.read_text()))
+    assert states[0] != states[1]
+    assert str(project) in undo(out).restored
+    assert (tree(out), project.read_text()) == states[0]
+    undo(out)
+    assert (tree(out), project.read_text()) == states[1]
+
+
+def test_undo_stops_at_a_project_file_that_was_changed_since(out: Path, program: Path) -> None:
+    choose(out, {"leftQTI": "D10"})
+    (program.parent / "robosmi.toml").write_text("# otherwise\n")
+    before = tree(out)
+    with pytest.raises(StoppedError, match=r"robosmi\.toml"):
+        undo(out)
+    assert tree(out) == before
+
+
+def test_migrate_adopts_what_the_plan_says_and_changes_nothing(out: Path, program: Path) -> None:
+    answers = {
+        "leftQTI": "D10", "rightQTI": "D11", "abdrive.left_servo": "BasicServo2WriteP1", "abdrive.right_servo": "D9",
+        "Basic Servo1": "ServoEasing",
+    }  # fmt: skip
+    choose(out, answers, why="so it is built")
+    (program.parent / "robosmi.toml").write_text('[migrate]\nhardware = "line_following_robot.fzz"\n')  # the plan alone knows
+    before = chosen(out, "port:leftQTI")
+    outcome = run("migrate", program, "-o", out, "--json")
+    assert outcome.code == 0, outcome.err
+    assert outcome.result["plan"]["open_choices"] == 0
+    after = chosen(out, "port:leftQTI")
+    assert [after[key] for key in ("chosen", "by", "at", "why")] == [before[key] for key in ("chosen", "by", "at", "why")]
+    first = tree(out)
+    assert run("migrate", program, "-o", out).code == 0
+    assert tree(out) == first
+
+
+def test_an_edit_of_a_choice_in_the_plan_is_no_hand_edit_and_any_other_is(out: Path, program: Path) -> None:
+    plan = out / "models" / "plan.xmi"
+    text = plan.read_text()
+    edited = text.replace('open="true" name="leftQTI"', 'connection="//@connections.2" name="leftQTI"')
+    assert edited != text
+    plan.write_text(edited)
+    assert run("generate", plan, "-o", out).code == 0
+    outcome = run("migrate", program, "-o", out, "--json")
+    assert outcome.code == 0, outcome.err
+    assert next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "leftQTI")["chosen_by"] == "person"
+    plan.write_text(plan.read_text().replace('name="line_follower"', 'name="other"'))
+    assert run("migrate", program, "-o", out).code == 5
+
+
+def test_flag_project_file_and_plan_count_in_this_order_and_a_finding_says_so(out: Path, program: Path) -> None:
+    project = program.parent / "robosmi.toml"
+    choose(out, {"leftQTI": "D10"})
+    project.write_text(project.read_text().replace('"D10"', '"D11"'))
+    outcome = run("migrate", program, "-o", out, "--json")
+    assert next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "leftQTI")["pin"] == "D11"
+    (said,) = [f["message"] for f in outcome.document["findings"] if f["rule"] == "RS413"]
+    assert "robosmi.toml counts, which says D11" in said
+    assert "the plan of the last run says HIH40302ReadP1" in said
+    outcome = run("migrate", program, "-o", out, "--json", "--bind", "P6=D4")
+    assert next(b for b in outcome.result["plan"]["bindings"] if b["name"] == "leftQTI")["pin"] == "D4"
+    assert "the command line counts" in next(f["message"] for f in outcome.document["findings"] if f["rule"] == "RS413")
+
+
+def test_the_plan_counts_more_than_history(out: Path, program: Path) -> None:
+    choose(out, {"Basic Servo1": "none"})
+    (program.parent / "robosmi.toml").write_text('[migrate]\nhardware = "line_following_robot.fzz"\n')
+    History().record("3234DBDC80leg", "Basic Servo", "ServoEasing")
+    outcome = run("migrate", program, "-o", out, "--json")
+    by = {c["subject"]: (c["chosen"], c["by"]) for c in outcome.result["plan"]["choices"] if c["kind"] == "library"}
+    assert (by["Basic Servo1"], by["Basic Servo2"]) == (("none", "person"), ("ServoEasing", "history"))
+
+
+def test_a_choice_that_does_not_fit_any_more_is_said_and_left_out(out: Path, program: Path) -> None:
+    choose(out, {"leftQTI": "D10"})
+    (program.parent / "robosmi.toml").write_text('[migrate]\nhardware = "line_following_robot.fzz"\n')
+    program.write_text(program.read_text().replace("leftQTI", "eye"))
+    outcome = run("migrate", program, "-o", out, "--json")
+    assert outcome.code == 0, outcome.err
+    assert ["the port 'leftQTI'" in f["message"] for f in outcome.document["findings"] if f["rule"] == "RS414"] == [True]
+
+
+@pytest.mark.parametrize("how", ["moved", "changed"])
+def test_without_its_source_a_choice_stays_in_the_plan_and_that_is_said(
+    how: str, out: Path, program: Path, tmp_path: Path
+) -> None:
+    project = program.parent / "robosmi.toml"
+    before = project.read_text()
+    if how == "moved":
+        shutil.move(out, tmp_path / "elsewhere")
+        out = tmp_path / "elsewhere"
+    else:
+        program.write_text(program.read_text() + "\n// more\n")
+    outcome = run("choose", out, "leftQTI=D10", "--json")
+    assert outcome.code == 0, outcome.err
+    assert outcome.rules() >= {"RS415"}
+    assert outcome.result["project_file"] is None
+    assert project.read_text() == before
+    assert chosen(out, "port:leftQTI")["chosen"] == "HIH40302ReadP1"
+    if how == "moved":
+        outcome = run("choose", out, "rightQTI=D11", "--source", program, "--json")
+        assert outcome.result["project_file"] == str(project)
+        assert 'rightQTI = "D11"' in project.read_text()
+
+
+def test_a_choice_can_be_left_open_again(out: Path, program: Path) -> None:
+    before = tree(out)
+    choose(out, {"leftQTI": "D10"})
+    assert run("choose", out, "--reopen", "leftQTI").code == 0
+    assert chosen(out, "port:leftQTI")["chosen"] is None
+    assert "leftQTI" not in (program.parent / "robosmi.toml").read_text()
+    assert tree(out)["line_follower/line_follower.ino"] == before["line_follower/line_follower.ino"]
+
+
+def test_a_rule_gives_way_and_a_person_is_told_of_two_ports_on_one_pin(out: Path) -> None:
+    choose(out, {"leftQTI": "D12"})
+    assert chosen(out, "port:LED")["chosen"] is None
+    done = choose(out, {"LED": "D12"})
+    assert "RS702" in {finding.rule for finding in done.findings}
+
+
+def test_a_plan_that_was_changed_since_it_was_seen_is_not_chosen_in(out: Path) -> None:
+    seen = digest((out / "models" / "plan.xmi").read_bytes())
+    choose(out, {"leftQTI": "D10"}, seen=seen)
+    before = tree(out)
+    with pytest.raises(StoppedError, match="changed since it was shown"):
+        choose(out, {"rightQTI": "D11"}, seen=seen)
+    assert tree(out) == before
+
+
+@pytest.mark.parametrize(("answer", "said"), [("leftQTI=D99", "'D99' is neither"), ("leftEye=D2", "no choice 'leftEye'")])
+def test_what_does_not_exist_cannot_be_chosen(answer: str, said: str, out: Path) -> None:
+    before = tree(out)
+    outcome = run("choose", out, answer)
+    assert outcome.code == 2
+    assert said in outcome.err
+    assert tree(out) == before
+    with pytest.raises(UsageError):
+        choose(out, {"Basic Servo1": "Sevro"})
+
+
+def test_a_dry_run_chooses_nothing(out: Path, program: Path) -> None:
+    before = tree(program.parent), tree(out)
+    outcome = run("choose", out, "leftQTI=D10", "--dry-run", "--json")
+    assert "leftQTI  = HIH40302ReadP1;" in outcome.result["diff"]
+    assert (tree(program.parent), tree(out)) == before

@@ -1,0 +1,68 @@
+"""The choices in the plan that an output folder holds already, for the migration that is about to make it anew.
+
+They count behind the command line and the project file. A plan in which a person has edited more than choices adopts nothing:
+the run stops before it is written over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import RobosmiError
+from robosmi.generate.manifest import Manifest
+from robosmi.generate.places import Places
+from robosmi.model.files import digest
+from robosmi.model.runs import alone
+from robosmi.transformations.chains.edited_plan import STORED, only_choices_differ
+from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.constraints.plan_edits import refuse_nonsense
+from robosmi.transformations.m2m.plan_tasks import settle
+from robosmi.transformations.m2m.stored_choices import GONE, NOTHING, StoredChoices, choices_of_persons
+
+
+@dataclass
+class Adopted:
+    """What is taken over from the plan of an output folder.
+
+    Attributes:
+        choices: of persons.
+        inputs: the plan as it was read, relative path -> bytes; empty where nothing was.
+        notes: what is worth knowing of it.
+    """
+
+    choices: StoredChoices = NOTHING
+    inputs: Mapping[str, bytes | None] = field(default_factory=dict)
+    notes: list[Finding] = field(default_factory=list)
+
+
+def adopt(output: Path) -> Adopted:
+    """Read the choices of persons in the plan of an output folder.
+
+    Raises:
+        StoppedError: another run is at work there.
+        SourceError: the record of the last run is damaged, or there is no place for the lock.
+    """
+    place = output / STORED
+    if not place.is_file():
+        return Adopted()
+    with alone(output):
+        manifest, places = Manifest.load(output), Places(output)
+        data = places.look(STORED)
+        if data is None or not only_choices_differ(manifest, STORED, data):
+            return Adopted()
+        read: Mapping[str, bytes | None] = {STORED: data}
+        if manifest.files.get(STORED) == digest(data) and b'chosenBy="person"' not in data:
+            return Adopted(inputs=read)
+        try:
+            models = load_models(place)
+            refuse_nonsense(models.plan)
+            settle(models.plan, models.files)
+        except RobosmiError as error:
+            message = f"the choices in the plan of the last run are not taken over: {error.message}"
+            return Adopted(
+                notes=[Finding(GONE, Severity.warning, message, error.location or Location(str(place)), fix=error.fix)]
+            )
+    return Adopted(choices_of_persons(models.plan, place), read)

@@ -1,0 +1,229 @@
+"""The chain `choose`: what a person chooses in the plan of an output folder, committed at once.
+
+The plan gets the value, who chose, when and why, and the sketch is made again from it. The value goes into the project file, too,
+where that lies beside the sources that the plan was made from. Everything is written in one run, which one `undo` takes back.
+Every front end chooses by this function: the command, the page and whatever else speaks for a person.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError, StoppedError, UsageError
+from robosmi.generate.places import Places
+from robosmi.generate.project_entries import key_of, project_with
+from robosmi.inputs import SETTINGS, read_bytes
+from robosmi.metamodels import migration
+from robosmi.model.files import digest
+from robosmi.model.recovery import at_work, look_only
+from robosmi.model.runs import alone
+from robosmi.project import FILE_NAME
+from robosmi.query import Q
+from robosmi.transformations.chains.edited_plan import STORED
+from robosmi.transformations.chains.models import MigrationModels, load_models
+from robosmi.transformations.chains.output import Generated, produce, remember
+from robosmi.transformations.chains.renewed import renew_findings
+from robosmi.transformations.chains.sources import project_folder
+from robosmi.transformations.constraints.plan_edits import refuse_nonsense
+from robosmi.transformations.knowledge.target_platform import target_facts
+from robosmi.transformations.m2m.library_choice import LibraryModels
+from robosmi.transformations.m2m.plan_tasks import settle
+from robosmi.transformations.m2m.port_binding import bind_by_hand
+from robosmi.transformations.queries.answers import answer
+from robosmi.transformations.queries.choices import NO_LIBRARY, Choice, choices_json, the_choice
+from robosmi.transformations.queries.plan import open_choices
+
+STAYS = "RS415"
+"""The rule that says that a choice is in the plan alone."""
+
+
+@dataclass
+class Chosen(Generated):
+    """What a choice has made.
+
+    Attributes:
+        chosen: the identities of what was chosen, with their values; an empty value leaves the choice open again.
+        project: the project file that has the values, too; None where there is none.
+        command: what to type for the same.
+    """
+
+    chosen: dict[str, str] = field(default_factory=dict)
+    project: Path | None = None
+    command: str = ""
+
+    def result(self) -> dict[str, Any]:
+        """The command's part of the document."""
+        plan = self.models.plan
+        return {
+            "choices": [c for c in choices_json(plan) if c["id"] in self.chosen],
+            "open_choices": len(open_choices(plan)),
+            "project_file": str(self.project) if self.project is not None else None,
+            "command": self.command,
+            "sketch": str(self.sketch),
+            "written": self.written,
+            "diff": self.diff,
+        }
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        would = "" if self.written else "would be "
+        lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
+        left = len(open_choices(self.models.plan))
+        where = f" and in {self.project}" if self.project is not None else ""
+        lines.append(f"{would}kept in the plan{where}; {left} choice{'s' * (left != 1)} open")
+        return [*lines, *self.diff.splitlines()]
+
+
+def choose(
+    output: str | Path,
+    answers: Mapping[str, str],
+    *,
+    why: str = "",
+    source: str | Path | None = None,
+    seen: str | None = None,
+    dry_run: bool = False,
+    history: str | None = None,
+) -> Chosen:
+    """Choose in the plan of an output folder, and make the sketch again.
+
+    Args:
+        output: the output folder of a migration.
+        answers: identity of a choice (`port:NAME`, `library:ELEMENTID`), or the name of a port or component -> the value: a
+            pin, a connection, a library or `none`; an empty text leaves the choice open again.
+        why: the reason, which is kept in the plan.
+        source: a source of the program, where the place of the last migration's is not known; robosmi.toml lies beside it.
+        seen: the digest of the plan that the person has seen; None to take it as it is.
+        dry_run: write nothing.
+        history: place of earlier choices, where libraries are counted; the user's own if None.
+
+    Raises:
+        UsageError: there is no such choice or value.
+        SourceError: the folder holds no plan, or it cannot be read or written.
+        StoppedError: the plan is not the one that was seen, another run is at work, or a person's edit would be lost.
+    """
+    folder = Path(output)
+    if not (folder / STORED).is_file():
+        raise SourceError("this folder holds no plan", location=Location(str(folder)), fix="give the OUT of a migration")
+    if dry_run:
+        look_only(folder)
+    with alone(folder) if dry_run else at_work(folder):
+        data = Places(folder).read(STORED) or b""
+        if seen is not None and digest(data) != seen:
+            raise StoppedError(
+                "the plan was changed since it was shown; nothing was chosen", location=Location(str(folder / STORED)),
+                fix="look at it as it is now, then choose again",
+            )  # fmt: skip
+        models = load_models(folder / STORED)
+        refuse_nonsense(models.plan)
+        settle(models.plan, models.files)
+        chosen = {}
+        for name, value in answers.items():
+            choice = the_choice(models.plan, name)
+            decide(models.plan, choice, value.strip(), why.strip())
+            chosen[choice.id] = value.strip()
+        settle(models.plan, models.files)
+        renew_findings(models.plan)
+        place, reason = project_folder(folder, models.plan, Path(source) if source is not None else None)
+        project = place / FILE_NAME if place is not None else None
+        outside = _project_change(models, chosen, project) if project is not None else {}
+        made = produce(models, folder, inputs={STORED: data}, outside=outside, dry_run=dry_run, diff=True)
+    if project is None:
+        models.notes.append(_stays(folder, reason))
+    remember(made, history)
+    return Chosen(**vars(made), chosen=chosen, project=project, command=command_for(folder, chosen, why))
+
+
+def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str = "") -> None:
+    """Let a person make one choice of a plan; its texts follow when the plan is settled.
+
+    Raises:
+        UsageError: there is no such value.
+    """
+    decision = choice.decision
+    if isinstance(decision, migration.PortBinding):
+        assert plan.board is not None
+        bind_by_hand(decision, value, list(plan.connections), plan.board)
+    elif isinstance(decision, migration.LibraryChoice):
+        decision.chosen = _library(plan, value) if value and value.lower() != NO_LIBRARY else None
+        decision.choice = decision.chosen.name if decision.chosen is not None else NO_LIBRARY if value else ""
+    decision.open = not value
+    decision.chosenBy = migration.ChosenBy.person if value else migration.ChosenBy.nobody
+    decision.confidence = 1.0 if value else 0.0
+    decision.chosenAt = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ") if value else ""
+    decision.evidence.clear()
+    if value:
+        decision.evidence.append(why or "chosen by a person")
+    if isinstance(decision, migration.PortBinding) and decision.pin is not None:
+        _release(plan, decision)
+
+
+def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> None:
+    """Open the ports again that a rule has bound to the pin which a person gives another port, as a new migration would."""
+    for other in plan.portBindings:
+        if other is not binding and other.pin is binding.pin and other.chosenBy is migration.ChosenBy.rule:
+            bind_by_hand(other, "", (), plan.board)  # type: ignore[arg-type]
+            other.open, other.chosenBy, other.confidence = True, migration.ChosenBy.nobody, 0.0
+            other.evidence.clear()
+
+
+def _library(plan: migration.MigrationPlan, name: str) -> Any:
+    """The library of that name in the plan, which it gets from the index where it has none.
+
+    Raises:
+        UsageError: no library has that name.
+    """
+    assert plan.target is not None
+    found = Q(plan.target.libraries).select_one(lambda library: library.name == name)
+    if found is not None:
+        return found
+    assert plan.board is not None
+    facts = target_facts(plan.targetDescription.name if plan.targetDescription is not None else "")
+    if not facts.libraries:
+        raise UsageError(f"a library is chosen, and the target '{facts.target}' has none", fix="choose none")
+    known = {str(library.name) for library in plan.target.libraries}
+    models = LibraryModels(facts, plan.board)
+    chosen = models.get(name)
+    plan.target.libraries.extend(library for own, library in models.elements.items() if own not in known)
+    return Q(plan.target.libraries).select_one(lambda library: library.name == chosen.name)
+
+
+def _project_change(
+    models: MigrationModels, chosen: Mapping[str, str], project: Path
+) -> dict[Path, tuple[bytes | None, bytes | None]]:
+    """The project file with what was chosen: what it holds, and what it is to hold."""
+    entries: dict[str, dict[str, str | None]] = {}
+    for identity, value in chosen.items():
+        decision = the_choice(models.plan, identity).decision
+        how = answer(models.plan, decision)
+        key = key_of(project, how.table, names_of(decision), how.subject)
+        entries.setdefault(how.table, {})[key] = value or None
+    old = read_bytes(project, SETTINGS) if project.exists() else None
+    if old is None and not any(value for values in entries.values() for value in values.values()):
+        return {}
+    return {project: (old, project_with(project, entries).encode("utf-8"))}
+
+
+def names_of(decision: migration.Decision) -> tuple[str, ...]:
+    """All names that a project file may call the subject of a choice by."""
+    if isinstance(decision, migration.PortBinding):
+        return (str(decision.name), *map(str, decision.names))
+    component = decision.component if isinstance(decision, migration.LibraryChoice) else None
+    return (str(component.title), f"#{component.elementId}") if component is not None else ()
+
+
+def _stays(folder: Path, reason: str) -> Finding:
+    message = f"the choice is in the plan alone, not in {FILE_NAME}: {reason}"
+    fix = "give --source FILE, or migrate again from the sources; the choice is taken over from the plan"
+    return Finding(STAYS, Severity.info, message, Location(str(folder / STORED)), fix=fix)
+
+
+def command_for(output: Path, chosen: Mapping[str, str], why: str = "") -> str:
+    """What to type for the same choice."""
+    words = ["robosmi", "choose", str(output), *(f"{identity}={value}" for identity, value in chosen.items())]
+    return shlex.join([*words, *(["--why", why] if why else [])])

@@ -1,0 +1,44 @@
+"""What a person has edited in the stored plan of an output folder: choices alone, which the next run makes as well, or more.
+
+The texts are compared, so that a plan which cannot be loaded is told apart, too. What the choices are is
+`m2m.stored_choices`'s business.
+"""
+
+from __future__ import annotations
+
+from lxml import etree
+
+from robosmi.errors import SourceError
+from robosmi.generate.manifest import Manifest
+from robosmi.model.files import digest
+from robosmi.transformations.chains.models import FOLDER, PLAN
+from robosmi.transformations.t2m.guarded_xml import parse_xml
+
+STORED = f"{FOLDER}/{PLAN}"
+"""The plan, relative to the output folder."""
+_DECISIONS = ("portBindings", "libraryChoices")
+_CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection", "pin", "chosen", "evidence")
+"""What of such a decision says what is chosen, by whom, when and why."""
+
+
+def beside_choices(plan: bytes) -> str:
+    """The digest of a stored plan without the choices of pins and libraries; empty where it is no XML."""
+    try:
+        root = parse_xml(plan, PLAN, PLAN, tool="EMF")
+    except SourceError:
+        return ""
+    for decision in root.iter(*_DECISIONS):
+        for name in _CHOSEN:
+            decision.attrib.pop(name, None)
+            for child in decision.findall(name):
+                decision.remove(child)
+    for element in root.iter():
+        element.text, element.tail = (element.text or "").strip(), ""
+    return digest(etree.tostring(root, method="c14n") + plan.rpartition(b">")[2])  # what stands behind it is an edit, too
+
+
+def only_choices_differ(manifest: Manifest, name: str, data: bytes | None) -> bool:
+    """Whether a file is as the last run wrote it, or is the stored plan with other choices and nothing else."""
+    if data is None or manifest.files.get(name) == digest(data):
+        return data is not None
+    return name == STORED and bool(manifest.beside_choices) and manifest.beside_choices == beside_choices(data)

@@ -1,0 +1,24 @@
+"""Findings of a stored plan that follow from its decisions, found anew when a decision was changed.
+
+They are what `migrate` finds in a plan whose decisions are made: faults of the wiring with its libraries, and of ports. All other
+findings are those of reading, which the stored models were made by.
+"""
+
+from __future__ import annotations
+
+from robosmi.metamodels import migration
+from robosmi.transformations.constraints.electrical_plan import plan_faults, plan_rules
+from robosmi.transformations.constraints.plan_ports import port_faults, ports
+from robosmi.transformations.m2m.plan_tasks import plan_findings
+
+
+def renew_findings(plan: migration.MigrationPlan) -> None:
+    """Bring the findings of a plan in line with its decisions, in the place where they stood."""
+    rules = plan_rules() | {constraint.id for constraint in ports.declared()}
+    before = list(plan.findings)
+    at = next((number for number, finding in enumerate(before) if finding.rule in rules), len(before))
+    stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
+    new = plan_findings(plan, [*plan_faults(plan), *port_faults(plan)], stored)
+    kept = [[f for f in some if f.rule not in rules] for some in (before[:at], before[at:])]
+    plan.findings.clear()
+    plan.findings.extend([*kept[0], *new, *kept[1]])

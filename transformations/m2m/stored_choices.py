@@ -1,0 +1,156 @@
+"""Choices that a person has made in a stored plan, taken over by the plan that is made anew, and which of several counted.
+
+The order is: flag, project file, the stored plan, history, rule. What a stored plan chooses for something that is no more is
+left out with a finding; so is said where a flag, the project file and the plan choose differently. Reading the stored plan is
+`chains.adopted`'s business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.metamodels import migration
+
+DIFFERENT, GONE = "RS413", "RS414"
+
+
+class Said(NamedTuple):
+    """What a person has chosen: the value, why, and when (as `Decision.chosenAt`)."""
+
+    value: str
+    why: tuple[str, ...] = ()
+    at: str = ""
+
+
+@dataclass(frozen=True)
+class StoredChoices:
+    """The choices of persons in a stored plan.
+
+    Attributes:
+        ports: name of a port -> pin or connection, or `none`.
+        libraries: (elementId, title) of a component -> library, or `none`.
+        place: the plan, for messages.
+    """
+
+    ports: Mapping[str, Said] = field(default_factory=dict)
+    libraries: Mapping[tuple[str, str], Said] = field(default_factory=dict)
+    place: Path | None = None
+
+
+NOTHING = StoredChoices()
+"""Of no stored plan."""
+
+
+def choices_of_persons(plan: migration.MigrationPlan, place: Path | None = None) -> StoredChoices:
+    """The choices that persons have made in a plan.
+
+    Args:
+        plan: the plan, settled.
+        place: where it is stored.
+    """
+    made = [d for d in (*plan.portBindings, *plan.libraryChoices) if d.chosenBy is migration.ChosenBy.person and not d.open]
+    return StoredChoices(
+        {str(d.name): _said(d) for d in made if isinstance(d, migration.PortBinding)},
+        {
+            (str(d.component.elementId), str(d.component.title)): _said(d)
+            for d in made
+            if isinstance(d, migration.LibraryChoice) and d.component is not None
+        },
+        place,
+    )
+
+
+def _said(decision: migration.Decision) -> Said:
+    return Said(str(decision.choice), tuple(decision.evidence), str(decision.chosenAt))
+
+
+def explain(decision: migration.Decision, said: Said | None) -> None:
+    """Let a decision of a person keep why and when it was made, where the stored plan has chosen the same."""
+    if said is not None and said.value == decision.choice and decision.chosenBy is migration.ChosenBy.person:
+        decision.chosenAt = said.at
+        if said.why:
+            decision.evidence.clear()
+            decision.evidence.extend(said.why)
+
+
+def differences(
+    plan: migration.MigrationPlan,
+    flags: Mapping[str, Mapping[str, str]],
+    project: Mapping[str, Mapping[str, str]],
+    project_place: Path | None,
+    stored: StoredChoices,
+) -> list[Finding]:
+    """What is worth knowing of choices that several places make, and of stored ones that no longer fit.
+
+    Args:
+        plan: the plan that was made of them.
+        flags: `bind` and `libraries` -> what the command line says.
+        project: the same of the project file.
+        project_place: the project file.
+        stored: what the stored plan says.
+    """
+    found: list[Finding] = []
+    for decision, subject, kind, kept in _subjects(plan, stored):
+        of_flag = _of(flags.get(kind, {}), decision)
+        of_project = _of(project.get(kind, {}), decision)
+        told = [("the command line", of_flag), (project_place.name if project_place else "the project file", of_project)]
+        told.append(("the plan of the last run", kept.value if kept is not None else None))
+        counted = [(who, value) for who, value in told if value is not None]
+        if len({_meant(value, plan) for _, value in counted}) > 1:
+            others = "; ".join(f"{who} says {value}" for who, value in counted[1:])
+            message = f"{subject}: {counted[0][0]} counts, which says {counted[0][1]}; {others}"
+            place = Location(str(project_place)) if project_place is not None and of_project is not None else None
+            found.append(Finding(DIFFERENT, Severity.info, message, place, fix="say the same everywhere, or leave one out"))
+        elif kept is not None and len(counted) == 1 and decision.choice != kept.value:
+            found.append(_gone(subject, kept, stored))
+    found += _lost(plan, stored)
+    return found
+
+
+def _subjects(plan: migration.MigrationPlan, stored: StoredChoices) -> Iterator[tuple[migration.Decision, str, str, Said | None]]:
+    for binding in plan.portBindings:
+        yield binding, f"the port '{binding.name}'", "bind", stored.ports.get(str(binding.name))
+    for choice in plan.libraryChoices:
+        if choice.component is not None:
+            key = (str(choice.component.elementId), str(choice.component.title))
+            yield choice, f"the library of '{choice.component.title}'", "libraries", stored.libraries.get(key)
+
+
+def _of(said: Mapping[str, str], decision: migration.Decision) -> str | None:
+    """What one place says of a decision, by any of the names of its subject."""
+    if isinstance(decision, migration.PortBinding):
+        return next((said[name] for name in (decision.name, *decision.names) if name in said), None)
+    component = decision.component if isinstance(decision, migration.LibraryChoice) else None
+    names = (f"#{component.elementId}", component.title) if component is not None else ()
+    return next((said[name] for name in names if name in said), None)
+
+
+def _meant(value: str, plan: migration.MigrationPlan) -> object:
+    """What a value stands for: a pin has several names, and so have connections."""
+    for connection in plan.connections:
+        if connection.pin is not None and value in (connection.name, connection.pin.label, *connection.pin.aliases):
+            return id(connection.pin)
+    pins = plan.board.pins if plan.board is not None else ()
+    return next((id(pin) for pin in pins if value in (pin.label, *pin.aliases)), value.lower())
+
+
+def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]:
+    """Stored choices whose port or component is no more."""
+    ports = {str(b.name) for b in plan.portBindings}
+    components = {(str(c.component.elementId), str(c.component.title)) for c in plan.libraryChoices if c.component is not None}
+    gone = [_gone(f"the port '{name}'", said, stored) for name, said in stored.ports.items() if name not in ports]
+    return gone + [
+        _gone(f"the library of '{title}'", said, stored)
+        for (identity, title), said in stored.libraries.items()
+        if (identity, title) not in components
+    ]
+
+
+def _gone(subject: str, said: Said, stored: StoredChoices) -> Finding:
+    message = f"{subject}: the plan of the last run says {said.value}, which the program and its hardware do not have any more"
+    place = Location(str(stored.place)) if stored.place is not None else None
+    return Finding(GONE, Severity.warning, message, place, fix="choose anew, if it is still needed")

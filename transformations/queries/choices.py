@@ -1,0 +1,147 @@
+"""Every choice that a person may make, as the contract's `choices[]`: of a pin for each port, of a library for each component.
+
+A choice keeps its options when it is made. A port is offered what the drawing proposes, then each free pin that can do what the
+program does with the port, then `none`. What a choice is called in a command and in a project file is told by `answers`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from robosmi.errors import UsageError, did_you_mean
+from robosmi.metamodels import hardware, migration, platform
+from robosmi.transformations.queries.port_pins import NOT_WIRED
+
+NO_LIBRARY = "none"
+"""The answer that a component needs no library."""
+
+
+class Choice(NamedTuple):
+    """A choice with its identity: `port:NAME`, `library:ELEMENTID` or `role:ELEMENTID`."""
+
+    id: str
+    kind: str
+    subject: str
+    decision: migration.Decision
+
+
+def choices(plan: migration.MigrationPlan) -> list[Choice]:
+    """The choices of pins and libraries of a plan, in its order."""
+    ports = [Choice(f"port:{b.name}", "port", str(b.name), b) for b in plan.portBindings]
+    return ports + [
+        Choice(f"library:{c.component.elementId}", "library", str(c.component.title), c)
+        for c in plan.libraryChoices
+        if c.component is not None
+    ]
+
+
+def the_choice(plan: migration.MigrationPlan, name: str) -> Choice:
+    """The choice of that identity, or the only one whose port, component or `#elementId` has that name.
+
+    Raises:
+        UsageError: there is none, or more than one.
+    """
+    known = choices(plan)
+    exact = [c for c in known if c.id == name]
+    found = exact or [c for c in known if name in _names(c)]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise UsageError(f"'{name}' may mean several choices", fix=f"use one of: {', '.join(c.id for c in found)}")
+    ids = [c.id for c in known]
+    raise UsageError(
+        f"there is no choice '{name}'{did_you_mean(name, ids)}", fix=f"use one of: {', '.join(ids) or 'none is there'}"
+    )
+
+
+def _names(choice: Choice) -> tuple[str, ...]:
+    decision = choice.decision
+    if isinstance(decision, migration.PortBinding):
+        return (str(decision.name), *map(str, decision.names))
+    component = decision.component if isinstance(decision, migration.LibraryChoice) else None
+    return (choice.subject, f"#{component.elementId}") if component is not None else (choice.subject,)
+
+
+def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
+    """Every choice that a person may make in the contract's form; roles of components behind ports and libraries."""
+    made = [
+        {
+            "id": choice.id,
+            "kind": choice.kind,
+            "subject": choice.subject,
+            "options": list(_options(plan, choice.decision)),
+            "chosen": None if choice.decision.open else choice.decision.choice,
+            "by": choice.decision.chosenBy.name,
+            "at": choice.decision.chosenAt or None,
+            "why": "; ".join(choice.decision.evidence),
+        }
+        for choice in choices(plan)
+    ]
+    return made + [_role(component) for component in unclear_components(plan)]
+
+
+def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component]:
+    """The components that a pin reaches and whose role a person may have to say: those of which nothing is known."""
+    reached = {id(c.component): c.component for c in plan.connections if c.component is not None}
+    return [component for component in reached.values() if component.role is hardware.Role.Unknown]
+
+
+def _role(component: hardware.Component) -> dict[str, Any]:
+    """The choice of a component's role: until a person says it, the component is taken for something that is read."""
+    return {
+        "id": f"role:{component.elementId}",
+        "kind": "role",
+        "subject": str(component.title),
+        "options": [
+            {"value": role.name, "score": 0.0, "why": ""}
+            for role in hardware.Role
+            if role not in (hardware.Role.Unknown, hardware.Role.Board)
+        ],
+        "chosen": hardware.Role.Input.name,
+        "by": migration.ChosenBy.defaultValue.name,
+        "at": None,
+        "why": "what it does is unknown; it is taken as something that is read",
+    }  # fmt: skip
+
+
+def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Iterator[dict[str, Any]]:
+    ranked = [(str(o.label), float(o.score), "; ".join(o.reasons)) for o in decision.options]
+    if isinstance(decision, migration.PortBinding):
+        named = {c.name: c.pin for c in plan.connections}
+        ranked = [(label, score, _why_on(named.get(label), why, plan, decision)) for label, score, why in ranked]
+        offered = {id(named[label]) for label, _, _ in ranked if named.get(label) is not None}
+        ranked += [(str(pin.label), 0.0, _pin_why(pin)) for pin in free_pins(plan, decision) if id(pin) not in offered]
+        ranked.append((NOT_WIRED, 0.0, "it is not wired: its calls do nothing"))
+    elif isinstance(decision, migration.LibraryChoice):
+        ranked.append((NO_LIBRARY, 0.0, "it needs no library"))
+    chosen = "" if decision.open else str(decision.choice)
+    if chosen and all(value != chosen for value, _, _ in ranked):
+        ranked.insert(0, (chosen, float(decision.confidence), "; ".join(decision.evidence)))
+    yield from ({"value": value, "score": score, "why": why} for value, score, why in ranked)
+
+
+def free_pins(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[platform.Pin]:
+    """The pins of the board that no other port has, on which nothing is drawn, and which have the port's direction."""
+    taken = {id(c.pin) for c in plan.connections if c.pin is not None}
+    taken |= {id(b.pin) for b in plan.portBindings if b is not binding and b.pin is not None}
+    pins = plan.board.pins if plan.board is not None else ()
+    return [pin for pin in pins if id(pin) not in taken and _serves(pin, binding)]
+
+
+def _serves(pin: platform.Pin, binding: migration.PortBinding) -> bool:
+    """Whether a pin has the port's direction: each digital pin can read and write, one that is only analog can read."""
+    if "digital" in pin.abilities:
+        return True
+    return "analog_in" in pin.abilities and binding.signal is migration.Signal.read
+
+
+def _why_on(pin: platform.Pin | None, why: str, plan: migration.MigrationPlan, binding: migration.PortBinding) -> str:
+    """What speaks for a connection, and which other port has its pin already."""
+    others = [str(b.name) for b in plan.portBindings if b is not binding and b.pin is not None and b.pin is pin]
+    return "; ".join([*([why] if why else []), *([f"taken by the port '{others[0]}'"] if others else [])])
+
+
+def _pin_why(pin: platform.Pin) -> str:
+    can = ", ".join(str(ability) for ability in pin.abilities)
+    return f"free; {can}{f'; {pin.reserved}' if pin.reserved else ''}"
