@@ -1,13 +1,10 @@
-"""The steps of `migrate` about libraries: what persons chose, what ranks, what was chosen before, and the decisions."""
+"""The steps of `migrate` about libraries: what ranks them, what was chosen before, and the decisions."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from robosmi.errors import UsageError
 from robosmi.metamodels import migration, platform
 from robosmi.plugins import content
-from robosmi.project import Project, defaults
+from robosmi.project import defaults
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
 from robosmi.transformations.chains.drawn import StoredDrawing
@@ -15,26 +12,6 @@ from robosmi.transformations.chains.earlier import earlier_choices
 from robosmi.transformations.knowledge.target_platform import TargetFacts
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import LibrariesSaid, decide_libraries
-from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices
-
-
-def choices(
-    libraries: Mapping[str, str], settings: Project, drawing: StoredDrawing | None, target: TargetFacts, stored: StoredChoices | None
-) -> LibrariesSaid:
-    """The libraries that persons chose, flags before the project file and that before the stored plan, and how far rules may go.
-
-    Raises:
-        UsageError: a library is chosen, and there is no drawing or the target has no libraries.
-    """
-    if libraries and not target.libraries:
-        raise UsageError(f"a library is chosen, and the target '{target.target}' has none", fix="leave out the choice")
-    limits = defaults()
-    said = {**settings.libraries, **libraries} if target.libraries else {}
-    kept = (stored or NOTHING).libraries if target.libraries else {}
-    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"], kept)
-    if made.libraries and drawing is None:
-        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
-    return made
 
 
 def ranker(target: TargetFacts) -> Ranker | None:

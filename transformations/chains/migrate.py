@@ -16,6 +16,7 @@ from robosmi import __version__
 from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import UsageError
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.plugins import content
@@ -27,7 +28,7 @@ from robosmi.transformations.chains.adopted import adopt
 from robosmi.transformations.chains.constraint_sets import added_findings
 from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import history_findings
-from robosmi.transformations.chains.library_steps import choices, earlier, library_decisions, ranker
+from robosmi.transformations.chains.library_steps import earlier, library_decisions, ranker
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters
@@ -44,7 +45,7 @@ from robosmi.transformations.knowledge.target_platform import TargetFacts, targe
 from robosmi.transformations.m2m.adapter_choice import adapter_choice
 from robosmi.transformations.m2m.connector_mapping import keep_apart
 from robosmi.transformations.m2m.library_choice import LibraryModels
-from robosmi.transformations.m2m.migration_plan import Decided, judge_program, put_together
+from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, judge_program, put_together
 from robosmi.transformations.m2m.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.platform_dependence import Dependence
@@ -56,7 +57,7 @@ from robosmi.transformations.queries.ports import ProgramPorts
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
-    "adapters", "widths", "stored",
+    "adapters", "widths",
 )  # fmt: skip
 """What a migration is told from outside; `migration_chain` says what each is used for."""
 
@@ -67,7 +68,7 @@ def migration_chain() -> Chain:
     A step can be replaced by its name (`Chain.replace`) with a function of whatever values it needs that returns the same.
     """
     chain = Chain(None, "migrate")
-    chain.given(*GIVEN, bench=False)
+    chain.given(*GIVEN, bench=False, stored=None)
     chain.call(settings, makes="settings", step="read the project file")
     chain.call(source_api, makes="api", step="look up the source platform")
     chain.call(target, makes="target", step="look up the target")
@@ -137,6 +138,29 @@ def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts,
     declared = {d.name for view in program.views for d in view.of_kind(ccode.Declaration) if isinstance(d, ccode.Declaration)}
     declared |= {macro.name for view in program.views for macro in view.unit.macros}
     made.findings.extend(keep_apart(made.hardware.connections, declared, Location(str(path))))
+    return made
+
+
+def choices(
+    libraries: Mapping[str, str],
+    settings: Project,
+    drawing: StoredDrawing | None,
+    target: TargetFacts,
+    stored: StoredChoices | None,
+) -> LibrariesSaid:
+    """The libraries that persons chose, flags before the project file and that before the stored plan, and how far rules may go.
+
+    Raises:
+        UsageError: a library is chosen, and there is no drawing or the target has no libraries.
+    """
+    if libraries and not target.libraries:
+        raise UsageError(f"a library is chosen, and the target '{target.target}' has none", fix="leave out the choice")
+    limits = defaults()
+    said = {**settings.libraries, **libraries} if target.libraries else {}
+    kept = (stored or NOTHING).libraries if target.libraries else {}
+    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"], kept)
+    if made.libraries and drawing is None:
+        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     return made
 
 
