@@ -62,6 +62,20 @@ void setup() {
     assert cogs(uno, program, uses) == "12-0" + "5172" + " 2" + "52" + "1" + "71"
 
 
+@proves("propeller.h/__builtin_propeller_cogid", "propeller.h/__builtin_propeller_cogstop")
+def what_the_macros_of_cogs_stand_for_does_the_same(uno: Uno) -> None:
+    program = """
+static int32_t stack[64]; volatile uint32_t turns; int32_t seen = -1;
+void counter(void *) { seen = __builtin_propeller_cogid(); for (;;) { delay(1); turns++; } }
+void setup() { Serial.begin(115200); Serial.print(cogstart(counter, 0, stack, sizeof stack)); delay(10); Serial.print(seen);
+  Serial.print(__builtin_propeller_cogid()); __builtin_propeller_cogstop(1); uint32_t was = turns; delay(10);
+  Serial.print(was > 4 && was == turns); }
+void loop() {}
+"""
+    uses = ["propeller.h/cogstart", "propeller.h/__builtin_propeller_cogid", "propeller.h/__builtin_propeller_cogstop"]
+    assert cogs(uno, program, uses) == "1101"
+
+
 @proves()
 def a_cog_that_needs_more_than_its_stack_stops_the_program_and_says_so(uno: Uno) -> None:
     program = """

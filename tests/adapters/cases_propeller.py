@@ -97,3 +97,47 @@ void setup() { Serial.begin(115200); show(kept); for (int turn = 0; turn < 9; tu
 """
     trace = uno.run(program, p("locknew", "lockret", "lockset", "lockclr", "HUBDATA", "HUBTEXT"), 30)
     assert trace.text.split() == ["5", "0", "1", "2", "3", "4", "5", "6", "7", "-1", "3", "0", "-1", "0", "-1", "0", "0"]
+
+
+@proves(*p("getcnt", "getpin", "setpin", "togglepin"))
+def single_pins_are_read_and_written(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); uint32_t at = getcnt(); setpin(8, 1); delay(2); togglepin(8); delay(2); setpin(9, 0);
+  Serial.print((getcnt() - at) / 80000); Serial.print(' '); Serial.print(getpin(2)); Serial.print(getpin(3)); delay(2);
+  togglepin(9); delay(2); Serial.print(getpin(9)); setpin(12, 5); togglepin(13); }
+void loop() {}
+"""
+    devices = [DeviceUse("levels", {"pin": f"D{pin}"}, {"points": [[0, level]]}) for pin, level in ((2, 1), (3, 0))]
+    trace = uno.run(program, p("getcnt", "getpin", "setpin", "togglepin"), 30, devices)
+    assert trace.text == "4 100"
+    assert [level for _, level in trace.levels("D8") if level != "p"] == [1, 0]
+    assert [level for _, level in trace.levels("D9")] == [0, 1, 0]  # to read an output puts it low, as there
+    assert [trace.levels(f"D{pin}")[-1][1] for pin in (12, 13)] == [1, 1]
+
+
+def b(*names: str) -> list[str]:
+    """What the macros of propeller.h stand for."""
+    return p(*(f"__builtin_propeller_{name}" for name in names))
+
+
+@proves(*b("waitcnt", "waitpeq", "waitpne", "locknew", "lockret", "lockset", "lockclr"))
+def what_the_macros_stand_for_does_the_same(uno: Uno) -> None:
+    program = """
+#define B(name) __builtin_propeller_##name
+void show(int32_t value) { Serial.print(value); Serial.print(' '); }
+void setup() { Serial.begin(115200); uint32_t begun = micros(); show(B(waitcnt)(CNT + 400000, 7) > 400000);
+  show((micros() - begun) / 1000); show(B(waitcnt)(100, 20)); for (int turn = 0; turn < 8; turn++) B(locknew)();
+  show(B(locknew)()); B(lockret)(3); show(B(locknew)());
+  show(B(lockset)(1)); show(B(lockset)(1)); show(B(lockclr)(1)); show(B(lockclr)(1)); Serial.flush();
+  B(waitpeq)(0x20, 0x60); show(millis()); B(waitpne)(0x20, 0x60); show(millis()); }
+void loop() {}
+"""
+    devices = [
+        DeviceUse("levels", {"pin": "D2"}, {"points": [[0, 1], [3, 0], [22, 1]]}),
+        DeviceUse("levels", {"pin": "D3"}, {"points": [[0, 1], [20, 0], [30, 1]]}),
+    ]
+    names = b("waitcnt", "waitpeq", "waitpne", "locknew", "lockret", "lockset", "lockclr")
+    trace = replace(uno, numbers={5: "2", 6: "3"}).run(program, [*names, *p("CNT")], 60, devices)
+    told = [int(each) for each in trace.text.split()]
+    assert told[:9] == [1, 5, 120, -1, 3, 0, -1, -1, 0]
+    assert told[9:] == [pytest.approx(22, abs=1), pytest.approx(30, abs=1)]

@@ -46,3 +46,31 @@ void loop() {}
     assert [seen(pin, 525, 615) for pin in (10, 8)] == [[], []]
     assert seen(10, 625, 740)[-1] == pytest.approx(1300, abs=2)
     assert seen(8, 625, 740)[-1] == pytest.approx(1520, abs=2)
+
+
+AUX = [f"servoAux.h/servoAux_{name}" for name in ("angle", "speed", "set", "get", "setRamp", "disable", "stop")]
+
+
+@proves(*AUX)
+def auxiliary_servos_get_their_widths_until_they_are_disabled(uno: Uno) -> None:
+    program = """
+void say(int32_t number) { Serial.print(number); Serial.print(' '); }
+void setup() { Serial.begin(115200); say(servoAux_get(9)); say(servoAux_setRamp(9, 9)); say(servoAux_angle(9, 0));
+  say(servoAux_speed(10, -200)); delay(100); say(servoAux_setRamp(9, 100)); say(servoAux_angle(9, 900)); delay(110);
+  say(servoAux_get(9)); delay(110); say(servoAux_set(8, 1234)); say(servoAux_disable(9)); say(servoAux_get(9)); delay(100);
+  servoAux_stop(); delay(100); }
+void loop() {}
+"""
+    trace = uno.run(program, AUX, 440)
+    told = [int(each) for each in trace.text.split()]
+    assert told[:6] == [-4, -4, 9, 10, 9, 1]
+    assert told[6] in (900, 1000, 1100)
+    assert told[7:] == [8, 1, -4]
+    widths = {pin: trace.pulses(f"D{pin}") for pin in (8, 9, 10)}
+    assert [width for at, width in widths[9] if at < 95_000] == pytest.approx([500] * 5, abs=2)
+    assert [width for at, width in widths[9] if 295_000 < at < 325_000] == pytest.approx([1400] * 2, abs=2)
+    assert [at for at, _ in widths[9] if at > 325_000] == []
+    assert [width for at, width in widths[10] if at < 320_000] == pytest.approx([1300] * 16, abs=2)
+    assert [width for at, width in widths[8] if at < 430_000] == pytest.approx([1234] * 6, abs=2)
+    assert [at for pin in (8, 10) for at, _ in widths[pin] if at > 430_000] == []
+    assert [trace.levels(f"D{pin}")[-1][1] for pin in (8, 9, 10)] == ["z", "z", "z"]

@@ -12,15 +12,15 @@ from tests.running import Outcome, run
 from tests.tools import require_tools
 
 SOURCE = Path(__file__).parent / "adapters" / "tilt.c"
-OWN = """//# header propeller1.h
-//# adapter getpin
-//#   for: int getpin(int pin)
+OWN = """//# header s3.h
+//# adapter s3_ping
+//#   for: int32_t s3_ping(int32_t Pin)
 //#   kind: oneToMany
 //#   needs: simpletools.h/pulse_in
-//#   pin: pin digital in
+//#   pin: Pin digital in
 //#   limit: only level
-inline int32_t getpin(int32_t pin) {
-  return pulse_in(pin, 1) - 5000;
+inline int32_t s3_ping(int32_t Pin) {
+  return pulse_in(Pin, 1) - 5000;
 }
 """
 
@@ -46,9 +46,9 @@ def sites(outcome: Outcome) -> tuple[int, int]:
     return found["with_body"], found["todo"]
 
 
-def write_body(project: Path, name: str = "getpin", body: str = "return pulseIn(pin, HIGH) - 5000;") -> None:
+def write_body(project: Path, name: str = "s3_ping", body: str = "return pulseIn(Pin, HIGH) - 5000;") -> None:
     path = project / "out" / "tilt" / "adapters.h"
-    text, count = re.subn(rf"({name}\(int32_t pin\)) \{{.*?^\}}", rf"\1 {{\n  {body}\n}}", path.read_text(), flags=re.S | re.M)
+    text, count = re.subn(rf"({name}\(int32_t \w+\)) \{{.*?^\}}", rf"\1 {{\n  {body}\n}}", path.read_text(), flags=re.S | re.M)
     assert count == 1
     path.write_text(text)
 
@@ -58,15 +58,15 @@ def test_own_adapter_files_go_before_the_built_in_ones(place: str, project: Path
     assert sites(migrated(project)) == (1, 2)
     folder = project.parent / place
     folder.mkdir(parents=True)
-    (folder / "propeller1.cpp").write_text(OWN)
+    (folder / "s3.cpp").write_text(OWN)
     outcome = migrated(project)
     assert sites(outcome) == (2, 1)
-    assert "return pulse_in(pin, 1) - 5000;" in (project / "out" / "tilt" / "adapters.h").read_text()
+    assert "return pulse_in(Pin, 1) - 5000;" in (project / "out" / "tilt" / "adapters.h").read_text()
     rows = run("adapters", "list", "--json").document["result"]["adapters"]
-    mine = [row for row in rows if row["function"] == "getpin"]
+    mine = [row for row in rows if row["function"] == "s3_ping"]
     assert mine == [
         {
-            "function": "getpin", "header": "propeller1.h", "kind": "1:n", "source": place.split("/")[0].replace("home", "user"),
+            "function": "s3_ping", "header": "s3.h", "kind": "1:n", "source": place.split("/")[0].replace("home", "user"),
             "status": "care", "limits": ["only level"],
         }
     ]  # fmt: skip
@@ -80,7 +80,7 @@ def test_other_code_in_a_folder_of_that_name_is_left_alone(project: Path) -> Non
 
 def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None:
     (project / "adapters").mkdir()
-    (project / "adapters" / "propeller1.c").write_text(OWN.replace("inline", "static inline"))
+    (project / "adapters" / "s3.c").write_text(OWN.replace("inline", "static inline"))
     assert sites(migrated(project)) == (1, 2)
     outcome = run("migrate", project / "tilt.c", "-o", project / "out-c", "--target", "avr-c", "--json")
     assert sites(outcome) == (2, 1)
@@ -89,7 +89,7 @@ def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None
 @pytest.mark.parametrize(
     ("old", "new", "line", "said", "fix"),
     [
-        ("pulse_in(pin", "pulse_inn(pin", 9, "'pulse_inn' was not declared", "correct it"),
+        ("pulse_in(Pin", "pulse_inn(Pin", 9, "'pulse_inn' was not declared", "correct it"),
         (
             "//#   needs: simpletools.h/pulse_in\n",
             "",
@@ -105,7 +105,7 @@ def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None
             "",
         ),
         ("- 5000;\n}", "- 5000;\n", 8, "'{' is never closed", "close each bracket"),
-        ("pin: pin", "pin: pni", 6, "no parameter 'pni' (did you mean 'pin'?)", "correct the name"),
+        ("pin: Pin", "pin: Pni", 6, "no parameter 'Pni' (did you mean 'Pin'?)", "correct the name"),
         (
             "//#   limit: only level",
             "//#   mcu: atmega382p",
@@ -122,7 +122,7 @@ def test_a_bad_adapter_file_is_an_error_and_the_old_sketch_stays(
     migrated(project)
     before = {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()}
     (project / "adapters").mkdir()
-    path = project / "adapters" / "propeller1.cpp"
+    path = project / "adapters" / "s3.cpp"
     path.write_text(OWN.replace(old, new))
     outcome = run("migrate", project / "tilt.c", "-o", project / "out")
     assert outcome.code == 3
@@ -137,7 +137,7 @@ def test_a_body_that_a_person_wrote_counts_as_filled(project: Path) -> None:
     write_body(project)
     outcome = migrated(project)
     assert sites(outcome) == (2, 1)
-    assert [task["message"] for task in outcome.document["tasks"] if "getpin" in task["message"]] == []
+    assert [task["message"] for task in outcome.document["tasks"] if "s3_ping" in task["message"]] == []
     report = (project / "out" / "tilt" / "MIGRATION.md").read_text()
     assert "waiting: 1 for a pin, 1 for a body" in report
     assert "written by you" in report
@@ -148,7 +148,7 @@ def test_a_body_that_a_person_wrote_counts_as_filled(project: Path) -> None:
     assert sites(again) == (1, 2)  # where the body is not there, it is still to be written
 
 
-@pytest.mark.parametrize("body", ["// TODO: complete method\n  return 0;", "(void)pin;\n  return 0; // not supported"])
+@pytest.mark.parametrize("body", ["// TODO: complete method\n  return 0;", "(void)Pin;\n  return 0; // not supported"])
 def test_a_placeholder_that_does_nothing_still_is_to_be_written(body: str, project: Path) -> None:
     migrated(project)
     write_body(project, body=body)
@@ -159,14 +159,14 @@ def test_a_ticked_task_is_done_and_becomes_no_conflict(project: Path) -> None:
     migrated(project)
     path = project / "out" / "tilt" / "MIGRATION.md"
     text = path.read_text()
-    path.write_text(text.replace("- [ ] write the body of 'int32_t getpin", "- [x] write the body of 'int32_t getpin"))
+    path.write_text(text.replace("- [ ] write the body of 'int32_t s3_ping", "- [x] write the body of 'int32_t s3_ping"))
     source = project / "tilt.c"
-    source.write_text(source.read_text().replace("  while (1) {", "  getpin(4);\n  while (1) {"))
+    source.write_text(source.read_text().replace("  while (1) {", "  s3_ping(4);\n  while (1) {"))
     outcome = migrated(project)
     done = [task["message"] for task in outcome.document["tasks"] if task["evidence"].get("done")]
-    assert [message[:40] for message in done] == ["write the body of 'int32_t getpin(int32_"]
-    assert "- [x] write the body of 'int32_t getpin(int32_t pin)', called 2 times" in path.read_text()
-    source.write_text(SOURCE.read_text().replace("getpin(5)", "1"))
+    assert [message[:40] for message in done] == ["write the body of 'int32_t s3_ping(int32"]
+    assert "- [x] write the body of 'int32_t s3_ping(int32_t Pin)', called 2 times" in path.read_text()
+    source.write_text(SOURCE.read_text().replace("s3_ping(5)", "1"))
     outcome = migrated(project)
     assert "<<<<<<<" not in path.read_text()
     assert "[x]" not in path.read_text()
@@ -178,14 +178,14 @@ def test_what_was_written_for_a_call_that_goes_stays_with_a_word(project: Path) 
     write_body(project)
     migrated(project)
     source = project / "tilt.c"
-    source.write_text(SOURCE.read_text().replace("getpin(5)", "1"))
+    source.write_text(SOURCE.read_text().replace("s3_ping(5)", "1"))
     outcome = migrated(project)
     said = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS527"]
-    assert said == ["'getpin', which you wrote, is called no more or has another body: yours stands at the end, switched off"]
+    assert said == ["'s3_ping', which you wrote, is called no more or has another body: yours stands at the end, switched off"]
     text = (project / "out" / "tilt" / "adapters.h").read_text()
     assert "<<<<<<<" not in text
-    assert text.endswith("int32_t getpin(int32_t pin) {\n  return pulseIn(pin, HIGH) - 5000;\n}\n#endif\n")
-    assert text.count("getpin(") == 2  # its comment, and itself
+    assert text.endswith("int32_t s3_ping(int32_t Pin) {\n  return pulseIn(Pin, HIGH) - 5000;\n}\n#endif\n")
+    assert text.count("s3_ping(") == 2  # its comment, and itself
     outcome = migrated(project)
     assert [finding for finding in outcome.document["findings"] if finding["rule"] == "RS527"] == []
     assert (project / "out" / "tilt" / "adapters.h").read_text() == text
@@ -199,12 +199,12 @@ def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> Non
     write_body(project)
     outcome = run("adapters", "save", project / "out", "--as", whose, "--json")
     folder = project if whose == "project" else project.parent / "home"
-    path = folder / "adapters" / "propeller1.cpp"
+    path = folder / "adapters" / "s3.cpp"
     assert outcome.document["result"] == {
         "adapters": [
             {
-                "function": "getpin",
-                "header": "propeller1.h",
+                "function": "s3_ping",
+                "header": "s3.h",
                 "kind": "semantic",
                 "source": whose,
                 "status": "filled",
@@ -213,16 +213,16 @@ def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> Non
         ],
         "written": [str(path)],
     }
-    assert "//#   pin: pin digital in\n" in path.read_text()
+    assert "//#   pin: Pin digital both\n" in path.read_text()
     assert sites(migrated(project)) == (2, 1)
     text = (project / "out" / "tilt" / "adapters.h").read_text()
-    assert "inline int32_t getpin(int32_t pin) {\n  return pulseIn(pin, HIGH) - 5000;\n}" in text
+    assert "inline int32_t s3_ping(int32_t Pin) {\n  return pulseIn(Pin, HIGH) - 5000;\n}" in text
     assert "#if 0" not in text
-    write_body(project, "togglepin", "digitalWrite(pin, !digitalRead(pin));")
+    write_body(project, "s3_setVolume", "digitalWrite(Volume, !digitalRead(Volume));")
     run("adapters", "save", project / "out", "--as", whose)
     assert path.read_text().count("//# adapter ") == 2
     assert sites(migrated(project)) == (3, 0)
-    shown = run("adapters", "show", "togglepin", "--json").document["result"]["adapters"]
+    shown = run("adapters", "show", "s3_setVolume", "--json").document["result"]["adapters"]
     assert [(each["source"], "digitalRead" in each["text"]) for each in shown] == [(whose, True)]
 
 
@@ -230,30 +230,30 @@ def test_an_earlier_body_in_the_file_is_kept_beside_it(project: Path) -> None:
     migrated(project)
     write_body(project)
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
-    file = project / "adapters" / "propeller1.cpp"
+    file = project / "adapters" / "s3.cpp"
     mine = file.read_text().replace("- 5000", "- 4999  // mine")
     file.write_text(mine)
     outcome = run("adapters", "save", project / "out", "--as", "project", "--json")
     assert [f["rule"] for f in outcome.document["findings"]] == ["RS528"]
-    assert "propeller1.cpp.orig" in outcome.document["findings"][0]["message"]
-    assert (project / "adapters" / "propeller1.cpp.orig").read_text() == mine
+    assert "s3.cpp.orig" in outcome.document["findings"][0]["message"]
+    assert (project / "adapters" / "s3.cpp.orig").read_text() == mine
     assert "- 5000" in file.read_text()
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
-    assert not (project / "adapters" / "propeller1.cpp.orig.2").exists()
+    assert not (project / "adapters" / "s3.cpp.orig.2").exists()
 
 
 @pytest.mark.needs_tool
 def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     migrated(project)
-    write_body(project, "togglepin", "tilt_of(pin);")
+    write_body(project, "s3_setVolume", "tilt_of(Volume);")
     outcome = run("adapters", "save", project / "out", "--as", "project")
     assert outcome.code == 3
-    assert "the body of 'togglepin' does not compile alone" in outcome.err
+    assert "the body of 's3_setVolume' does not compile alone" in outcome.err
     assert "'tilt_of' was not declared" in outcome.err
     assert "nothing was saved" in outcome.err
     assert not (project / "adapters").exists()
-    write_body(project, "togglepin", "digitalWrite(pin, !digitalRead(pin));")
+    write_body(project, "s3_setVolume", "digitalWrite(Volume, !digitalRead(Volume));")
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
 
 

@@ -141,11 +141,12 @@ class AdapterChoice:
         return self._element(key) if key is not None and not self.pieces.needed([key], self.mcu).unserved else None
 
     def _key(self, name: str, header: str, kinds: Sequence[str]) -> tuple[str, str] | None:
-        """The piece for a name of a header: the header's own, that of another one that declares the same or that includes it."""
+        """The piece for a name of a header: its own, that of one that declares the same, that it includes or that includes it."""
         declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
         same = [other for other, signature in declared.items() if header and signature == declared.get(header)]
+        below = [other for other in declared if header and other in self.api.closure((header,))]
         above = [other for other in self.index.headers if header and header in self.api.closure((other,))]
-        for place in dict.fromkeys((header, *same, *(other for other in above if other not in declared))):
+        for place in dict.fromkeys((header, *same, *below, *(other for other in above if other not in declared))):
             key = self.pieces.key(f"{place}/{name}" if place else name)
             variants = self.pieces.variants(key) if key is not None else []
             if variants and variants[0].kind in kinds:

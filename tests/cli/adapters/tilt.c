@@ -1,10 +1,10 @@
 #include "simpletools.h"
-#include "propeller1.h"
+#include "s3.h"
 
 int main() {
   while (1) {
-    int acceleration = getpin(5);
-    togglepin(6);
+    int acceleration = s3_ping(5);
+    s3_setVolume(6);
     pause(acceleration);
   }
 }

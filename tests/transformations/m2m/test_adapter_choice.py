@@ -56,6 +56,15 @@ def test_names_of_a_header_have_adapters_in_the_header_that_includes_it(tmp_path
     assert not models.plan.tasks
 
 
+def test_names_of_a_header_have_adapters_in_the_header_that_it_includes(tmp_path: Path) -> None:
+    """What waits is declared in sys/unistd.h, which programs get through unistd.h."""
+    models = planned(tmp_path, "#include <unistd.h>\nint main() { while (1) { sleep(1); usleep(50); } }\n")
+    adapters = {name: use.adapter for name, use in uses(models).items()}
+    assert {name: each and each.sourceHeader for name, each in adapters.items()} == {
+        "sleep": "sys/unistd.h", "usleep": "sys/unistd.h",
+    }  # fmt: skip
+
+
 def test_a_function_of_the_same_name_in_another_header_is_another_function(tmp_path: Path) -> None:
     """drive_speed gives back something in abdrive360.h and nothing in abdrive.h."""
     for header in ("abdrive.h", "abdrive360.h"):

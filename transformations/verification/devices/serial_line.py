@@ -11,7 +11,7 @@ from robosmi.verify.bench import Device, Level
 
 class SerialLine(Device):
     """The other end. Settings: `baud`; `mode`, whose bit 0 inverts the line where it sends, and bit 1 the one where it listens;
-    `points`: [milliseconds, text] that it sends.
+    `points`: [milliseconds, what it sends]: a text, or a list of bytes.
 
     Pins, seen from the program: `receive`, where it listens, and `transmit`, where it sends. Each byte read is noted as
     `byte`; one whose stop bit is low as `framing`.
@@ -28,7 +28,7 @@ class SerialLine(Device):
         if "receive" in self.pins:
             self.bench.set_level(self.pins["receive"], self._one_sent)
         for at_ms, text in self.settings["points"]:
-            for number, byte in enumerate(text.encode()):
+            for number, byte in enumerate(text.encode() if isinstance(text, str) else text):
                 self._send(at_ms * 1000 + number * 10 * self._bit_us, byte)
 
     def _send(self, at_us: float, byte: int) -> None:

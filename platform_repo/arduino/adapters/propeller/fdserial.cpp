@@ -168,10 +168,32 @@ struct SerialLine : Stream, PinWatch {
   using Print::write;
 };
 
+//# helper open_line
+//#   needs: SerialLine simpletext.h/text_t simpletools.h/watch_pin
+//#   fidelity: a device of text for a serial line at two pins, of which either may be none; at those of the console, Serial
+inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
+  text_t *line = new text_t();
+  line->terminalEcho = mode >> 4 & 1;
+  if (rxpin == 0 && txpin == 1) {
+    Serial.begin(baudrate);
+    line->port = &Serial;
+    line->ecA = line->ecsA = '\r';
+    line->ecB = '\n';
+    return line;
+  }
+  bool receives = rxpin >= 0 && rxpin < NUM_DIGITAL_PINS, sends = txpin >= 0 && txpin < NUM_DIGITAL_PINS;
+  if (receives || sends) {
+    SerialLine *port = new SerialLine(rxpin, txpin, mode, baudrate);
+    if (receives) watch_pin(*port, rxpin, port->fast ? SerialLine::fast_edge : SerialLine::edge);
+    line->port = port;
+  }
+  return line;
+}
+
 //# adapter fdserial_open
 //#   for: fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate)
 //#   kind: semantic
-//#   needs: fdserial SerialLine simpletext.h/text_t simpletools.h/watch_pin
+//#   needs: fdserial open_line
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
 //#   fidelity: 63 bytes are kept, as there; it waits half a second, as there; the modes for inversion and open drain are obeyed
@@ -180,21 +202,7 @@ struct SerialLine : Stream, PinWatch {
 //#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
 //#   limit: FDSERIAL_MODE_IGNORE_TX_ECHO and FDSERIAL_MODE_RX_ONLY change nothing
 inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
-  fdserial *line = new fdserial();
-  line->terminalEcho = mode >> 4 & 1;
-  if (rxpin == 0 && txpin == 1) {
-    Serial.begin(baudrate);
-    line->port = &Serial;
-    line->ecA = line->ecsA = '\r';
-    line->ecB = '\n';
-  } else {
-    bool receives = rxpin >= 0 && rxpin < NUM_DIGITAL_PINS, sends = txpin >= 0 && txpin < NUM_DIGITAL_PINS;
-    if (receives || sends) {
-      SerialLine *port = new SerialLine(rxpin, txpin, mode, baudrate);
-      if (receives) watch_pin(*port, rxpin, port->fast ? SerialLine::fast_edge : SerialLine::edge);
-      line->port = port;
-    }
-  }
+  fdserial *line = open_line(rxpin, txpin, mode, baudrate);
   delay(500);
   return line;
 }

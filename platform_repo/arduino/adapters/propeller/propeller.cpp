@@ -165,6 +165,49 @@ inline void waitpne(uint32_t state, uint32_t mask) {
   while ((INA & mask) == state) yield();
 }
 
+//# adapter getcnt
+//#   for: unsigned int getcnt()
+//#   kind: oneToOne
+//#   needs: CNT
+//#   fidelity: as CNT
+inline uint32_t getcnt() {
+  return CNT;
+}
+
+//# adapter getpin
+//#   for: int getpin(int pin)
+//#   kind: oneToMany
+//#   needs: simpletools.h/Io
+//#   pin: pin digital in
+//#   fidelity: exact: the output latch is cleared and the direction stays, as there
+inline int32_t getpin(int32_t pin) {
+  Io io(pin);
+  io.set(false);
+  return io.high();
+}
+
+//# adapter setpin
+//#   for: void setpin(int pin, int value)
+//#   kind: oneToMany
+//#   needs: simpletools.h/drive_level
+//#   pin: pin digital out
+//#   fidelity: exact
+inline void setpin(int32_t pin, int32_t value) {
+  drive_level(pin, value != 0);
+}
+
+//# adapter togglepin
+//#   for: void togglepin(int pin)
+//#   kind: oneToMany
+//#   needs: simpletools.h/Io
+//#   pin: pin digital out
+//#   fidelity: exact: the latch is inverted and the pin becomes an output
+inline void togglepin(int32_t pin) {
+  Io io(pin);
+  io.set(!io.latch());
+  io.drive(true);
+}
+
 //# helper locks_given
 //#   fidelity: which of the eight locks are given out
 static uint8_t locks_given = 0;
@@ -402,4 +445,93 @@ inline int32_t cogid() {
 //#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
 inline void cogstop(int32_t cogid) {
   cog_stop(cogid);
+}
+
+// ---------------------------------------------------------------- what the macros of propeller.h stand for
+
+//# adapter __builtin_propeller_waitcnt
+//#   for: unsigned int __builtin_propeller_waitcnt(unsigned int target, unsigned int delta)
+//#   kind: oneToOne
+//#   needs: waitcnt2
+//#   fidelity: within 8 us; the next target is exact
+//#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
+  return waitcnt2(target, delta);
+}
+
+//# adapter __builtin_propeller_waitpeq
+//#   for: void __builtin_propeller_waitpeq(unsigned int state, unsigned int mask)
+//#   kind: oneToOne
+//#   needs: waitpeq
+//#   fidelity: as waitpeq
+//#   limit: a state that lasts less than 200 us can be missed
+inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
+  waitpeq(state, mask);
+}
+
+//# adapter __builtin_propeller_waitpne
+//#   for: void __builtin_propeller_waitpne(unsigned int state, unsigned int mask)
+//#   kind: oneToOne
+//#   needs: waitpne
+//#   fidelity: as waitpne
+//#   limit: a state that lasts less than 200 us can be missed
+inline void __builtin_propeller_waitpne(uint32_t state, uint32_t mask) {
+  waitpne(state, mask);
+}
+
+//# adapter __builtin_propeller_locknew
+//#   for: int __builtin_propeller_locknew(void)
+//#   kind: oneToOne
+//#   needs: locknew
+//#   fidelity: exact: the number of a lock, -1 when all eight are given out
+inline int32_t __builtin_propeller_locknew() {
+  return locknew();
+}
+
+//# adapter __builtin_propeller_lockret
+//#   for: void __builtin_propeller_lockret(int lockid)
+//#   kind: oneToOne
+//#   needs: lockret
+//#   fidelity: exact
+inline void __builtin_propeller_lockret(int32_t lockid) {
+  lockret(lockid);
+}
+
+//# adapter __builtin_propeller_lockset
+//#   for: int __builtin_propeller_lockset(int lockid)
+//#   kind: oneToOne
+//#   needs: lockset
+//#   fidelity: exact: -1 when the lock was set already, else 0
+inline int32_t __builtin_propeller_lockset(int32_t lockid) {
+  return lockset(lockid);
+}
+
+//# adapter __builtin_propeller_lockclr
+//#   for: int __builtin_propeller_lockclr(int lockid)
+//#   kind: oneToOne
+//#   needs: lockclr
+//#   fidelity: exact: -1 when the lock was set, else 0
+inline int32_t __builtin_propeller_lockclr(int32_t lockid) {
+  return lockclr(lockid);
+}
+
+//# adapter __builtin_propeller_cogid
+//#   for: int __builtin_propeller_cogid(void)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: oneToOne
+//#   needs: cogid
+//#   fidelity: exact; 0 is the cog of main
+inline int32_t __builtin_propeller_cogid() {
+  return cogid();
+}
+
+//# adapter __builtin_propeller_cogstop
+//#   for: void __builtin_propeller_cogstop(int cogid)
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   kind: oneToOne
+//#   needs: cogstop
+//#   fidelity: exact; pins stay as the cog left them
+//#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+inline void __builtin_propeller_cogstop(int32_t cogid) {
+  cogstop(cogid);
 }

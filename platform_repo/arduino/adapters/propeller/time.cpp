@@ -25,6 +25,7 @@ static_assert(sizeof(time_t) == 4 && (time_t)-1 > 0, "time_t is that in time.h")
 
 //# adapter clock
 //#   for: clock_t clock(void)
+//#   for: unsigned int clock(void)
 //#   kind: oneToOne
 //#   name: c_clock
 //#   needs: propeller.h/CNT

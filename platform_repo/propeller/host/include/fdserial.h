@@ -16,6 +16,7 @@ typedef struct fdserial_struct {
   int rx_pin, tx_pin, mode, ticks;
   char *buffptr;
 } fdserial_st;
+fdserial *host_serial_line(int rxpin, int txpin, int mode, int baudrate, int wait_ms);  /* for models of other libraries */
 fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate);
 void fdserial_close(fdserial *term);
 int fdserial_rxCheck(fdserial *term);

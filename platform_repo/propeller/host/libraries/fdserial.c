@@ -83,7 +83,7 @@ static void serve_pins(void *parameter) {
   }
 }
 
-fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate) {
+fdserial *host_serial_line(int rxpin, int txpin, int mode, int baudrate, int wait_ms) {
   fdserial *term = calloc(1, sizeof *term);
   fdserial_st *line = calloc(1, sizeof *line);
   char *buffers = malloc(2 * SIZE);
@@ -96,9 +96,11 @@ fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate) {
   *term = (fdserial){fdserial_rxChar, fdserial_txChar, {0}, line, (mode & FDSERIAL_MODE_ECHO_RX_TO_TX) != 0, 0, 0, 0, 0};
   if (console) term->ecA = term->ecsA = '\r', term->ecB = '\n';
   term->cogid[0] = setStopCOGID(host_start(console ? serve_console : serve_pins, line, -1));
-  host_sleep_until(host_now() + HOST_HZ / 2);
+  host_sleep_until(host_now() + (host_time)wait_ms * HOST_TICKS_PER_MS);
   return term;
 }
+
+fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate) { return host_serial_line(rxpin, txpin, mode, baudrate, 500); }
 
 void fdserial_close(fdserial *term) {
   fdserial_st *line = (fdserial_st *)term->devst;

@@ -1,0 +1,100 @@
+//# header serial.h
+// Serial lines without a buffer. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/TextDevices/libsimpletext (serial.h,
+// serial_open.c, serial_rxtx.c, serial_close.c).
+
+//# type serial
+//#   needs: simpletext.h/text_t
+//#   fidelity: a device of text; there are no cogid and devst
+typedef text_t serial;
+
+//# constant SERIAL_MIN_PIN
+//#   fidelity: exact; a port of the source
+#define SERIAL_MIN_PIN 0L
+
+//# constant SERIAL_MAX_PIN
+//#   fidelity: exact; a port of the source
+#define SERIAL_MAX_PIN 31L
+
+//# helper HalfLine
+//#   needs: fdserial.h/SerialLine simpletools.h/Io
+//#   fidelity: a line that sends and receives at one pin does not hear itself, and lets go of the pin when it is asked for a byte
+struct HalfLine : SerialLine {
+  HalfLine(int32_t rxpin, int32_t txpin, uint32_t baudrate) : SerialLine(rxpin, txpin, 0, baudrate) {}
+  bool shared() const { return receives.wired() && sends.wired() && receives.pin == sends.pin; }
+  virtual int available() {
+    if (shared() && sends.driven()) sends.put(sends.direction, false);  // the latch is high: a pull-up
+    return SerialLine::available();
+  }
+  virtual size_t write(uint8_t byte) {
+    SerialLine::write(byte);
+    if (shared()) {
+      cells = 0;
+      tail = head;
+    }
+    return 1;
+  }
+  using Print::write;
+};
+
+//# adapter serial_open
+//#   for: serial *serial_open(int rxpin, int txpin, int mode, int baudrate)
+//#   kind: semantic
+//#   needs: serial HalfLine fdserial.h/SerialLine simpletext.h/text_t simpletext.h/ECHO_RX_TO_TX simpletools.h/watch_pin
+//#   pin: rxpin interrupt in
+//#   pin: txpin digital out
+//#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there
+//#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
+//#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
+inline serial *serial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
+  serial *device = new serial();
+  device->terminalEcho = (mode & ECHO_RX_TO_TX) != 0;
+  if (rxpin == 0 && txpin == 1) {
+    Serial.begin(baudrate);
+    device->port = &Serial;
+    device->ecA = device->ecsA = '\r';
+    device->ecB = '\n';
+    return device;
+  }
+  bool receives = rxpin >= 0 && rxpin < NUM_DIGITAL_PINS, sends = txpin >= 0 && txpin < NUM_DIGITAL_PINS;
+  if (receives || sends) {
+    HalfLine *line = new HalfLine(rxpin, txpin, baudrate);
+    if (receives) watch_pin(*line, rxpin, line->fast ? SerialLine::fast_edge : SerialLine::edge);
+    device->port = line;
+  }
+  return device;
+}
+
+//# adapter serial_rxChar
+//#   for: int serial_rxChar(serial *device)
+//#   kind: oneToMany
+//#   needs: serial simpletext.h/readByte
+//#   fidelity: it waits for a byte, 0 to 255
+//#   limit: 0 at once where the line is not wired
+inline int32_t serial_rxChar(serial *device) {
+  return readByte(device);
+}
+
+//# adapter serial_txChar
+//#   for: int serial_txChar(serial *device, int txbyte)
+//#   kind: oneToOne
+//#   needs: serial simpletext.h/text_t
+//#   fidelity: exact: it waits until the byte is sent, and gives it back
+inline int32_t serial_txChar(serial *device, int32_t txbyte) {
+  if (device->port) {
+    device->port->write((uint8_t)txbyte);
+    device->port->flush();
+  }
+  return txbyte;
+}
+
+//# adapter serial_close
+//#   for: void serial_close(serial *device)
+//#   kind: oneToMany
+//#   needs: serial HalfLine simpletext.h/text_t
+//#   fidelity: exact: both pins are inputs
+inline void serial_close(serial *device) {
+  if (!device) return;
+  if (device->port == &Serial) Serial.end();
+  else delete static_cast<HalfLine *>(device->port);
+  delete device;
+}
