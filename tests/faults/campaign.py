@@ -172,7 +172,7 @@ class Study:
                 if part and short.horizon_ms >= scenario.horizon_ms:
                     continue
                 asked = short if part else scenario
-                result = judged(asked, runs, side._run(asked), self.ports)
+                result = judged(asked, runs, side._run(asked), self.ports, self._models.plan.concurrency is None)
                 if result.first is not None:
                     first = result.first
                     functions = next((port.functions for port in self.ports if port.title == first.channel), ())

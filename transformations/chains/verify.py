@@ -159,7 +159,7 @@ def verify(
         for (scenario, runs), trace in zip(cases, traces, strict=True):
             if not side.shows_console:
                 runs.channels.pop(CONSOLE_CHANNEL, None)
-            verdict.scenarios.append(judged(scenario, runs, trace, ports))
+            verdict.scenarios.append(judged(scenario, runs, trace, ports, plan.concurrency is None))
         for (scenario, runs), told in zip(cases, verdict.scenarios, strict=True):
             if verdict.first_difference == (told, told.first) and told.first is not None:
                 verdict.calls = calls_around(program, ports, scenario, runs, told.first)

@@ -48,7 +48,8 @@ def DriversAreApart(n: hardware.Net) -> Any:
 
 @devices.critique(
     id="RS256", location=drawing,
-    advice="put a resistor of 10 kilo-ohms from the pin to the other supply, or let the sketch set INPUT_PULLUP where it leads to ground",
+    advice="put a resistor of 10 kilo-ohms from the pin to the other supply, "
+    "or let the sketch set INPUT_PULLUP where it leads to ground",
 )  # fmt: skip
 def IsHeldWhileOpen(c: hardware.Component) -> Any:
     """A pin that a contact ties to a supply has a level while the contact is open."""

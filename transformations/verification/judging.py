@@ -7,7 +7,8 @@ in `robosmi.verify.verdict`.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from robosmi.transformations.verification.original_side import (
@@ -20,7 +21,8 @@ from robosmi.transformations.verification.original_side import (
 )
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.activity import ActivityEvent
-from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, ChannelComparison, FirstDifference
+from robosmi.verify.channel_order import first_disorder
+from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, SAME, ChannelComparison, FirstDifference
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, PROGRAM, ScenarioVerdict, Verdict
@@ -35,7 +37,9 @@ _SAME_MS = 45.0
 """What is no further apart, beside what resonators are off, is at the same time: as for other events."""
 
 
-def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort]) -> ScenarioVerdict:
+def judged(
+    scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort], one_thread: bool
+) -> ScenarioVerdict:
     """What the two sides have in common in a scenario.
 
     A difference comes first; then a crash of the migrated program that the original does not share, which is a difference, too;
@@ -46,6 +50,7 @@ def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequenc
         runs: those of the original.
         trace: what the migrated program did.
         ports: the ports.
+        one_thread: whether one thread of the source does all that is seen, so that the order of near events is its own.
     """
     nominal = runs.nominal
     crashed_ms = trace.simulated_us / 1000 if trace.state == "crashed" else None
@@ -59,6 +64,8 @@ def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequenc
     )
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith(DRIVEN))
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
+    if one_thread and all(c.status != DIFFERENT for c in found):
+        found = _in_order(found, scenario, runs, target)
     if any(c.status == DIFFERENT for c in found):
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms)
     if crashed_ms is not None and not _crashes_by(runs, crashed_ms):
@@ -68,6 +75,25 @@ def judged(scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequenc
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
     reason = _doubt(scenario, runs, [c.channel for c in found if c.status == RACY], crashed_ms)
     return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
+
+
+def _in_order(
+    found: tuple[ChannelComparison, ...],
+    scenario: Scenario,
+    runs: SourceRuns,
+    target: Mapping[str, Sequence[list[ActivityEvent]]],
+) -> tuple[ChannelComparison, ...]:
+    """The channels, of which one is different if two of them do near things in the other order."""
+    same = [c.channel for c in found if c.status == SAME]
+    changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
+    disorder = first_disorder(
+        {name: runs.channels[name][0] for name in same},
+        {name: target[name][0] for name in same},
+        [at for at in changes_ms if at > 0],
+    )
+    if disorder is None:
+        return found
+    return tuple(replace(c, status=DIFFERENT, difference=disorder) if c.channel == disorder.channel else c for c in found)
 
 
 def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.plugins import content
-from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.transformations.verification.port_devices import BoundPort, at_rest, device_facts
 from robosmi.verify.scenario import POINTS, Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
@@ -77,8 +77,8 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
     made: list[DeviceUse] = []
     for device in devices_at(ports, target):
         given = next((signals[n] for n in device.ports if n in signals), {})
-        rest = device_facts().get(device.kind, {}).get("rest", {})
-        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in rest.items()}
+        kinds = frozenset().union(*(ports[n].kinds for n in device.ports))
+        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in at_rest(device.kind, kinds).items()}
         for name, points in given.items():
             before = settings.get(name, []) if points[0][0] > 0 else []  # at rest until its first point
             settings[name] = [*before, *(list(point) for point in points)]

@@ -20,6 +20,7 @@ from robosmi.project import read_data
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
@@ -49,6 +50,7 @@ class BoundPort:
         settings: of the device, as far as the program says them.
         shown: whether what the program does there is compared although a device is there.
         averaged: whether it stands for a voltage, so that of a wave there only the share that is high counts.
+        kinds: what the component is, by what it is called (`parts/port_roles.toml`).
     """
 
     name: str
@@ -64,6 +66,7 @@ class BoundPort:
     settings: Mapping[str, Any] = field(default_factory=dict)
     shown: bool = False
     averaged: bool = False
+    kinds: frozenset[str] = frozenset()
 
     @property
     def watched(self) -> bool:
@@ -119,6 +122,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             str(component.title or component.partTitle) if component is not None else "",
             str(component.elementId) if component is not None else "", tuple(used), device, called, line,
             averaged=bool(used) and bool(averaged & used.keys()),
+            kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
         )  # fmt: skip
         found.setdefault(source, port)
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
@@ -202,6 +206,18 @@ def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: b
         if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways and beside <= used.keys()):
             return rule.text("kind"), rule.text("pin")
     return "", ""
+
+
+def at_rest(device: str, kinds: frozenset[str]) -> dict[str, Any]:
+    """What a device shows while nothing happens: setting -> value.
+
+    Args:
+        device: its kind.
+        kinds: those of the component that it stands for.
+    """
+    facts = device_facts().get(device, {})
+    own = [shown for kind, shown in facts.get("rest_of", {}).items() if kind in kinds]
+    return dict(own[0] if own else facts.get("rest", {}))
 
 
 def device_facts() -> Mapping[str, Any]:

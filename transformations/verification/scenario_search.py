@@ -80,6 +80,9 @@ def search(
     for each in inputs:
         for value in each.values:
             made.try_signals(_constant(each, value))
+    levels = [each for each in inputs if not any(isinstance(value, str) for value in each.values)]
+    for number in range(max((len(each.values) for each in levels), default=0) if len(levels) > 1 else 0):
+        made.try_signals(_together(levels, number))
     inputs = [made.with_borders(each) for each in inputs]
     chance = random.Random(seed)
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and monotonic() < made.until:
@@ -171,6 +174,14 @@ class _Search:
 def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
     """Signals in which one input shows one value all the time; a text comes once, when the program has begun."""
     return {each.name: {each.setting: ((_TEXT_MS if isinstance(value, str) else 0.0, value),)}}
+
+
+def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Points]]:
+    """Signals in which all inputs show one of their values all the time, each that of a number, counted round and round."""
+    signals: dict[str, dict[str, Points]] = {}
+    for each in inputs:
+        signals.setdefault(each.name, {})[each.setting] = ((0.0, each.values[number % len(each.values)]),)
+    return signals
 
 
 def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float) -> float:

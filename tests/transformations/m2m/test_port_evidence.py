@@ -9,7 +9,7 @@ import pytest
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.transformations.m2m.port_evidence import name_words
+from robosmi.transformations.queries.component_kinds import name_words
 
 CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
 

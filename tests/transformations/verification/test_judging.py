@@ -44,12 +44,14 @@ def test_which_of_two_cores_prints_first_is_luck(
     target: tuple[tuple[float, str], ...], verdict: str, status: str
 ) -> None:  # fmt: skip
     runs = original(printed((100, "left"), (110, "right")), (110_000.0,))
-    told = judged(SCENARIO, runs, printed(*target), [])
+    told = judged(SCENARIO, runs, printed(*target), [], one_thread=False)
     assert (told.verdict, told.channels[0].status) == (verdict, status)
 
 
 def test_one_core_prints_in_its_order() -> None:
-    told = judged(SCENARIO, original(printed((100, "left"), (110, "right"))), printed((110, "left"), (100, "right")), [])
+    told = judged(
+        SCENARIO, original(printed((100, "left"), (110, "right"))), printed((110, "left"), (100, "right")), [], one_thread=True
+    )
     assert told.verdict == "different"
 
 
@@ -64,6 +66,6 @@ def test_one_core_prints_in_its_order() -> None:
 )
 def test_why_an_original_did_not_run_to_its_end(status: str, cause: str, said: str) -> None:
     trace = printed((100, "left"))
-    told = judged(SCENARIO, original(trace, status=status, cause=cause), trace, [])
+    told = judged(SCENARIO, original(trace, status=status, cause=cause), trace, [], one_thread=True)
     assert told.verdict == "not-decidable"
     assert said in told.reason

@@ -1,0 +1,110 @@
+"""What a component is, by what it and its connectors are called: kinds such as servo, ranger or infrared receiver.
+
+The words are data (`parts/port_roles.toml`). Which port goes to which component is decided in `m2m.port_assignment`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple
+
+from robosmi import resources
+from robosmi.metamodels import migration
+from robosmi.project import read_data
+
+_WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+EMPTY_WORDS = frozenset(
+    ["port", "pin", "basic", "on", "of", "the", "to", "in", "out", "pulse", "signal", "sig", "read", "write", "board"]
+)
+"""Words that say nothing of a device."""
+SENDS, RECEIVES = frozenset(["tx", "txd", "txo", "dout", "sout"]), frozenset(["rx", "rxd", "rxi", "din", "sin"])
+"""Connectors by which a component sends to the board, and those by which it receives from it."""
+SERIAL = "serial device"
+"""The kind of what has the connectors of a serial line."""
+
+
+class PortWords(NamedTuple):
+    """The data: kind of component -> its words; groups of words of which one excludes the others; purpose of a connector -> words
+    and what the board does there."""
+
+    roles: dict[str, frozenset[str]]
+    apart: tuple[frozenset[str], ...]
+    connectors: dict[str, tuple[frozenset[str], str]]
+
+
+def kinds_of(connection: migration.Connection) -> set[str]:
+    """The kinds that a component may be of, by its words and its connectors."""
+    theirs = said(component_texts(connection))
+    kinds = {role for role, words in known_roles().roles.items() if theirs & words}
+    return kinds | ({SERIAL} if is_serial(connection) else set())
+
+
+def is_serial(connection: migration.Connection) -> bool:
+    """Whether a connector is one of a component's serial line."""
+    component = connection.component
+    every = [connector_words([c.name]) for c in component.connectors] if component is not None else []
+    own = connector_words(c.name for c in connection.connectors)
+    return any(w & SENDS for w in every) and any(w & RECEIVES for w in every) and bool(own & (SENDS | RECEIVES))
+
+
+def said(texts: Iterable[str]) -> set[str]:
+    """The words of several names (see `name_words`)."""
+    return {word for text in texts for word in name_words(text)}
+
+
+def connector_words(texts: Iterable[str]) -> set[str]:
+    """The words of what connectors and parameters are called, single letters too, without `pin`."""
+    words = {word.lower() for text in texts for word in _WORDS.findall(str(text))}
+    return words | {inner for word in words if (inner := word.removeprefix("pin").removesuffix("pin"))}
+
+
+def name_words(name: str) -> set[str]:
+    """The words of a name, lower case, without those that say nothing of the device."""
+    words = {w.lower() for w in _WORDS.findall(name) if not w.isdigit() and len(w) > 1}
+    return {part for word in words for part in _apart(word)} - EMPTY_WORDS
+
+
+def _apart(word: str) -> Sequence[str]:
+    """The known words that a word is put together of (`pinbutton`, `redled`), else the word itself."""
+    vocabulary = _vocabulary()
+    if word in vocabulary:
+        return (word,)
+    parts: dict[int, tuple[str, ...]] = {0: ()}
+    for end in range(1, len(word) + 1):
+        for start in sorted(parts):
+            if start < end and word[start:end] in vocabulary:
+                parts.setdefault(end, (*parts[start], word[start:end]))
+    return parts.get(len(word), (word,))
+
+
+def _vocabulary() -> frozenset[str]:
+    known = known_roles()
+    words = frozenset().union(*known.roles.values(), *known.apart, ["pin", "port", "sensor"])
+    return frozenset(word for word in words if len(word) > 2)
+
+
+def component_texts(connection: migration.Connection) -> list[str]:
+    """What a component is called: by its title, its part's title, its family."""
+    component = connection.component
+    if component is None:
+        return []
+    return [component.title, component.partTitle, component.family]
+
+
+def known_roles() -> PortWords:
+    """The words of kinds, sides and connectors."""
+    path = resources.find("platform_repo", "parts/port_roles.toml")
+    return _known_roles(path, path.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=2)
+def _known_roles(path: Path, _: int) -> PortWords:
+    data = read_data(path)
+    return PortWords(
+        {role: frozenset(words) for role, words in data["roles"].items()},
+        tuple(map(frozenset, data["apart"])),
+        {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()},
+    )
