@@ -1,5 +1,5 @@
 # make demo   set everything up, move the line follower, show what was made
-# make test   set everything up (system packages too, where this may) and run all tests
+# make test   set everything up (system packages too, where this may) and run all tests, in a process for each core
 # make lint   ruff and mypy, in an environment of its own
 # make bench  the figures of the README, measured
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
@@ -38,7 +38,7 @@ npm-packages: system-packages
 	@sh .ci/npm-packages
 
 test: $(VENV)/.ready system-packages npm-packages
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 lint:
 	@sh .ci/lint

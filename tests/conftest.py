@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.written_models_judge import MARKS, Judge
+from tests.written_models_judge import MARKS, join
 
 ROOT = Path(__file__).resolve().parents[1]
 _HOME = pytest.StashKey["tempfile.TemporaryDirectory[str]"]()
@@ -21,7 +21,7 @@ def pytest_configure(config: pytest.Config) -> None:
     os.environ["ROBOSMI_HISTORY"] = str(Path(folder.name) / "history.sqlite")
     for mark, meaning in MARKS.items():
         config.addinivalue_line("markers", f"{mark}(reason): {meaning}")
-    config.pluginmanager.register(Judge(), "written models")
+    join(config)
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:

@@ -51,14 +51,14 @@ def test_nothing():
 """
 
 
-def pytest_run(folder: Path, *tests: str, path: str | None = None) -> tuple[int, str]:
-    """The exit code of a run of tests, and what it printed."""
+def pytest_run(folder: Path, *tests: str, path: str | None = None, processes: int = 0) -> tuple[int, str]:
+    """The exit code of a run of tests, shared out among so many processes, and what it printed."""
     (folder / "conftest.py").write_text("from tests.conftest import pytest_configure\n", encoding="utf-8")
     (folder / "test_small.py").write_text(HEAD + "".join(tests), encoding="utf-8")
     (folder / "pytest.ini").write_text("[pytest]\naddopts = -ra --strict-markers -p no:cacheprovider\n", encoding="utf-8")
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "PATH": path or os.environ["PATH"]}
     environment.pop("CI", None)
-    command = [sys.executable, "-m", "pytest", "-q", "."]
+    command = [sys.executable, "-m", "pytest", "-q", *([f"-n{processes}"] if processes else []), "."]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
     return done.returncode, done.stdout
 
@@ -99,6 +99,17 @@ def test_a_model_that_emf_writes_otherwise_fails_with_the_line(tmp_path: Path) -
 def test_marks_say_that_emf_sees_it_otherwise_on_purpose(tmp_path: Path) -> None:
     require_emf()
     assert pytest_run(tmp_path, marked(OTHERWISE, "emf_writes_otherwise"), marked(BAD, "emf_objects"))[0] == 0
+
+
+def test_models_of_several_processes_are_judged_once_with_their_marks(tmp_path: Path) -> None:
+    require_emf()
+    code, out = pytest_run(
+        tmp_path, GOOD, marked(OTHERWISE, "emf_writes_otherwise"), marked(BAD, "emf_writes_otherwise"), processes=2
+    )
+    assert code == 1
+    assert "1 failed, 3 passed" in out
+    assert "3 sets of written models judged by EMF" in out
+    shutil.rmtree(out.partition("bad.xmi (")[2].partition("/models-")[0])
 
 
 def test_the_mark_for_other_bytes_does_not_excuse_an_objection(tmp_path: Path) -> None:

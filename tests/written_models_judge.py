@@ -2,7 +2,8 @@
 
 Recorded by `recording/written_models.py`. A model must load with 0 diagnostics, and EMF must write the same bytes for it. The
 outcome is one more test of the run, `every written model::real EMF`: failed with the names of the tests that wrote what EMF
-does not take, skipped with the reason where EMF is not installed. A run that wrote no model has no such outcome.
+does not take, skipped with the reason where EMF is not installed. A run that wrote no model has no such outcome. Processes among
+which pytest-xdist shares out the tests record into the folder of the one that started them, which judges.
 """
 
 from __future__ import annotations
@@ -53,6 +54,14 @@ class Objection:
         return f"{self.model} ({self.place})\n{names}\n{self.text}"
 
 
+def join(config: pytest.Config) -> None:
+    """Let the run record and judge; a process of pytest-xdist only records, into the folder that it was given."""
+    if hasattr(config, "workerinput"):
+        written_models.start()
+    else:
+        config.pluginmanager.register(Judge(), "written models")
+
+
 class Judge:
     """The plug-in: records during the run, judges at its end."""
 
@@ -66,11 +75,11 @@ class Judge:
         self.summary = ""
         self.marked: dict[str, set[str]] = {mark: set() for mark in MARKS}
 
-    def pytest_runtest_setup(self, item: pytest.Item) -> None:
-        """Note the tests whose models EMF is known to see otherwise."""
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Note the tests whose models EMF is known to see otherwise; those that run in other processes, too."""
         for mark, tests in self.marked.items():
-            if item.get_closest_marker(mark) is not None:
-                tests.add(item.nodeid)
+            if mark in report.keywords:
+                tests.add(report.nodeid)
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
