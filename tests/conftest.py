@@ -19,6 +19,9 @@ def pytest_configure(config: pytest.Config) -> None:
     folder = config.stash[_HOME] = tempfile.TemporaryDirectory(prefix="robosmi-tests-")
     os.environ["ROBOSMI_HOME"] = folder.name
     os.environ["ROBOSMI_HISTORY"] = str(Path(folder.name) / "history.sqlite")
+    if not hasattr(config, "workerinput"):  # hundreds of tests start a Python of their own: one set of bytecode for all of them
+        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+        os.environ.setdefault("PYTHONPYCACHEPREFIX", str(Path(folder.name) / "bytecode"))
     for mark, meaning in MARKS.items():
         config.addinivalue_line("markers", f"{mark}(reason): {meaning}")
     join(config)

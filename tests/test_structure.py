@@ -335,6 +335,7 @@ def test_every_module_says_what_lives_in_it() -> None:
 
 OPENS: dict[str, str] = {
     "robosmi/inputs.py": "it is the place",
+    "robosmi/generate/template_cache.py": "asks who has written what it reads",
     "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
     "robosmi/model/open_folder.py": "writes, and holds folders open",
     "robosmi/model/files.py": "writes",

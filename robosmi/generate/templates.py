@@ -27,6 +27,7 @@ from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
 from robosmi.generate.regions import partition
 from robosmi.generate.sandbox import allowed, may_call, refused
+from robosmi.generate.template_cache import TemplateCache
 from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
@@ -251,10 +252,10 @@ class Templates:
 @cache
 def _built_in(folders: tuple[Path, ...]) -> _Environment:
     """The environment of the templates in these folders; compiling them takes longer than what is made with them."""
-    return _environment(TemplateFiles([str(folder) for folder in folders], found=True), auto_reload=True)
+    return _environment(TemplateFiles([str(folder) for folder in folders], found=True), auto_reload=True, cache=TemplateCache())
 
 
-def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False) -> _Environment:
+def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False, cache: TemplateCache | None = None) -> _Environment:
     environment = _Environment(
         loader=loader,
         undefined=jinja2.StrictUndefined,
@@ -267,6 +268,7 @@ def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False) -> _En
         optimized=False,  # folding constants takes longer than it saves
         finalize=printed,
         extensions=[Blocks, contexts.Declaration, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
+        bytecode_cache=cache,
     )
     environment.seen = []
     environment.globals["region_id"] = environment.region_id

@@ -16,9 +16,11 @@ The facts, in the order of this module:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from operator import attrgetter, methodcaller
 from typing import Any
 
+from pyecore.ecore import EAttribute, EClass, EDataType, EReference
 from pyecore.innerutils import InternalSet
 from pyecore.valuecontainer import EValue
 
@@ -156,6 +158,45 @@ def fill_silently(collection: Any, values: list[Any]) -> None:
     collection.items[:] = values
     collection.map.clear()
     collection.map.update((value, place) for place, value in enumerate(values))
+
+
+def quick_constructor(cls: Any) -> Callable[..., Any]:
+    """A function that makes what `cls(**arguments)` makes, in a fraction of the time; for EAttribute and EReference.
+
+    pyecore's constructors assign some twelve features one by one, with a notification each, though nobody can listen yet. Here
+    one object that was made without arguments is copied, and only what is given is assigned.
+    """
+    plain = cls()
+    slots = {name: value for name, value in plain.__dict__.items() if isinstance(value, EValue)}
+    others = {name: value for name, value in plain.__dict__.items() if name not in slots and not _is_own(name)}
+    names = {"lower": "lowerBound", "upper": "upperBound"}
+
+    def make(**arguments: Any) -> Any:
+        made = cls.__new__(cls)
+        own = made.__dict__
+        own.update(others)
+        inside = own[SET_FEATURES]
+        inside.update(set_features_of(plain))
+        for name, slot in slots.items():
+            copy = own[name] = object.__new__(EValue)
+            copy.__dict__.update(slot.__dict__)
+            copy.owner = made
+        own[FIRST_LISTENERS].append(made)
+        kind = arguments.get("eType")
+        if cls is EReference and kind is not None and not isinstance(kind, EClass) and hasattr(kind, "eClass"):
+            arguments["eType"] = kind.eClass
+        elif cls is EAttribute and isinstance(kind, EDataType) and arguments.get("default_value") is None:
+            arguments["default_value"] = kind.default_value
+        for name, value in arguments.items():
+            setattr(made, names.get(name, name), value)
+        return made
+
+    return make
+
+
+def _is_own(name: str) -> bool:
+    """Whether a field of an element is its own, and not to be copied to another."""
+    return name in FIELDS or name in ("listeners", "dyn_inst")
 
 
 class Slot:

@@ -21,7 +21,7 @@ from pyecore import ecore
 from robosmi.model.construct import initialise
 from robosmi.model.ecore_description import XML_TYPE_URI
 from robosmi.model.feature_values import FeatureCollection
-from robosmi.model.pyecore_internals import first_listeners_of, set_first_listeners, set_key
+from robosmi.model.pyecore_internals import first_listeners_of, quick_constructor, set_first_listeners, set_key
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
 
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
         def __init__(self, *, key: str | None = None, value: str | None = None) -> None: ...
 
 else:
-    EAttribute, EReference = ecore.EAttribute, ecore.EReference
+    EAttribute, EReference = map(quick_constructor, (ecore.EAttribute, ecore.EReference))
     _INIT = Element.__init__
 
     class MetaEClass(ecore.MetaEClass):

@@ -362,6 +362,39 @@ def elements_are_told_from_modules() -> None:
 
 
 @fact
+def features_may_be_made_by_copy() -> None:
+    """A feature that is a copy of one made without arguments, with what is given assigned, is as its constructor makes it."""
+    node = node_class()
+    given: list[dict[str, Any]] = [
+        {"name": "a", "eType": EInt},
+        {"eType": EString, "default_value": "x", "lower": 1},
+        {"name": "a", "eType": EInt, "upper": -1, "unique": False, "ordered": False},
+        {"name": "a", "eType": EString, "iD": True, "changeable": False, "defaultValueLiteral": "y"},
+        {"name": "a", "eType": EInt, "derived": True, "volatile": True, "transient": True, "derived_class": Ear},
+    ]
+    links: list[dict[str, Any]] = [
+        {"name": "r", "eType": node, "containment": True, "upper": -1},
+        {"eType": EObject, "unsettable": True},
+        {"name": "r", "eType": node, "eOpposite": feature(node, "next")},
+    ]
+    for kind, arguments in [(EAttribute, one) for one in given] + [(EReference, one) for one in links]:
+        slow, quick = kind(**arguments), inside.quick_constructor(kind)(**dict(arguments))
+        other = inside.quick_constructor(kind)()
+        assert other.name is None, "a copy changed another"
+        for name in {*slow.__dict__} - inside.FIELDS - {"dyn_inst"}:
+            ours, theirs = (x.__dict__[name] for x in (quick, slow))
+            assert type(ours) is type(theirs), name
+            assert (ours.owner is quick and ours._value == theirs._value) if isinstance(ours, EValue) else ours == theirs, name
+        assert set(quick.__dict__) == set(slow.__dict__)
+        assert set(inside.set_features_of(quick)) == set(inside.set_features_of(slow))
+        assert inside.first_listeners_of(quick) == [quick]
+        assert quick.many == slow.many
+        quick.upperBound, quick.name = 5, "b"
+        assert quick.many
+        assert inside.key_of(quick) == "b"
+
+
+@fact
 def a_class_may_be_given() -> None:
     """`EClass(name, metainstance=cls)` makes a class of the metamodel of a Python class that exists."""
     python: Any = type(EObject)("Given", (EObject,), {})
