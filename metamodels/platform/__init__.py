@@ -84,10 +84,11 @@ if TYPE_CHECKING:
         semantic: ClassVar[AdapterKind]
 
     class UserKind(EnumLiteral):
-        """What takes a resource of a microcontroller."""
+        """What takes a resource of a microcontroller; a part is an object, a class or a function of the core or of a library that is linked once a program names it."""
 
         function: ClassVar[UserKind]
         library: ClassVar[UserKind]
+        part: ClassVar[UserKind]
 
     class EntryStructure(EnumLiteral):
         """Where a program of a target begins."""
@@ -150,7 +151,7 @@ else:
         "AdapterKind",
         {"oneToOne": 0, "oneToMany": 1, "manyToOne": 2, "semantic": 3},
     )
-    UserKind = enumeration("UserKind", {"function": 0, "library": 1})
+    UserKind = enumeration("UserKind", {"function": 0, "library": 1, "part": 2})
     EntryStructure = enumeration("EntryStructure", {"setupLoop": 0, "mainFunction": 1})
     PieceKind = enumeration(
         "PieceKind",
@@ -828,9 +829,9 @@ class ResourceUse(Element, metaclass=MetaEClass):
     """What a function or a library takes of a microcontroller."""
 
     name: str = EAttribute(eType=EString, lower=1)
-    """The function or library."""
+    """The function, the library or the part."""
     userKind: UserKind = EAttribute(eType=UserKind)
-    """Which of the two."""
+    """Which of them."""
     timers: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
     """Names of timers."""
     pins: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -839,6 +840,8 @@ class ResourceUse(Element, metaclass=MetaEClass):
     """Names of buses."""
     condition: str = EAttribute(eType=EString, default_value="")
     """When it takes them, empty for always."""
+    ramBytes: int = EAttribute(eType=EInt)
+    """Bytes of data memory that its variables and buffers take; 0 where that is not known."""
 
     if TYPE_CHECKING:
 
@@ -851,6 +854,7 @@ class ResourceUse(Element, metaclass=MetaEClass):
             pins: Iterable[str] | None = None,
             buses: Iterable[str] | None = None,
             condition: str | None = None,
+            ramBytes: int | None = None,
         ) -> None: ...
 
 
@@ -1052,6 +1056,8 @@ class Adapter(Element, metaclass=MetaEClass):
     """Its text in the language of the target."""
     stackBytes: int = EAttribute(eType=EInt)
     """Bytes of stack that a call or an interrupt takes, where these are many; 0 for a few."""
+    ramBytes: int = EAttribute(eType=EInt)
+    """Bytes of data memory that its own variables take, without those of what it needs and of libraries."""
     fidelity: str = EAttribute(eType=EString, default_value="")
     """How faithful it is."""
     limits: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
@@ -1104,6 +1110,7 @@ class Adapter(Element, metaclass=MetaEClass):
             targetName: str | None = None,
             text: str | None = None,
             stackBytes: int | None = None,
+            ramBytes: int | None = None,
             fidelity: str | None = None,
             limits: Iterable[str] | None = None,
             includes: Iterable[str] | None = None,

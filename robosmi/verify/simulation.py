@@ -58,6 +58,7 @@ class Job:
         horizon_us: how long to run.
         devices: what is connected.
         reached: whether to note which instructions run, where the engine can.
+        stack_room: the first and the last address of the data memory that is left for heap and stack; None asks nothing of them.
     """
 
     elf: str
@@ -71,6 +72,7 @@ class Job:
     horizon_us: float
     devices: Sequence[DeviceUse] = ()
     reached: bool = False
+    stack_room: tuple[int, int] | None = None
 
 
 class PinChange(NamedTuple):
@@ -119,6 +121,7 @@ class PinTrace:
         console: what it sent, by time.
         device_events: what devices noticed, by time.
         reached: the addresses of the instructions that ran, in bytes, where that was asked and the engine tells it.
+        stack_bytes: how far the stack came down from the end of its room at most, where that was asked and the engine tells it.
     """
 
     engine: str
@@ -129,6 +132,7 @@ class PinTrace:
     console: tuple[ConsoleByte, ...]
     device_events: tuple[DeviceEvent, ...]
     reached: tuple[int, ...] = ()
+    stack_bytes: int | None = None
 
     @property
     def text(self) -> str:
@@ -265,6 +269,7 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             tuple(ConsoleByte(*each) for each in answer["console"]),
             tuple(DeviceEvent(*each) for each in answer["device_events"]),
             tuple(answer["reached"]),
+            answer["stack_bytes"],
         )  # fmt: skip
     except (KeyError, TypeError) as error:
         raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error

@@ -38,6 +38,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         "console": trace.console,
         "device_events": trace.device_events,
         "reached": trace.reached,
+        "stack_bytes": trace.stack_bytes,
     }
 
 

@@ -28,7 +28,7 @@ CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
 _LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
-_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack")
+_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack", "ram")
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
 _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
@@ -114,6 +114,7 @@ class AdapterPiece:
         symmetric: parameters that may change places without a difference.
         target_name: its name on the target, where that has one of its own already.
         stack: bytes of stack that a call takes, where these are many; that its interrupts take, where it handles some.
+        ram: bytes of data memory that its own variables take.
     """
 
     kind: str
@@ -140,6 +141,7 @@ class AdapterPiece:
     symmetric: list[str] = field(default_factory=list)
     target_name: str = ""
     stack: int = 0
+    ram: int = 0
 
 
 @dataclass
@@ -277,10 +279,10 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         piece.target_name = value
     elif key == "role":
         piece.role = value
-    elif key == "stack":
+    elif key in ("stack", "ram"):
         if not value.isdecimal():
-            raise _wrong(place, f"'{value}' is no number of bytes", "write: stack: BYTES")
-        piece.stack = int(value)
+            raise _wrong(place, f"'{value}' is no number of bytes", f"write: {key}: BYTES")
+        setattr(piece, key, int(value))
     elif key == "fidelity":
         piece.fidelity = f"{piece.fidelity} {value}".strip()
     elif key == "pin":

@@ -28,6 +28,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
         componentRole=piece.role,
         takenVectors=list(piece.taken),
         stackBytes=piece.stack,
+        ramBytes=piece.ram,
         source="/".join(piece.location.path.replace("\\", "/").split("/")[-3:]),
         pins=[
             platform.AdapterPin(

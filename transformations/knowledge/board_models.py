@@ -27,6 +27,10 @@ _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
+_USERS = (
+    (platform.UserKind.function, "functions"), (platform.UserKind.library, "libraries"), (platform.UserKind.part, "parts"),
+)  # fmt: skip
+"""What takes resources of a microcontroller, and the key that names it."""
 _BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
 _BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
 _MAPPING_KEYS = (
@@ -146,7 +150,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
     buses = table.table("buses") if "buses" in table.values else DataTable(path, {})
     uses = []
     for entry in table.tables("takes", needed=False):
-        for kind, key in ((platform.UserKind.function, "functions"), (platform.UserKind.library, "libraries")):
+        for kind, key in _USERS:
             uses += [
                 platform.ResourceUse(
                     name=user,
@@ -155,6 +159,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
                     pins=list(entry.texts("pins", ())),
                     buses=list(entry.texts("buses", ())),
                     condition=entry.text("when", ""),
+                    ramBytes=entry.optional_number("ram_bytes") or 0,
                 )
                 for user in entry.texts(key, ())
             ]

@@ -8,9 +8,9 @@ told by `queries.cooperation`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-from robosmi.metamodels import ccode, migration, platform
+from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.code import CodeView, CogStart, cogs_of
 from robosmi.transformations.queries.cooperation import (
     Waiting,
@@ -24,6 +24,7 @@ from robosmi.transformations.queries.cooperation import (
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText, inside
+from robosmi.transformations.queries.stack_depth import interrupt_bytes, measured_stacks
 
 GIVE_WAY = "give-way"
 """Rule of changes of text: a loop lets the others get on."""
@@ -55,9 +56,9 @@ def concurrency(
         return None
     functions = _functions(views, starts)
     waiting = Waiting(giving_way(views, uses))
-    stacks = {name: max((p.stackBytes for p in pieces if not _interrupts(p)), default=0) for name, pieces in filled.items()}
+    stacks = measured_stacks(filled.items())
     handled = interrupt_bytes([p for pieces in filled.values() for p in pieces])
-    needs = [(f, IDLE + stack_bytes(f, {n: b for n, b in stacks.items() if b})) for f in functions]
+    needs = [(f, IDLE + stack_bytes(f, stacks)) for f in functions]
     most = max((need for _, need in needs), default=2 * IDLE)
     slots, why = starts_at_once([s.call for s in starts], {name for name in filled if _ENDS.search(name)})
     made = migration.Concurrency(
@@ -83,20 +84,6 @@ def concurrency(
         gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided
     )
     return made
-
-
-def interrupt_bytes(pieces: Iterable[platform.Adapter]) -> int:
-    """Bytes that interrupts which the pieces handle take on the stack in use: all at once, as one may come within another.
-
-    Args:
-        pieces: pieces of adapter files, each as often as you like.
-    """
-    return sum({(str(p.sourceHeader), str(p.name)): int(p.stackBytes) for p in pieces if _interrupts(p)}.values())
-
-
-def _interrupts(piece: platform.Adapter) -> bool:
-    """Whether a piece, or a library that it includes, handles interrupts."""
-    return bool(piece.vectors or piece.takenVectors)
 
 
 def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:

@@ -12,6 +12,7 @@ from typing import Any
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.loop_time import Time, loop_time
+from robosmi.transformations.queries.memory import Memory, memory
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 
 _MILLION = 1e6
@@ -60,16 +61,14 @@ class BoardNeeds:
         pins: of pins.
         timers: of each timer that anything takes, by name.
         loop: how long each pass of its loop waits; None for a program that runs once.
-        stacks: bytes of the stacks of code that ran on other cores, all that may run at once.
-        ram: bytes of RAM that the board has, 0 where that is not known.
+        memory: what is estimated of its data memory.
         build: what the compiled program takes; None before it is compiled.
     """
 
     pins: PinNeeds
     timers: tuple[TimerNeeds, ...]
     loop: Time | None
-    stacks: int = 0
-    ram: int = 0
+    memory: Memory
     build: migration.Build | None = None
 
     def to_json(self) -> dict[str, Any]:
@@ -80,7 +79,8 @@ class BoardNeeds:
                 "wanted": self.pins.wanted, "missing": self.pins.missing,
             },
             "timers": [{"timer": t.timer, "takers": list(t.takers)} for t in self.timers],
-            "stacks": {"bytes": self.stacks, "ram_bytes": self.ram},
+            "stacks": {"bytes": self.memory.stacks, "ram_bytes": self.memory.limit},
+            "memory": self.memory.to_json(),
             "compiled": None if self.build is None else {
                 "board": self.build.board, "flash_bytes": self.build.flashBytes, "flash_limit": self.build.flashLimit,
                 "ram_bytes": self.build.ramBytes, "ram_limit": self.build.ramLimit,
@@ -98,10 +98,7 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
     Args:
         plan: the plan; what is not compiled yet counts as what the models say.
     """
-    shared, chip = plan.concurrency, plan.board.microcontroller if plan.board is not None else None
-    stacks = int(shared.slots * shared.stackBytes) if shared is not None else 0
-    ram = int(chip.ramBytes) if chip is not None else 0
-    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), stacks, ram, plan.build)
+    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), memory(plan), plan.build)
 
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
@@ -153,8 +150,11 @@ def needs_in_words(needs: BoardNeeds) -> str:
         spare = f", {pins.drawn} wired to what no port uses" if pins.drawn else ""
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
-    if needs.stacks:
-        said.append(f"{needs.stacks} of {needs.ram} bytes of RAM for the stacks of what ran on other cores")
+    known = needs.memory
+    if needs.build is None and known.limit:
+        said.append(f"about {known.total} of {known.limit} bytes of RAM and {known.depth} of stack")
+    if known.stacks:
+        said.append(f"{known.stacks} of {known.limit} bytes of RAM for the stacks of what ran on other cores")
     if needs.loop is not None:
         said.append(f"each pass of the loop {_time_in_words(needs.loop)}")
     return "; ".join(said)
@@ -188,9 +188,21 @@ def shortages(needs: BoardNeeds) -> list[str]:
         needed = needs.pins.used + needs.pins.drawn + needs.pins.wanted
         few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
         found.append(f"{few}: {needed} are needed, and the board has {needs.pins.of_board}")
-    if needs.ram and needs.stacks >= needs.ram:
-        found.append(
-            f"the stacks of what ran on other cores take {needs.stacks} bytes, and the board has {needs.ram} bytes of RAM"
-        )
+    if needs.build is None:
+        found += _too_much(needs.memory)
     found += [f"{timer.timer} is taken by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
     return found
+
+
+def _too_much(known: Memory) -> list[str]:
+    """What the memory lacks as it is estimated, and what takes most of it."""
+    if not known.limit or known.total + known.depth <= known.limit:
+        return []
+    shares = [
+        *((share.bytes, f"'{share.name}' {share.bytes}") for share in known.variables[:2]),
+        (known.stacks, f"stacks of what ran on other cores {known.stacks}"),
+        (known.texts, f"texts {known.texts}"),
+        (known.of_adapters, f"adapters and libraries {known.of_adapters}"),
+    ]
+    largest = ", ".join(said for size, said in sorted(shares, key=lambda each: -each[0])[:3] if size)
+    return [f"about {known.total} bytes of RAM and {known.depth} of stack, and the board has {known.limit} ({largest})"]

@@ -26,6 +26,18 @@ def target_of(plan: migration.MigrationPlan) -> platform.Target:
     return plan.targetDescription
 
 
+def platform_of(plan: migration.MigrationPlan) -> platform.Platform:
+    """The platform that a plan's program is moved to.
+
+    Raises:
+        SourceError: the plan's models have none.
+    """
+    found = target_of(plan).platform
+    if found is None:
+        raise SourceError("the plan has no platform to move to", fix="make the plan again with migrate")
+    return found
+
+
 def keeps_main(plan: migration.MigrationPlan) -> bool:
     """Whether programs of the plan's target begin with main, so that it stays as it is."""
     return target_of(plan).structure is platform.EntryStructure.mainFunction

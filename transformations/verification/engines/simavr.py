@@ -11,7 +11,8 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -34,6 +35,7 @@ _HEAD_WORDS = 64
 """So many words of 8 bytes of the library's `avr_t` are looked at: it has more than 16 kB."""
 _ALL_PINS, _DIRECTIONS, _PORT = 8, 9, 10
 _EVERY_WRITE = 8
+_PAINT = 0xA5
 _UART_INPUT, _UART_OUTPUT = 0, 1
 _UART_SLEEPS, _UART_ECHOES = 1, 2
 _BUS_IN, _BUS_OUT = 0, 1
@@ -89,6 +91,8 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
         ("avr_cycle_timer_register", None, [pointer, wide, _TIMER, pointer]),
         ("avr_cycle_timer_status", wide, [pointer, _TIMER, pointer]),
         ("avr_global_logger_set", None, [pointer]),
+        ("avr_core_watch_write", None, [pointer, ctypes.c_uint16, ctypes.c_uint8]),
+        ("avr_core_watch_read", ctypes.c_uint8, [pointer, ctypes.c_uint16]),
         ("avr_twi_irq_msg", number, [ctypes.c_uint8, ctypes.c_uint8, ctypes.c_uint8]),
     ):
         function = getattr(library, name)
@@ -144,6 +148,7 @@ class _Run(Bench):
         self._called, self._instant = False, 0  # whether C calls now, and at which cycle if that was asked, else 0
         self._alarm = _TIMER(self._woken)
         self._fast_external_interrupts()
+        self._painted(job.stack_room)
         self._watch_ports()
         self._watch_console()
         self._watch_bus()
@@ -163,6 +168,28 @@ class _Run(Bench):
         library.avr_init(avr)
         library.avr_load_firmware(avr, ctypes.byref(firmware))
         return avr
+
+    # ---- the stack
+
+    def _painted(self, room: Sequence[int] | None) -> None:
+        """Fill the room for heap and stack with what nobody would leave there."""
+        for address in range(room[0], room[1] + 1) if room is not None else ():
+            self._library.avr_core_watch_write(self._avr, address, _PAINT)
+
+    def _stack_bytes(self) -> int | None:
+        """How far the stack came down: to the end of the longest stretch that is still as it was filled."""
+        if self._job.stack_room is None:
+            return None
+        first, last = self._job.stack_room
+        behind = start = first
+        length = 0
+        for address in range(first, last + 2):
+            if address <= last and self._library.avr_core_watch_read(self._avr, address) == _PAINT:
+                continue
+            if address - start > length:
+                length, behind = address - start, address
+            start = address + 1
+        return last + 1 - behind
 
     # ---- what C calls; what is raised would be lost there
 
@@ -377,7 +404,8 @@ class _Run(Bench):
                 raise self._failed[0]
         self._ended_at = min(self.cycle, end)
         self.ended()
-        return self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
+        trace = self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
+        return replace(trace, stack_bytes=self._stack_bytes())
 
 
 def _version() -> str:

@@ -35,14 +35,17 @@
 
 //# helper drive_top
 //#   fidelity: ticks/s, of drive_speed
+//#   ram: 2
 static int16_t drive_top = 128;
 
 //# helper drive_step
 //#   fidelity: ticks/s each frame, of drive_speed
+//#   ram: 2
 static int16_t drive_step = 12;
 
 //# helper drive_goto_step
 //#   fidelity: ticks/s each frame, of drive_goto
+//#   ram: 2
 static int16_t drive_goto_step = 4;
 
 //# helper drive_pulse
@@ -55,6 +58,7 @@ inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
 
 //# helper wheels
 //#   stack: 100
+//#   ram: 66
 struct Wheel {
   volatile int32_t speed256;      // ticks/s, in 1/256
   volatile int16_t target;        // ticks/s
@@ -86,10 +90,12 @@ static Wheel wheels[2];
 //# helper drive_pins
 //#   port: left_servo = abdrive.left_servo 12 digital out servo
 //#   port: right_servo = abdrive.right_servo 13 digital out servo
+//#   ram: 2
 static uint8_t drive_pins[2] = {left_servo, right_servo};
 
 //# helper drive_frame
 //#   needs: wheels drive_top drive_pulse servo.h/ServoSlot servo.h/servo_us
+//#   ram: 3
 static void (*drive_goto_frame)(Wheel &wheel);
 static volatile uint8_t drive_frames;
 
@@ -134,6 +140,7 @@ inline void drive_wait_rest() {
 
 //# helper drive_start
 //#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/background servo.h/servo_us simpletools.h/Io
+//#   ram: 1
 static bool drive_on;
 
 inline void drive_start() {  // as long as the library takes for the start of its cog
@@ -155,6 +162,7 @@ inline void drive_start() {  // as long as the library takes for the start of it
 //#   port: left_encoder = abdrive.left_encoder 14 digital in encoder
 //#   port: right_encoder = abdrive.right_encoder 15 digital in encoder
 //#   fidelity: a change of level is a tick when it is seen twice, as there; levels are read 976 times a second, there 800 times
+//#   ram: 3
 static uint8_t drive_encoder_pins[2] = {left_encoder, right_encoder};
 static bool drive_encoders_on;
 
@@ -195,6 +203,7 @@ inline void drive_watch_encoders() {
 //#   fidelity: acts on a change only, and returns after 6 frames (100 to 120 ms), later when a wheel rests, while the ramp goes on; the
 //#   fidelity: first call starts the drive, which takes 140 ms
 //#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_pulse)
+//#   ram: 4
 inline void drive_head_for(int16_t left, int16_t right) {
   int16_t to[2] = {left, right};
   uint8_t old = SREG;
@@ -286,6 +295,7 @@ template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
 //#   needs: wheels
 //#   fidelity: a wheel accelerates, keeps its top speed until the rest of the way is what it needs to stop, stops, and makes the ticks still
 //#   fidelity: missing at 4 ticks/s
+//#   ram: 7
 static volatile uint16_t drive_still;  // frames since the last tick
 static bool drive_goto_waits = true;
 

@@ -51,6 +51,7 @@
 //#   port: right_servo_360 = abdrive360.right_servo 13 digital out servo
 //#   port: left_encoder_360 = abdrive360.left_encoder 14 digital in encoder
 //#   port: right_encoder_360 = abdrive360.right_encoder 15 digital in encoder
+//#   ram: 34
 struct Drive360 {
   int32_t left, right, left_signal, right_signal;         // pins
   int32_t top, step, goto_top, goto_step;                 // ticks/s, and ticks/s each 20 ms

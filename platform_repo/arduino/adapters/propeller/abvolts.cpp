@@ -42,11 +42,13 @@ inline float ad_volts(int32_t channel) {
 }
 
 //# helper da_bits
+//#   ram: 1
 static uint8_t da_bits = 8;
 
 //# helper da_pins
 //#   port: da_0 = abvolts.output_0 26 pwm out
 //#   port: da_1 = abvolts.output_1 27 pwm out
+//#   ram: 2
 static uint8_t da_pins[2] = {da_0, da_1};
 
 //# adapter da_init

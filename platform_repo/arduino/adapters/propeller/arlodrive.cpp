@@ -21,6 +21,7 @@
 
 //# helper arlo_pin
 //#   port: arlo_line = arlodrive.line 12 digital both motor-controller
+//#   ram: 1
 static uint8_t arlo_pin = arlo_line;
 
 //# helper ArloLine
@@ -71,6 +72,7 @@ struct ArloLine {
 //# helper arlo_command
 //#   needs: arlo_pin ArloLine DHB10_LEN
 //#   fidelity: up to a second for an answer, as there; nothing else runs while it waits
+//#   ram: 64
 static char arlo_reply[DHB10_LEN];
 
 inline char *arlo_command(const char *text) {
@@ -91,6 +93,7 @@ inline char *arlo_command(const char *text) {
 }
 
 //# helper arlo_on
+//#   ram: 1
 static bool arlo_on;
 
 //# adapter drive_open
@@ -120,6 +123,7 @@ inline char *dhb10_com(const char *configStr) {
 
 //# helper arlo
 //#   fidelity: what the library keeps of the drive
+//#   ram: 21
 static struct {
   int32_t left, right;  // speeds asked for last
   int16_t top, step;    // the speed limit; 4 encoder ticks/s each 20 ms
@@ -198,6 +202,7 @@ inline char *drive_speed(int32_t left, int32_t right) {
 
 //# helper arlo_goto
 //#   fidelity: so many times 20 ms at rest end drive_goto
+//#   ram: 4
 static int32_t arlo_goto = 16;
 
 //# adapter drive_gotoDoneDelay

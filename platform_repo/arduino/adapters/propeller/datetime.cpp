@@ -46,6 +46,7 @@ struct datetime_st {
 typedef datetime_st datetime;
 
 //# helper clock_seconds
+//#   ram: 9
 static int32_t clock_seconds;      // at the last look
 static uint32_t clock_looked;      // millis() at the whole second before that look
 static bool clock_on;

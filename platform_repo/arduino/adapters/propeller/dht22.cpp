@@ -14,12 +14,15 @@
 #define KELVIN 2
 
 //# helper dht22_celsius
+//#   ram: 4
 static int32_t dht22_celsius;  // tenths
 
 //# helper dht22_humidity
+//#   ram: 4
 static int32_t dht22_humidity;  // tenths
 
 //# helper dht22_hasty
+//#   ram: 4
 static uint32_t dht22_hasty;  // bit for each pin that is read without a pause
 
 //# adapter dht22_set_timeout_ignore
@@ -41,6 +44,7 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //#   pin: dht_pin digital both
 //#   fidelity: 1 when the checksum is right, which it never is below 0 degrees, as there; waits for half a second after the last reading, and listens for 47 ms, as there
 //#   limit: other cogs wait for 6 ms
+//#   ram: 128
 inline char dht22_read(int32_t dht_pin) {
   static uint32_t last[32];
   Io io(dht_pin);

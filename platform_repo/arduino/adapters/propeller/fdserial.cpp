@@ -45,6 +45,7 @@ typedef text_t fdserial;
 //#   include: <util/delay_basic.h>
 //#   fidelity: up to 19,200 baud a byte is put together from the times of its edges, so that other interrupts go on, and several lines
 //#   fidelity: receive at the same time; faster, a byte is received and sent with interrupts off
+//#   ram: 22
 struct SerialLine : Stream, PinWatch {
   Io receives, sends;
   bool inverts_rx, inverts_tx, open_drain, fast;

@@ -2,6 +2,7 @@
 // A matrix of keys. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Interface/libkeypad (keypad.h, keypad.c).
 
 //# helper Keypad
+//#   ram: 68
 struct Keypad {
   uint8_t rows, columns;
   int32_t pins[16];     // of the rows, then of the columns
@@ -65,6 +66,7 @@ inline int32_t keypad_read() {
 }
 
 //# helper keypad_end_key
+//#   ram: 4
 static int32_t keypad_end_key;
 
 //# adapter keypad_getNumber

@@ -139,6 +139,7 @@
 #define MMA7455_PULSE_DETECT 3
 
 //# helper mma7455_pins
+//#   ram: 3
 static uint8_t mma7455_pins[3] = {255, 255, 255};  // data, clock, enable
 
 //# adapter MMA7455_writeByte

@@ -2,10 +2,12 @@
 // A clock of milliseconds. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Misc/libmstimer (mstimer.h, mstimer.c).
 
 //# helper mstime_origin
+//#   ram: 8
 static uint32_t mstime_origin;
 static int32_t mstime_held;  // what it shows while it stands
 
 //# helper mstime_on
+//#   ram: 1
 static bool mstime_on;
 
 //# adapter mstime_get

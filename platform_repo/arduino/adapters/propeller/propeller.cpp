@@ -6,6 +6,7 @@
 //# helper port
 //#   table: port_pins 32
 //#   fidelity: the pin of a port of the source; no pin when the port is not wired; what is negative stays
+//#   ram: 32
 inline int32_t port(int32_t number) {
   return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
@@ -210,10 +211,12 @@ inline void togglepin(int32_t pin) {
 
 //# helper locks_given
 //#   fidelity: which of the eight locks are given out
+//#   ram: 1
 static uint8_t locks_given = 0;
 
 //# helper locks_set
 //#   fidelity: which of the eight locks are set
+//#   ram: 1
 static uint8_t locks_set = 0;
 
 //# adapter locknew
@@ -274,6 +277,7 @@ inline int32_t lockclr(int32_t lockid) {
 //#   needs: COG_SLOTS
 //#   fidelity: code of other cogs runs on stacks of its own; one cog runs at a time, until it waits or ends
 //#   limit: a stack holds COG_STACK bytes: locals and calls of the cog, and the interrupts that come meanwhile
+//#   ram: 13
 enum { COG_PAINT = 0xA5, COG_SAVED = 18 };  // what an unused stack is filled with; the registers that a function must keep
 
 struct CogTable {
@@ -288,6 +292,7 @@ static CogTable cog_table;
 //# helper cogs_running
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   fidelity: bit n: cog n runs; 0 is main
+//#   ram: 1
 static uint8_t cogs_running = 1;
 
 //# helper cog_switch

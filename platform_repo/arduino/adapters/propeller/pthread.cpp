@@ -15,6 +15,7 @@ struct Thread {
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: Thread propeller.h/COG_SLOTS
 //#   fidelity: the thread of each cog; 0 is main
+//#   ram: 30
 static Thread threads[COG_SLOTS + 1];
 
 //# type pthread_t

@@ -20,6 +20,7 @@ struct pwm2ch {
 //#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
 //#   stack: 36
 //#   timer: Timer1
+//#   ram: 3
 static pwm2ch *volatile pwm2ch_running;
 static uint8_t pwm2ch_open;  // bit for each channel whose pulse is still to end
 

@@ -10,6 +10,7 @@
 //#   stack: 124
 //#   fidelity: sample jobs every 1,024 us, frame jobs every 20 ms on average, both with interrupts on; frame jobs wait while an input is
 //#   fidelity: timed, and come at least 8 ms one after the other
+//#   ram: 14
 static void (*sample_jobs[2])();
 static void (*frame_jobs[3])();
 static volatile uint16_t frame_waited;  // microseconds
@@ -64,6 +65,7 @@ template <uint8_t places> inline void run_in_background(void (*(&jobs)[places])(
 //#   taken: TIMER1_COMPA_vect
 //#   stack: 24
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
+//#   ram: 132
 const uint8_t servo_places = MAX_SERVOS < 14 ? MAX_SERVOS : 14;
 
 struct ServoSlot {

@@ -81,6 +81,7 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 
 //# helper Servo360
 //#   needs: S360_POSITION Uninterrupted servo.h/background simpletools.h/PinWatch
+//#   ram: 8
 const int16_t turn360 = 4096;
 
 struct Gains360 {  // in 1/1000
@@ -250,6 +251,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
 
 //# helper servo360_run
 //#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/background servo.h/servo_us
+//#   ram: 1
 inline void servo360_frame() {
   bool alive[4];
   for (uint8_t place = 0; place < 4; place++) {

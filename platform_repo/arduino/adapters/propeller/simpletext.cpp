@@ -109,11 +109,13 @@ typedef text_t terminal;
 //# helper console
 //#   needs: text_t
 //#   setup: Serial.begin(115200);
+//#   ram: 10
 static text_t console = {&Serial, 0, '\r', '\n', '\n', 0};
 
 //# variable dport_ptr
 //#   needs: text_t console
 //#   fidelity: exact: the device of print and its like, 0 when it is closed
+//#   ram: 2
 static text_t *dport_ptr = &console;
 
 //# adapter set_endChars

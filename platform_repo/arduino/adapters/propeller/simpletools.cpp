@@ -7,6 +7,7 @@
 //# helper Io
 //#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
+//#   ram: 3
 static uint8_t latches[(NUM_DIGITAL_PINS + 7) / 8];
 
 struct Io {  // one pin, ready for access to its registers
@@ -244,14 +245,17 @@ inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
 
 //# helper pause_unit
 //#   fidelity: the unit of pause in ticks of 12.5 ns
+//#   ram: 4
 static int32_t pause_unit = 80000L;
 
 //# helper io_ticks
 //#   fidelity: the unit of timed input and output in ticks of 12.5 ns
+//#   ram: 4
 static int32_t io_ticks = 80;
 
 //# helper io_timeout_ticks
 //#   fidelity: how long timed input waits, in ticks of 12.5 ns
+//#   ram: 4
 static int32_t io_timeout_ticks = 20000000L;
 
 //# variable ms
@@ -313,6 +317,7 @@ inline void pause_ticks(uint32_t pticks) {
 
 //# helper mark_ticks
 //#   fidelity: when mark was called, in ticks of 12.5 ns
+//#   ram: 4
 static uint32_t mark_ticks = 0;
 
 //# adapter mark
@@ -376,6 +381,7 @@ inline uint16_t edge_stamp() {  // as edge_cycles, of 16 bits and faster; interr
 
 //# helper PinWatch
 //#   fidelity: one handler of pin-change interrupts for all that waits for them
+//#   ram: 2
 struct PinWatch {
   volatile uint8_t *in;  // the pin's register and bit
   uint8_t mask, level;
@@ -446,6 +452,7 @@ ISR(PCINT0_vect) { pins_changed(); }
 //# helper TimedInput
 //#   fidelity: what drives and servos calculate every 20 ms waits while an input is timed: up to 20 ms for the edge that begins it, and
 //#   fidelity: up to 20 ms for the one that ends it
+//#   ram: 3
 static volatile uint8_t frames_wait;  // for how many periods of 1,024 us frame jobs wait
 static void (*frames_due)();          // does those that have waited
 
@@ -638,6 +645,7 @@ inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
 
 //# helper wave_pins
 //#   fidelity: the pin of each channel of square_wave
+//#   ram: 8
 static int32_t wave_pins[2] = {-1, -1};
 
 //# helper end_wave
@@ -681,6 +689,7 @@ inline void square_wave_stop() {
 
 //# helper pwm_channels
 //#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
+//#   ram: 22
 struct PwmChannel {
   uint8_t pin, mask;
   volatile uint8_t *out;
@@ -692,6 +701,7 @@ static volatile PwmChannel pwm_channels[2];
 
 //# helper pwm_cycle
 //#   fidelity: microseconds of the cycle, 0 while there is none
+//#   ram: 4
 static volatile uint32_t pwm_cycle = 0;
 
 //# helper pwm_end_pulses
@@ -807,10 +817,12 @@ inline void pwm_stop() {
 
 //# helper dac_pins
 //#   fidelity: the pin of each channel of dac_ctr
+//#   ram: 8
 static int32_t dac_pins[2] = {-1, -1};
 
 //# helper dac_bits
 //#   fidelity: resolution of dac_ctr
+//#   ram: 1
 static uint8_t dac_bits = 8;
 
 //# helper end_dac
@@ -935,6 +947,7 @@ inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits
 
 //# helper i2c_buses
 //#   needs: simplei2c.h/i2c
+//#   ram: 2
 static i2c i2c_buses[2];
 
 //# adapter i2c_newbus
@@ -1253,6 +1266,7 @@ inline void endianSwap(void *resultAddr, const void *varAddr, int32_t byteCount)
 }
 
 //# helper random_seeded
+//#   ram: 1
 static bool random_seeded = false;
 
 //# adapter random
@@ -1318,6 +1332,7 @@ struct CogInfo {
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: propeller.h/COG_SLOTS
 //#   fidelity: the numbers of the cogs plus 1, where cog_run's callers look for them
+//#   ram: 4
 static int32_t cog_numbers[COG_SLOTS];
 
 //# adapter cog_run

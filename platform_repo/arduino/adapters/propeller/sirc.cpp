@@ -50,6 +50,7 @@
 #define ARROW_R 51
 
 //# helper sirc_limit
+//#   ram: 4
 static uint32_t sirc_limit;  // milliseconds; 0, it waits for ever
 
 //# adapter sirc_setTimeout

@@ -371,6 +371,7 @@ inline int32_t c_scanf(const char *fmt, Targets... targets) {
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: two files can be open at a time; each is a stream of the target's library
+//#   ram: 58
 struct OpenFile {
   FILE stream;
   File file;

@@ -38,6 +38,7 @@ inline clock_t c_clock() {
 //# helper clock_base
 //#   include: <time.h>
 //#   fidelity: what the clock was set to, and when
+//#   ram: 12
 static time_t clock_base;  // seconds
 static uint64_t clock_set_at;  // microseconds since the program began
 

@@ -7,6 +7,7 @@
 //#   timer: Timer0
 //#   vector: TIMER0_OVF_vect
 //#   fidelity: microseconds since the program began, in steps of 64 cycles (4 us at 16 MHz)
+//#   ram: 4
 static volatile uint32_t clock_rounds;
 
 ISR(TIMER0_OVF_vect) {
@@ -40,6 +41,7 @@ static inline void clock_wait(uint32_t milliseconds) {
 //# helper port
 //#   table: port_pins 32
 //#   fidelity: the pin of a port of the source; no pin when the port is not wired; what is negative stays
+//#   ram: 32
 static inline int32_t port(int32_t number) {
   return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
@@ -125,10 +127,12 @@ static inline void waitpne(uint32_t state, uint32_t mask) {
 
 //# helper locks_given
 //#   fidelity: which of the eight locks are given out
+//#   ram: 1
 static uint8_t locks_given = 0;
 
 //# helper locks_set
 //#   fidelity: which of the eight locks are set
+//#   ram: 1
 static uint8_t locks_set = 0;
 
 //# adapter locknew

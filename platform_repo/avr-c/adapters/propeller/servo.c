@@ -8,6 +8,7 @@
 //#   timer: Timer1
 //#   vector: TIMER1_COMPA_vect
 //#   fidelity: eight servos at 20 ms, more of them at longer frames
+//#   ram: 132
 typedef struct {
   uint8_t pin;
   bool used, on;

@@ -102,6 +102,7 @@ typedef text_t terminal;
 
 //# helper usart_ring
 //#   fidelity: what came on the serial line of the console and is not read yet; more than fits is lost
+//#   ram: 66
 enum { usart_room = 64 };
 static volatile uint8_t usart_bytes[usart_room], usart_first, usart_next;
 
@@ -186,6 +187,7 @@ static inline void usart_open(uint32_t baud) {
 
 //# helper console
 //#   needs: text_t usart_registers
+//#   ram: 6
 static text_t console;
 
 __attribute__((constructor, used)) static void console_open(void) {
@@ -198,6 +200,7 @@ __attribute__((constructor, used)) static void console_open(void) {
 //# variable dport_ptr
 //#   needs: text_t console
 //#   fidelity: exact: the device of print and its like, 0 when it is closed
+//#   ram: 2
 static text_t *dport_ptr __attribute__((unused)) = &console;
 
 //# adapter set_endChars
@@ -1132,6 +1135,7 @@ static inline int32_t scan_text(bool floats, const char *text, const char *forma
 
 //# helper scan_line
 //#   needs: text_t readStr
+//#   ram: 81
 static char scan_buffer[81];
 
 static inline const char *scan_line(text_t *device) {

@@ -8,6 +8,7 @@
 //#   include: <avr/interrupt.h>
 //#   fidelity: OUTA and DIRA are independent on the Propeller and a released pin floats. PORT = 1 at an input of an AVR is a pull-up, so the
 //#   fidelity: output latch is kept here, and reaches PORT only while the pin is an output.
+//#   ram: 12
 typedef struct {  // one pin, ready for access to its registers
   uint8_t number, mask;  // mask: 0 where there is no pin
   volatile uint8_t *in;  // PINx; DDRx and PORTx stand behind it
@@ -270,14 +271,17 @@ static inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pat
 
 //# helper pause_unit
 //#   fidelity: the unit of pause in ticks of 12.5 ns
+//#   ram: 4
 static int32_t pause_unit = 80000L;
 
 //# helper io_ticks
 //#   fidelity: the unit of timed input and output in ticks of 12.5 ns
+//#   ram: 4
 static int32_t io_ticks = 80;
 
 //# helper io_timeout_ticks
 //#   fidelity: how long timed input waits, in ticks of 12.5 ns
+//#   ram: 4
 static int32_t io_timeout_ticks = 20000000L;
 
 //# variable ms
@@ -326,6 +330,7 @@ static inline void pause_ticks(uint32_t pticks) {
 
 //# helper mark_ticks
 //#   fidelity: when mark was called, in ticks of 12.5 ns
+//#   ram: 4
 static uint32_t mark_ticks = 0;
 
 //# adapter mark
@@ -530,6 +535,7 @@ static inline int32_t count(int32_t pin, int32_t duration) {
 //#   timer: Timer2
 //#   vector: TIMER2_COMPA_vect
 //#   fidelity: a square wave at one pin
+//#   ram: 17
 static volatile uint8_t *wave_in;
 static volatile uint8_t wave_mask;
 
@@ -565,6 +571,7 @@ static inline bool wave_start(volatile uint8_t *in, uint8_t mask, int32_t freque
 //#   timer: Timer3
 //#   vector: TIMER3_COMPA_vect
 //#   fidelity: a square wave at one pin
+//#   ram: 17
 static volatile uint8_t *wave_in;
 static volatile uint8_t wave_mask;
 
@@ -614,6 +621,7 @@ static inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
 
 //# helper wave_pins
 //#   fidelity: the pin of each channel of square_wave
+//#   ram: 8
 static int32_t wave_pins[2] = {-1, -1};
 
 //# helper end_wave
@@ -952,6 +960,7 @@ static inline void endianSwap(void *resultAddr, const void *varAddr, int32_t byt
 }
 
 //# helper random_seeded
+//#   ram: 1
 static bool random_seeded = false;
 
 //# adapter random

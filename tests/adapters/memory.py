@@ -1,0 +1,124 @@
+"""What the variables of adapter pieces take of the data memory, measured with avr-g++, avr-gcc and avr-objdump.
+
+`python -m tests.adapters.memory` prints the pieces whose marker `ram` says something else; with `--write` the markers are
+written. A variable belongs to the piece whose text declares it.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from robosmi.transformations.knowledge.adapter_files import MARK, AdapterPiece
+from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.m2t.adapter_text import adapter_text
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from tests.adapters import bench, bench_c, test_files
+
+_SYMBOL = re.compile(
+    r"^[0-9a-f]+ .{7} (?P<section>\.(?:data|bss|rodata|noinit)\S*|\*COM\*)\s+(?P<bytes>[0-9a-f]+) (?:\.hidden )?(?P<name>.+)$"
+)
+MCU = "atmega328p"
+_SCALAR = 4
+"""Constants of so many bytes are taken into the code."""
+_NO_NAME = re.compile(r"\([^()]*\)|\.\d+|vtable for|guard variable for|anonymous namespace")
+_COGS = "#define COG_SLOTS 1\n#define COG_STACK 0\n"
+"""With no bytes of stack: a plan adds those of its own."""
+_KEEP = ["-O1", "-fno-toplevel-reorder", "-fkeep-inline-functions", "-fkeep-static-consts", "-fno-merge-constants", "-w"]
+
+
+def symbols(text: str, mcu: str, folder: Path, language: str) -> Iterator[tuple[str, int]]:
+    """The names of the variables that a text declares, with their bytes; functions stand before their own with `::`."""
+    name = f"adapters.{'c' if language == 'C' else 'cpp'}"
+    (folder / name).write_text(text)
+    tool, more = ("avr-gcc", ["-std=gnu11"]) if language == "C" else ("avr-g++", [*test_files.DEFINES])
+    command = [tool, f"-mmcu={mcu}", "-DF_CPU=16000000L", *more, *_KEEP, *test_files.folders(mcu), "-c", name, "-o", "adapters.o"]
+    subprocess.run(command, check=True, cwd=folder)
+    listed = subprocess.run(["avr-objdump", "-t", "-C", "adapters.o"], check=True, capture_output=True, text=True, cwd=folder)
+    for line in listed.stdout.splitlines():
+        if (found := _SYMBOL.match(line)) and not found["name"].startswith("."):
+            size = int(found["bytes"], 16)
+            if size > _SCALAR or not found["section"].startswith(".rodata"):
+                yield found["name"], size
+
+
+def measured(
+    pieces: Sequence[AdapterPiece], wanted: Sequence[tuple[str, str]], mcu: str, language: str
+) -> Counter[tuple[str, str]]:
+    """Bytes of data memory of each piece that some wanted ones need."""
+    needed = AdapterPieces(pieces).needed(wanted, mcu)
+    start = bench_c.HEAD if language == "C" else "#include <Arduino.h>\n"
+    text = start + _COGS + adapter_text([adapter_element(piece) for piece in needed.pieces], {}, bench.NO_PIN)
+    found: Counter[tuple[str, str]] = Counter()
+    words = {id(piece): _words(piece) for piece in needed.pieces}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, size in symbols(text, mcu, Path(folder), language):
+            if name.startswith("vtable for ") and not any(
+                re.search(rf"\b(?:struct|class) {name[11:]}\b", p.text) for p in needed.pieces
+            ):
+                continue  # of a class of the core
+            asked = re.findall(r"\w+", _NO_NAME.sub("", name))
+            holder = next((p for p in needed.pieces if asked and all(each in words[id(p)] for each in asked)), None)
+            if holder is not None:
+                found[holder.header, holder.name] += size
+    return found
+
+
+def _words(piece: AdapterPiece) -> set[str]:
+    return {text for kind, *_, text in tokens(piece.text.encode()) if kind == "name"}
+
+
+def measurements(language: str, pieces: Sequence[AdapterPiece]) -> Counter[tuple[str, str]]:
+    """Bytes of data memory of each piece of a language, on the microcontroller that most boards have."""
+    most: Counter[tuple[str, str]] = Counter()
+    for header in sorted({piece.header for piece in pieces}):
+        keys = [(piece.header, piece.name) for piece in pieces if piece.header == header]
+        for key, size in measured(pieces, keys, MCU, language).items():
+            most[key] = max(most[key], size)
+    return most
+
+
+def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
+    """The text of an adapter file with its markers `ram` as measured."""
+    lines: list[str] = []
+    header = size = ""
+    for line in text.split("\n"):
+        if size and not line.startswith(f"{MARK}   "):
+            lines.append(f"{MARK}   ram: {size}")
+            size = ""
+        if line.startswith(f"{MARK}   ram:"):
+            continue
+        lines.append(line)
+        words = line[len(MARK) :].split() if line.startswith(MARK) else []
+        if line.startswith(f"{MARK} header"):
+            header = words[1]
+        elif line.startswith(f"{MARK} ") and not line.startswith(f"{MARK}   ") and len(words) == 2:
+            size = str(sizes[header, words[1]] or "")
+    return "\n".join(lines)
+
+
+def main(*arguments: str) -> int:
+    """Print the files whose markers are not what is measured; 1 if there are any. With `--write`, write them."""
+    wrong = 0
+    for language, pieces, folder in (("C++", bench.pieces(), bench.ADAPTERS), ("C", bench_c.pieces(), bench_c.ADAPTERS)):
+        sizes = measurements(language, pieces)
+        for path in sorted({Path(piece.location.path) for piece in pieces}):
+            text = path.read_text()
+            if (new := written(text, sizes)) == text:
+                continue
+            wrong += 1
+            if "--write" in arguments:
+                path.write_text(new)
+            else:
+                print(f"{path.relative_to(folder)}: the markers `ram` are not what is measured")
+    return int(bool(wrong and "--write" not in arguments))
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,131 @@
+"""Compare the memory that programs of a corpus are estimated to take with what the linker says and with the stack on a simulator.
+
+Usage: python -m tests.corpus.memory_corpus FOLDER [--only TEXT] [--seconds N]. Each program is migrated and compiled for the Uno;
+with seconds it runs on simavr, its room for heap and stack filled before. A run sees the stack of what happens in it,
+so the estimate of the stack should be no smaller; the estimate of the rest should be within 10 % of .data and .bss.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import robosmi
+from robosmi.errors import RobosmiError
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.queries.memory import Memory, memory
+from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, TO_WRITE, CallStates
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.simulation import simulate
+from robosmi.verify.toolchain import compile_sketch
+from tests.corpus.migrate_corpus import programs
+
+NEAR = 0.1
+
+
+@dataclass(frozen=True)
+class Row:
+    """What became of one program.
+
+    Attributes:
+        path: its source.
+        estimate: of its memory.
+        linked: bytes of .data and .bss.
+        written: whether each call of the platform reaches a body.
+        stack: bytes of stack that the simulator saw; None where it was not asked or the program has no room.
+    """
+
+    path: str
+    estimate: Memory
+    linked: int
+    written: bool
+    stack: int | None = None
+
+    @property
+    def error(self) -> float:
+        """How far the estimate is off, as a part of what the linker says."""
+        return self.estimate.total / self.linked - 1
+
+    def __str__(self) -> str:
+        """One line of the table."""
+        stack = f"stack {self.stack:4} estimated {self.estimate.depth:4}" if self.stack is not None else ""
+        body = "" if self.written else "  (functions without a body)"
+        return f"{self.linked:6} estimated {self.estimate.total:6} {100 * self.error:+7.1f} %  {stack}  {self.path}{body}"
+
+
+def stack_room(elf: Path) -> tuple[int, int]:
+    """The first and the last address that a program leaves for heap and stack."""
+    listed = subprocess.run(["avr-nm", str(elf)], check=True, capture_output=True, text=True).stdout
+    found = {words[-1]: int(words[0], 16) & 0xFFFF for line in listed.splitlines() if len(words := line.split()) == 3}
+    return found["_end"], found["__stack"]
+
+
+def stack_bytes(report: CompileReport, seconds: float) -> int | None:
+    """The bytes of stack that a program takes on the simulator; None where nothing is left for it."""
+    if report.elf is None or report.hex is None or not report.fits:
+        return None
+    asked = job(report.elf, report.hex, load_board("uno"), seconds * 1e6)
+    return simulate(replace(asked, stack_room=stack_room(report.elf)), "simavr").stack_bytes
+
+
+def row(files: Sequence[Path], name: str, seconds: float) -> Row | None:
+    """What becomes of one program; None where it cannot be migrated or compiled."""
+    with tempfile.TemporaryDirectory() as scratch:
+        output = Path(scratch)
+        try:
+            plan = robosmi.migrate(list(files), output / "out").models.plan
+            report = compile_sketch(output / "out", keep=output)
+        except RobosmiError:
+            return None
+        if not report.ok or not report.ram_bytes:
+            return None
+        states = CallStates(plan).counts()
+        stack = stack_bytes(report, seconds) if seconds else None
+        return Row(name, memory(plan), report.ram_bytes, not (states[TO_WRITE] + states[NO_SUPPORT]), stack)
+
+
+def summary(rows: Sequence[Row]) -> list[str]:
+    """The distribution of the errors, of all programs and of those without functions that are still to be written."""
+    lines = []
+    for title, chosen in (("all", rows), ("with a body for each call", [each for each in rows if each.written])):
+        errors = sorted(abs(each.error) for each in chosen)
+        if not errors:
+            continue
+        near = sum(error <= NEAR for error in errors)
+        parts = ", ".join(
+            f"{part} % within {100 * errors[min(len(errors) - 1, len(errors) * part // 100)]:.1f} %" for part in (50, 75, 90)
+        )
+        lines.append(f"{title}: {len(errors)} programs, {near} within 10 % ({100 * near / len(errors):.1f} %); {parts}")
+    seen = [each for each in rows if each.stack is not None]
+    if seen:
+        enough = sum(each.estimate.depth >= (each.stack or 0) for each in seen)
+        near = sum(abs(each.estimate.depth - (each.stack or 0)) <= 32 for each in seen)
+        lines.append(
+            f"stack: {len(seen)} programs, estimate not below what was seen in {enough}, within 32 bytes of it in {near}"
+        )
+    return lines
+
+
+def main() -> None:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("corpus", type=Path)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--seconds", type=float, default=0.0, help="simulated time of each program; 0 leaves the stack out")
+    arguments = parser.parse_args()
+    rows = []
+    for files in programs(arguments.corpus):
+        name = str(files[0].relative_to(arguments.corpus))
+        if arguments.only in name and (found := row(files, name, arguments.seconds)) is not None:
+            rows.append(found)
+            print(found, flush=True)
+    print("\n".join(summary(rows)))
+
+
+if __name__ == "__main__":
+    main()

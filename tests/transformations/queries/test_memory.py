@@ -1,0 +1,75 @@
+"""The memory that programs take, estimated from the models: of the program's variables as each says in its first line, and in sum
+as the linker says it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.transformations.chains.migrate import plan_migration
+from robosmi.transformations.queries.memory import memory
+from robosmi.verify.toolchain import compile_sketch
+from tests.corpus.memory_corpus import stack_bytes
+from tests.tools import require_engine, require_tools
+
+PROGRAMS = sorted((Path(__file__).parent / "memory").glob("*.c"))
+BOUND = 0.1
+"""How far the estimate may be from what the linker says."""
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: str(path.stem))
+def test_the_variables_that_last_are_counted(program: Path) -> None:
+    said = program.read_text().splitlines()[0].removeprefix("// bytes: ")
+    assert memory(plan_migration([program]).plan).of_variables == sum(map(int, said.split(" + ")))
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: str(path.stem))
+def test_the_linker_says_nearly_the_same(program: Path, tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    made = robosmi.migrate([program], tmp_path / "out")
+    report = robosmi.compile_sketch(tmp_path / "out")
+    assert report.ok
+    assert memory(made.models.plan).total == pytest.approx(report.ram_bytes, rel=BOUND)
+
+
+def test_a_text_is_counted_once_and_not_where_another_ends_with_it() -> None:
+    found = memory(plan_migration([PROGRAMS[0].with_name("texts.c")]).plan)
+    alone = memory(plan_migration([PROGRAMS[0].with_name("cogs.c")]).plan)
+    assert found.texts >= len("a text that is said twice: %d\n") + 1
+    assert found.texts < 2 * len("a text that is said twice: %d\n") + 70  # and what prints it
+    assert alone.stacks > 0
+
+
+def test_what_does_not_fit_is_said_before_it_is_compiled(tmp_path: Path) -> None:
+    program = tmp_path / "big.c"
+    program.write_text(
+        '#include "simpletools.h"\nint samples[900];\nint main() { for (int i = 0; ; i++) samples[i % 900] += samples[i % 7]; }\n'
+    )
+    made = robosmi.migrate([program], tmp_path / "out")
+    needs = made.result()["plan"]["needs"]["memory"]
+    assert needs["variables"] == 3600
+    assert needs["largest"][0] == {"name": "samples", "bytes": 3600, "line": 2}
+    assert needs["estimated_bytes"] > needs["ram_bytes"] == 2048
+    first = next(text for name, text in made.contents.items() if name.endswith("MIGRATION.md")).decode()
+    assert "and the board has 2048 ('samples' 3600" in first[: first.index("## ")]
+    assert any("and the board has 2048" in line for line in made.lines())
+
+
+def test_the_stack_that_a_simulator_sees_is_nearly_the_one_estimated(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    require_engine("simavr")
+    program = tmp_path / "deep.c"
+    program.write_text(
+        '#include "simpletools.h"\n'
+        "int sum(volatile char *p) { volatile char more[60]; for (int i = 0; i < 60; i++) more[i] = p[i]; return more[7]; }\n"
+        "int filled(int value) { volatile char many[200]; for (int i = 0; i < 200; i++) many[i] = value; return sum(many); }\n"
+        "int main() { while (1) { if (filled(input(3)) > 5) high(4); pause(5); } }\n"
+    )
+    made = robosmi.migrate([program], tmp_path / "out")
+    seen = stack_bytes(compile_sketch(tmp_path / "out", keep=tmp_path), 0.1)
+    assert seen is not None
+    assert seen > 260
+    assert memory(made.models.plan).depth == pytest.approx(seen, abs=60)

@@ -1,0 +1,71 @@
+"""What of a program may be carried out at all: all that main leads to, by calls, names of functions, and values of variables.
+
+What a compiler leaves out of a program because nothing leads there is left out here, too. Which calls happen in fact, and in
+which order, is not asked.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import all_contents
+from robosmi.transformations.queries.main_function import main_of
+
+
+def live_elements(plan: migration.MigrationPlan) -> list[Any]:
+    """What may be carried out: all in main, in the functions that it leads to, and in initial values of variables used there."""
+    units = plan.program.units if plan.program is not None else ()
+    declared = [d for unit in units for d in unit.declarations]
+    defined: dict[str, ccode.Declaration]
+    defined = {str(d.name): d for d in declared if isinstance(d, ccode.Function) and d.body is not None}
+    defined |= {str(d.name): d for d in declared if isinstance(d, ccode.Variable) and d.storage.name == "unspecified"}
+    words = in_macros(plan)
+    pending: list[Any] = [main for unit in units if (main := main_of(unit)) is not None]
+    pending += [d for d in declared if isinstance(d, ccode.Variable) and d.name in words]
+    seen, found = {id(each) for each in pending}, list[Any]()
+    inside = set[int]()
+    while pending:
+        start = pending.pop()
+        for element in (start, *all_contents(start)):
+            if id(element) in inside:
+                continue  # of a declaration within another
+            inside.add(id(element))
+            found.append(element)
+            for led in _leads_to(element, defined):
+                if id(led) not in seen:
+                    seen.add(id(led))
+                    pending.append(led)
+    return found
+
+
+def _leads_to(element: Any, defined: Mapping[str, ccode.Declaration]) -> Iterator[Any]:
+    """The functions and variables that an element names; of those that several files declare, the definition."""
+    if isinstance(element, ccode.Call):
+        callee = defined.get(str(element.calleeName))
+        if callee is not None:
+            yield callee
+    elif isinstance(element, ccode.NameReference):
+        target = element.target
+        if isinstance(target, ccode.Function):
+            yield defined.get(str(target.name), target)
+        elif isinstance(target, ccode.Variable) and is_global(target):
+            yield target if target.storage.name == "staticStorage" else defined.get(str(target.name), target)
+
+
+def identity(variable: ccode.Variable) -> int | str:
+    """What tells a variable apart: one that several files may declare is one by its name."""
+    return str(variable.name) if is_global(variable) and variable.storage.name != "staticStorage" else id(variable)
+
+
+def is_global(variable: ccode.Variable) -> bool:
+    """Whether a variable is declared at file scope."""
+    return isinstance(variable.eContainer(), ccode.SourceUnit)
+
+
+def in_macros(plan: migration.MigrationPlan) -> set[str]:
+    """The words in bodies of macros that are used: what they name is used there, which the model does not follow."""
+    macros = [macro for unit in (plan.program.units if plan.program is not None else ()) for macro in unit.macros]
+    return {word for macro in macros if macro.uses for word in re.findall(r"\w+", str(macro.body or ""))}

@@ -1,0 +1,85 @@
+"""The texts of a plan's program that stay in data memory, those of its adapters too, and what local arrays begin with.
+
+On a processor with separate memories, a text that is read like a variable is copied into data memory before main begins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence, Set
+from typing import Any
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import all_contents
+from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.queries.lasting_variables import is_ignored, lasting, way
+from robosmi.transformations.queries.target_sizes import TargetSizes, text_of, unescaped
+
+_COPIED = 3
+"""Initial values of local arrays with more bytes are copied from data memory; fewer are in the code."""
+_IN_FLASH = (["PSTR"], ["F"])
+_COMPILER = frozenset(["asm", "__asm__", "volatile", "__attribute__", "alignas", "static_assert", "section"])
+
+
+def bytes_of_texts(live: Sequence[Any], ignored: Set[int], pieces: Sequence[platform.Adapter]) -> int:
+    """Bytes of the texts of program and pieces that stay in data memory: each once, none that another ends with."""
+    said = {text for piece in pieces for text in kept_texts(str(piece.text))}
+    for element in live:
+        if isinstance(element, ccode.StringLiteral) and not _elsewhere(element, ignored):
+            said.add(text_of(element))
+    ends = sorted(each[::-1] for each in said)
+    pairs = zip(ends, [*ends[1:], None], strict=False)
+    kept = [each for each, following in pairs if following is None or not following.startswith(each)]
+    return sum(len(each) + 1 for each in kept)
+
+
+def _elsewhere(literal: ccode.StringLiteral, ignored: Set[int]) -> bool:
+    """Whether a text is no text of its own: what an array begins with, or an argument of which nothing is made."""
+    container: Any = literal.eContainer()
+    if isinstance(container, ccode.InitializerList) and len(container.elements) == 1:
+        container = container.eContainer()
+    if isinstance(container, ccode.Variable):
+        return bool(container.valueType is not None and container.valueType.arrayDims and not container.valueType.pointerDepth)
+    return isinstance(container, ccode.SizeOf) or is_ignored(literal, ignored)
+
+
+def bytes_of_initial_values(plan: migration.MigrationPlan, live: Sequence[Any], sizes: TargetSizes) -> int:
+    """Bytes of what local arrays begin with, which are copied from data memory each time."""
+    others = {id(each) for each in lasting(plan, live)}
+    total = 0
+    for element in live:
+        if not isinstance(element, ccode.Variable) or id(element) in others or element.initializer is None:
+            continue
+        if isinstance(element.initializer, (ccode.InitializerList, ccode.StringLiteral)) and _copied(element):
+            size = sizes.of(element.valueType) if element.valueType is not None and element.valueType.arrayDims else 0
+            total += size if size and size > _COPIED and _constant(element.initializer) else 0
+    return total
+
+
+def _copied(variable: ccode.Variable) -> bool:
+    """Whether more is asked of a local array than elements of which the text says which."""
+    return any(way(each) not in ("read", "written", "size") for each in variable.references)
+
+
+def _constant(initializer: Any) -> bool:
+    return not any(isinstance(each, (ccode.NameReference, ccode.Call)) for each in all_contents(initializer))
+
+
+def kept_texts(text: str) -> Iterator[str]:
+    """The texts in a piece that stay in data memory: none that is told to lie in flash, or that is for the compiler."""
+    found = [each for each in tokens(text.encode()) if each[0] not in ("comment", "directive")]
+    for number, (kind, _, _, said) in enumerate(found):
+        before = [each[3] for each in found[max(0, number - 2) : number]]
+        if kind == "string" and before[-1:] != ["extern"] and before[:1] not in _IN_FLASH and not _for_compiler(found[:number]):
+            yield unescaped(said)
+
+
+def _for_compiler(before: Sequence[Token]) -> bool:
+    """Whether what follows stands in an `asm` statement or an attribute."""
+    depth = 0
+    for *_, word in reversed(before):
+        depth += (word == ")") - (word == "(")
+        if word in (";", "{", "}"):
+            return False
+        if depth < 0 and word in _COMPILER:
+            return True
+    return False
