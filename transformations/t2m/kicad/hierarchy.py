@@ -49,6 +49,7 @@ class Hierarchy:
         self.root, self.read, self.report = root, read, builder.report
         self.joined = Joined()
         self.parts: dict[str, _Part] = {}
+        self.aliases: dict[str, list[str]] = {}
         self._by_reference: dict[tuple[str, str, str], _Part] = {}
         self._sheets = self._symbols = 0
         self._walk(root, "", f"/{root.uuid}" if root.uuid else "", (), ())
@@ -72,7 +73,8 @@ class Hierarchy:
         self._sheets += 1
         if self._sheets > MOST_SHEETS:
             raise self._error(f"it has more than {MOST_SHEETS:,} sheets", 1)
-        nets = SheetNets(self.joined, path, sheet)
+        self.aliases.update(sheet.aliases)
+        nets = SheetNets(self.joined, path, sheet, self.aliases)
         for symbol in sheet.symbols:
             self._take(sheet, symbol, path, names, nets)
         for below in sheet.sheets:

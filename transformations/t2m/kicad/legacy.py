@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from operator import attrgetter
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -26,6 +27,10 @@ from robosmi.transformations.t2m.kicad.sheet import (
 
 HEAD = "EESchema Schematic File Version"
 _LABELS = {"Label": LOCAL, "GLabel": GLOBAL, "HLabel": UPWARD}
+_LINES: dict[str, Callable[[Sheet], list[Wire]]] = {
+    "Wire Wire Line": attrgetter("wires"), "Wire Bus Line": attrgetter("buses"), "Entry Bus Bus": attrgetter("buses"),
+    "Entry Wire Line": attrgetter("entries"),
+}  # fmt: skip
 _FIELD = re.compile(r'F ?([0-9]+) "((?:[^"\\]|\\.)*)"')
 _SHEET_PIN = re.compile(r'F ?([0-9]+) "((?:[^"\\]|\\.)*)" [IOBTU] [RLTB] (-?[0-9]+) (-?[0-9]+)')
 _REFERENCE = re.compile(r'AR Path="([^"]*)" Ref="([^"]*)"(?:\s+Part="([0-9]+)")?')
@@ -63,13 +68,14 @@ class _Legacy:
 
     def _entry(self, line: str) -> None:
         words = line.split()
+        lines = _LINES.get(" ".join(words[:3]))
         if line.startswith("$Comp"):
             self._symbol([*self._block("$EndComp")])
         elif line.startswith("$Sheet"):
             self._sheet([*self._block("$EndSheet")])
-        elif words[:3] == ["Wire", "Wire", "Line"]:
+        elif lines is not None:
             x1, y1, x2, y2 = self._numbers(self._next(), 4)
-            self.sheet.wires.append(Wire(Point(x1, y1), Point(x2, y2)))
+            lines(self.sheet).append(Wire(Point(x1, y1), Point(x2, y2)))
         elif words[:1] == ["Connection"]:
             x, y = self._numbers(" ".join(words[2:]), 2)
             self.sheet.junctions.append(Point(x, y))

@@ -63,7 +63,8 @@ class _Modern:
             raise SourceError(cause, location=Location(listed.path, 1), fix="give the .kicad_sch file")
         self.sheet = Sheet(listed.path)
         readers: dict[str, Callable[[list[Any], int], None]] = {
-            "wire": self._wire, "junction": self._junction, "symbol": self._symbol, "sheet": self._sheet,
+            "wire": self._wire, "bus": self._bus, "bus_entry": self._entry, "bus_alias": self._alias,
+            "junction": self._junction, "symbol": self._symbol, "sheet": self._sheet,
             "symbol_instances": self._instances, "uuid": self._uuid, "version": self._version,
             **dict.fromkeys(_LABELS, self._label),
         }  # fmt: skip
@@ -85,9 +86,18 @@ class _Modern:
         self.sheet.by_value = self.sheet.version.isdigit() and int(self.sheet.version) >= _VALUES
 
     def _wire(self, found: list[Any], line: int) -> None:
-        ends = [_point(entry[1], entry[2]) for entry in children(child(found, "pts") or [], "xy") if len(entry) > 2]
-        if len(ends) == 2:
-            self.sheet.wires.append(Wire(ends[0], ends[1]))
+        self.sheet.wires += _lines(found)
+
+    def _bus(self, found: list[Any], line: int) -> None:
+        self.sheet.buses += _lines(found)
+
+    def _entry(self, found: list[Any], line: int) -> None:
+        (x, y), (width, height) = numbers(found, "at", 2), numbers(found, "size", 2)
+        self.sheet.entries.append(Wire(_point(x, y), _point(x + width, y + height)))
+
+    def _alias(self, found: list[Any], line: int) -> None:
+        if len(found) > 1:
+            self.sheet.aliases[word(found[1])] = [word(member) for member in (child(found, "members") or [])[1:]]
 
     def _junction(self, found: list[Any], line: int) -> None:
         self.sheet.junctions.append(_at(found))
@@ -139,6 +149,12 @@ class _Modern:
                 keywords=properties.get("ki_keywords", ""),
                 pins=tuple(_pins(found) or (_pins(base) if base is not None else [])),
             )
+
+
+def _lines(found: list[Any]) -> list[Wire]:
+    """The line of a wire or of a bus; none where it has not two ends."""
+    ends = [_point(entry[1], entry[2]) for entry in children(child(found, "pts") or [], "xy") if len(entry) > 2]
+    return [Wire(ends[0], ends[1])] if len(ends) == 2 else []
 
 
 def _pins(found: list[Any]) -> list[LibraryPin]:

@@ -3,19 +3,59 @@
 The rules are those of KiCad's own netlist. A wire joins what is at its ends; a junction or a label joins the wires that pass
 its place; pins at one place are joined. Labels of a sheet join by their text on that sheet; labels of the whole drawing and
 symbols of supplies join everywhere, and what bears their name on the same sheet is theirs too. A pin of a sheet's symbol is the
-label of that name in the sheet. Of a bus (`D[0..7]`) each member is joined by its name.
+label of that name in the sheet. Of a bus each member is joined by its name (`buses`).
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Sequence
 
 from robosmi.transformations.t2m.connectivity import Joined, Node
-from robosmi.transformations.t2m.kicad.sheet import GLOBAL, LOCAL, Label, Point, Sheet, Wire
+from robosmi.transformations.t2m.kicad.buses import Aliases, members, pairs
+from robosmi.transformations.t2m.kicad.sheet import GLOBAL, Label, Point, Sheet, Wire
 
-_VECTOR = re.compile(r"(.*)\[([0-9]{1,4})\.\.([0-9]{1,4})\](.*)")
-_MOST_MEMBERS = 1_000
+
+class _Lines:
+    """Lines of a sheet, wires or those of buses, which join what is at their ends."""
+
+    def __init__(self, joined: Joined, path: str, kind: str, lines: Iterable[Wire], junctions: Iterable[Point]) -> None:
+        self.joined, self.path, self.kind = joined, path, kind
+        self._flat: dict[int, list[Wire]] = {}
+        self._upright: dict[int, list[Wire]] = {}
+        self._slanted: list[Wire] = []
+        for line in lines:
+            joined.union(self.at(line.start), self.at(line.end))
+            if line.start.y == line.end.y:
+                self._flat.setdefault(line.start.y, []).append(line)
+            elif line.start.x == line.end.x:
+                self._upright.setdefault(line.start.x, []).append(line)
+            else:
+                self._slanted.append(line)
+        for place in junctions:
+            self.join_passing(place)
+
+    def at(self, place: Point) -> Node:
+        """The node of a place."""
+        return self.path, f"{self.kind}{place.x} {place.y}"
+
+    def join_passing(self, place: Point) -> bool:
+        """Join a place with the lines that pass it; whether there is one."""
+        here, found = self.at(place), False
+        for line in self._passing(place):
+            self.joined.union(here, self.at(line.start))
+            found = True
+        return found
+
+    def _passing(self, place: Point) -> Iterable[Wire]:
+        for line in self._flat.get(place.y, ()):
+            if min(line.start.x, line.end.x) <= place.x <= max(line.start.x, line.end.x):
+                yield line
+        for line in self._upright.get(place.x, ()):
+            if min(line.start.y, line.end.y) <= place.y <= max(line.start.y, line.end.y):
+                yield line
+        for line in self._slanted:
+            if _passes(line, place):
+                yield line
 
 
 class SheetNets:
@@ -25,32 +65,27 @@ class SheetNets:
         joined: the sets of the whole drawing.
         path: identity of the sheet in the hierarchy.
         sheet: its records.
+        aliases: names for several members of buses, those of the sheets above too.
     """
 
-    def __init__(self, joined: Joined, path: str, sheet: Sheet) -> None:
-        self.joined, self.path = joined, path
-        self._flat: dict[int, list[Wire]] = {}
-        self._upright: dict[int, list[Wire]] = {}
-        self._slanted: list[Wire] = []
+    def __init__(self, joined: Joined, path: str, sheet: Sheet, aliases: Aliases) -> None:
+        self.joined, self.path, self._aliases = joined, path, aliases
         self._local: set[str] = set()
         self._global: set[str] = set()
-        for wire in sheet.wires:
-            joined.union(self.at(wire.start), self.at(wire.end))
-            if wire.start.y == wire.end.y:
-                self._flat.setdefault(wire.start.y, []).append(wire)
-            elif wire.start.x == wire.end.x:
-                self._upright.setdefault(wire.start.x, []).append(wire)
-            else:
-                self._slanted.append(wire)
-        for place in sheet.junctions:
-            self._join_passing(place)
+        self._wires = _Lines(joined, path, "", sheet.wires, sheet.junctions)
+        self._buses = _Lines(joined, path, "bus ", sheet.buses, sheet.junctions)
+        self._named_buses: dict[Node, list[str]] = {}
         for label in sheet.labels:
-            self._join_passing(label.at)
             self._named(label)
+        labelled = {label.at for label in sheet.labels}
+        for one, other in sheet.entries:
+            for end, wire in ((one, other), (other, one)):
+                if end in labelled and self._buses.join_passing(end):  # a label at the bus's end of an entry is that of its wire
+                    joined.union(self.at(end), self.at(wire))
 
     def at(self, place: Point) -> Node:
         """The node of a place."""
-        return self.path, f"{place.x} {place.y}"
+        return self._wires.at(place)
 
     def name(self, text: str) -> Node:
         """The node of a name that holds on this sheet."""
@@ -67,39 +102,35 @@ class SheetNets:
         for text in self._local & self._global:
             self.joined.union(self.name(text), self.everywhere(text))
 
+    def members(self, text: str) -> list[str]:
+        """The names of a bus's members; none for a name that is no bus."""
+        return members(text, self._aliases)
+
     def sheet_pin(self, pin: Label, below: SheetNets) -> None:
         """Join a pin of a sheet's symbol on this sheet to the label of its name in the sheet below."""
-        self.joined.union(self.at(pin.at), below.name(pin.text))
-        for member in members(pin.text):
-            self.joined.union(self.name(member), below.name(member))
+        inside = below.members(pin.text) or self.members(pin.text)
+        if not inside:
+            self.joined.union(self.at(pin.at), below.name(pin.text))
+            return
+        for outer, inner in pairs(self._on_bus(pin.at, inside), inside):
+            self.joined.union(self.name(outer), below.name(inner))
 
     def _named(self, label: Label) -> None:
-        node = self.everywhere(label.text) if label.kind == GLOBAL else self.name(label.text)
-        self.joined.union(self.at(label.at), node)
-        if label.kind != LOCAL:
-            for member in members(label.text):
-                self.joined.union(self.name(member), self.everywhere(member) if label.kind == GLOBAL else self.name(member))
+        found = self.members(label.text)
+        if found:
+            for one, other in pairs(self._on_bus(label.at, found), found):
+                self.joined.union(self.name(one), self.name(other))
+            for member in found if label.kind == GLOBAL else ():
+                self.joined.union(self.name(member), self.everywhere(member))
+            return
+        self._wires.join_passing(label.at)
+        self.joined.union(self.at(label.at), self.everywhere(label.text) if label.kind == GLOBAL else self.name(label.text))
 
-    def _join_passing(self, place: Point) -> None:
-        here = self.at(place)
-        for wire in self._flat.get(place.y, ()):
-            if min(wire.start.x, wire.end.x) <= place.x <= max(wire.start.x, wire.end.x):
-                self.joined.union(here, self.at(wire.start))
-        for wire in self._upright.get(place.x, ()):
-            if min(wire.start.y, wire.end.y) <= place.y <= max(wire.start.y, wire.end.y):
-                self.joined.union(here, self.at(wire.start))
-        for wire in self._slanted:
-            if _passes(wire, place):
-                self.joined.union(here, self.at(wire.start))
-
-
-def members(text: str) -> Iterator[str]:
-    """The names of a bus's members; none for a name that is no bus."""
-    found = _VECTOR.fullmatch(text)
-    if found is not None:
-        first, last = sorted((int(found[2]), int(found[3])))
-        for number in range(first, min(last, first + _MOST_MEMBERS) + 1):
-            yield f"{found[1]}{number}{found[4]}"
+    def _on_bus(self, place: Point, names: list[str]) -> Sequence[str]:
+        """The names of the members of the bus at a place: those of its first label, or else of what is first found on it."""
+        if not self._buses.join_passing(place):
+            return names
+        return self._named_buses.setdefault(self.joined.find(self._buses.at(place)), names)
 
 
 def _passes(wire: Wire, place: Point) -> bool:

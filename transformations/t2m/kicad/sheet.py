@@ -115,6 +115,9 @@ class Sheet:
         uuid: of the sheet's file.
         version: of the file's form, as text.
         by_value: whether a symbol of a supply names its net by its value and not by its pin.
+        buses: the lines of buses.
+        entries: where wires go into a bus: the ends of each.
+        aliases: names for several members of buses.
         instances: path with the symbol's id -> reference and unit, of files that keep them together.
     """
 
@@ -124,6 +127,9 @@ class Sheet:
     by_value: bool = True
     wires: list[Wire] = field(default_factory=list)
     junctions: list[Point] = field(default_factory=list)
+    buses: list[Wire] = field(default_factory=list)
+    entries: list[Wire] = field(default_factory=list)
+    aliases: dict[str, list[str]] = field(default_factory=dict)
     labels: list[Label] = field(default_factory=list)
     symbols: list[SheetSymbol] = field(default_factory=list)
     sheets: list[SubSheet] = field(default_factory=list)

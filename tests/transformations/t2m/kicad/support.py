@@ -28,6 +28,16 @@ def wire(x1: int, y1: int, x2: int, y2: int) -> str:
     return f"(wire (pts (xy {x1} {y1}) (xy {x2} {y2})))"
 
 
+def bus(x1: int, y1: int, x2: int, y2: int) -> str:
+    """A line of a bus."""
+    return f"(bus (pts (xy {x1} {y1}) (xy {x2} {y2})))"
+
+
+def entry(x: int, y: int) -> str:
+    """Where a wire that begins two millimetres to the right and below goes into a bus at a place."""
+    return f"(bus_entry (at {x} {y}) (size 2 2))"
+
+
 def label(text: str, x: int, y: int, kind: str = "label") -> str:
     """A label."""
     return f'({kind} "{text}" (at {x} {y} 0))'

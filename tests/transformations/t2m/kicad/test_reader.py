@@ -13,6 +13,8 @@ from robosmi.transformations.t2m.kicad import read_circuit
 from tests.transformations.t2m.kicad.support import (
     LIBRARY,
     below,
+    bus,
+    entry,
     label,
     led,
     pins,
@@ -60,6 +62,49 @@ def test_members_of_a_bus_go_into_a_sheet_by_their_names(tmp_path: Path) -> None
         tmp_path / "robot.kicad_sch", uno(), below("lamps", "lamps.kicad_sch", ("L[0..7]", 0, 0)), label("L3", 100, 20)
     )
     assert pins(path) == {"D2": "lamps/D1"}
+
+
+def lamps(folder: Path, name: str, inside: str, *members: str) -> None:
+    """A sheet with lamps D1, D2, ... on members of a bus that comes in from above."""
+    leds = [led(f"D{n}", 20 * n, 50) for n in range(1, len(members) + 1)]
+    labels = [label(member, 20 * n, 50) for n, member in enumerate(members, 1)]
+    schematic(folder / f"{name}.kicad_sch", label(inside, 0, 0, "hierarchical_label"), *leds, *labels)
+
+
+@pytest.mark.parametrize(
+    ("inside", "members", "outside", "labels"),
+    [
+        ("L[0..7]", ["L3"], "L[0..7]", ["L3"]),
+        ("IN[7..0]", ["IN3"], "L[0..7]", ["L3"]),  # by their places, which are counted upwards
+        ("USB{DP DM}", ["USB.DM"], "USB{DP DM}", ["USB.DM"]),
+        ("{OE A[0..3]}", ["OE", "A2"], "{OE A[0..3]}", ["OE", "A2"]),
+        ("X{PAIR}", ["X.N"], "X{PAIR}", ["X.N"]),
+    ],
+)
+def test_members_of_a_bus_are_told_by_the_names_on_its_lines(
+    inside: str, members: list[str], outside: str, labels: list[str], tmp_path: Path
+) -> None:
+    lamps(tmp_path, "lamps", inside, *members)
+    lines = [bus(0, 0, 60, 0), label(outside, 30, 0), entry(40, 0), '(bus_alias "PAIR" (members "P" "N"))']
+    wires = [label(text, 100, 20 + 10 * n) for n, text in enumerate(labels)]
+    path = schematic(tmp_path / "robot.kicad_sch", uno(), below("lamps", "lamps.kicad_sch", (inside, 60, 0)), *lines, *wires)
+    assert pins(path) == {f"D{2 + n}": f"lamps/D{n + 1}" for n in range(len(labels))}
+
+
+def test_a_bus_leads_from_sheet_to_sheet_whatever_its_name_is_in_each(tmp_path: Path) -> None:
+    lamps(tmp_path, "lamps", "L[0..3]", "L2")
+    schematic(tmp_path / "brain.kicad_sch", uno(), label("B2", 100, 20), label("B[0..3]", 0, 0, "hierarchical_label"))
+    sheets = [below("lamps", "lamps.kicad_sch", ("L[0..3]", 60, 0)), below("brain", "brain.kicad_sch", ("B[0..3]", 0, 0))]
+    path = schematic(tmp_path / "robot.kicad_sch", *sheets, bus(0, 0, 60, 0))
+    assert pins(path) == {"D2": "lamps/D1"}
+
+
+def test_entries_that_meet_at_a_bus_join_nothing_and_a_label_at_one_is_that_of_its_wire(tmp_path: Path) -> None:
+    parts = [uno(), led("D1", 96, 20), led("D2", 300, 50), bus(98, 0, 98, 60), entry(98, 18)]
+    met = schematic(tmp_path / "a.kicad_sch", *parts, "(bus_entry (at 98 18) (size -2 2))")
+    assert pins(met) == {}
+    named = schematic(tmp_path / "b.kicad_sch", *parts, label("L1", 98, 18), label("L1", 300, 50))
+    assert pins(named) == {"D2": "D2"}
 
 
 def test_a_missing_sheet_is_said_and_a_sheet_outside_the_folder_is_not_read(tmp_path: Path) -> None:
