@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi import inputs
 from robosmi.data_text import toml_of
@@ -61,6 +61,14 @@ def _runs(text: str) -> Iterator[str]:
             yield " ".join(words[first:last])
 
 
+class JoinedPins(NamedTuple):
+    """What symbols are called whose parts join pins inside, which pins by number or name, and how many there are (0: any)."""
+
+    called: tuple[str, ...]
+    groups: tuple[tuple[str, ...], ...]
+    pins: int
+
+
 @dataclass(frozen=True, slots=True)
 class PartNames:
     """The content of `names.toml`: sets of connector names in lower case, phrases for families, shapes of made-up ids."""
@@ -76,7 +84,7 @@ class PartNames:
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    contacts: tuple[tuple[tuple[str, ...], tuple[tuple[str, ...], ...]], ...] = ()
+    joined: tuple[JoinedPins, ...] = ()
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 
 
@@ -187,8 +195,9 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         headers=tuple(table.get("drawn", {}).get("headers", ())),
         solder_jumpers=tuple(table.get("drawn", {}).get("solder_jumpers", ())),
         symbols={means: tuple(called) for means, called in table.get("drawn", {}).get("symbols", {}).items()},
-        contacts=tuple(
-            (tuple(entry["called"]), tuple(map(tuple, entry["joined"]))) for entry in table.get("drawn", {}).get("contacts", ())
+        joined=tuple(
+            JoinedPins(tuple(entry["called"]), tuple(map(tuple, entry["joined"])), entry.get("pins", 0))
+            for entry in table.get("drawn", {}).get("joined", ())
         ),
         generated=tuple(table.get("generated", ())),
     )

@@ -300,6 +300,12 @@ class CircuitBuilder:
         return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.numbered)
 
     def _report_part(self, placed: Placed, known: KnownPart, part: Part) -> None:
+        about = f"{part.family} {part.title}".lower()
+        if known.by_bus and "solder" in about and "jumper" in about and len({*placed.used}) > 1:
+            self.report(
+                "RS217", Severity.info, f"the solder jumper '{placed.title}' is not crossed: nothing says whether it is closed",
+                placed.line, "draw a wire in its place where it is closed",
+            )  # fmt: skip
         if part.role == "Unknown":
             named = f"'{placed.title}' (#{placed.identity})" if placed.title else f"#{placed.identity}"
             what = f"part '{part.title or placed.part_id}'" + (f" of family '{part.family}'" if part.family else "")

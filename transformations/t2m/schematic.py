@@ -122,7 +122,7 @@ class _Making:
         connectors = {pin: self._connector(pin, name) for pin, name in part.pins.items()}
         found = Part(
             part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors,
-            source="the drawing", description=part.description or self._meaning(part), buses=self._contacts(part),
+            source="the drawing", description=part.description or self._meaning(part), buses=self._joined_inside(part),
         )  # fmt: skip
         if part.power:
             return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
@@ -159,11 +159,13 @@ class _Making:
                 by_name.setdefault(name, []).append(pin)
         return {name: tuple(pins) for name, pins in by_name.items() if len(pins) > 1}
 
-    def _contacts(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
-        """Pins of a switch that are one contact."""
-        known = (groups for called, groups in self.builder.names.contacts if len(part.pins) == 4 and self._called(part, called))
-        groups = next(known, ())
-        return {"-".join(group): group for group in groups if all(pin in part.pins for pin in group)}
+    def _joined_inside(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
+        """Pins that are one inside, of one contact of a switch or handed on to the next part of a chain: told by data."""
+        for entry in self.builder.names.joined:
+            if entry.pins in (0, len(part.pins)) and self._called(part, entry.called):
+                groups = [tuple(pin for pin, name in part.pins.items() if pin in g or name in g) for g in entry.groups]
+                return {"-".join(group): group for group in groups if len(group) > 1}
+        return {}
 
     def _called(self, part: SchematicPart, patterns: Sequence[str]) -> bool:
         return any(fnmatchcase(part.symbol.lower(), pattern) for pattern in patterns)
@@ -262,7 +264,7 @@ class _Making:
         )
 
     def _place(self, part: SchematicPart) -> None:
-        key, known = self.known[part.identity]
+        key = self.known[part.identity][0]
         used = self.used.get(part.identity, {})
         properties = {**({"value": part.value} if part.value else {}), **part.properties}
         placed = Placed(
@@ -270,11 +272,6 @@ class _Making:
             symbol=part.power, listed_as=part.listed_as,
         )  # fmt: skip
         self.builder.place(placed)
-        if known.part.family == "solder jumper" and len(used) > 1:
-            self.report(
-                "RS217", Severity.info, f"the solder jumper '{part.title}' is not crossed: nothing says whether it is closed",
-                part.line, "draw a wire in its place where it is closed",
-            )  # fmt: skip
 
     def _clocks(self) -> None:
         """Say where the drawing's clock is not the one that programs for the board expect."""
