@@ -59,6 +59,7 @@ evaluate: $(VENV)/.ready
 
 fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.hardware
+	$(BIN)/python -m tests.fuzz.drawings
 	$(BIN)/python -m tests.fuzz.xmi
 	$(BIN)/python -m tests.fuzz.metamodels
 	$(BIN)/python -m tests.fuzz.c_source

@@ -19,7 +19,7 @@ def drawing_bytes(path: Path, kind: str, give: str, fix: str) -> bytes:
         fix: what to do where it is empty.
 
     Raises:
-        SourceError: it is missing, a folder, not readable, too large, or empty.
+        SourceError: it is missing, a folder, not readable, too large, empty, or in UTF-16 or UTF-32, which no tool writes.
     """
     place = Location(str(path))
     try:
@@ -31,4 +31,14 @@ def drawing_bytes(path: Path, kind: str, give: str, fix: str) -> bytes:
         raise SourceError(f"it cannot be read: {error.strerror or error}", location=place, fix=advice) from error
     if not data.strip():
         raise SourceError("the file is empty", location=place, fix=fix)
+    if (encoding := _wide_encoding(data)) is not None:
+        raise SourceError(f"it is in {encoding}, and not in UTF-8", location=place, fix="save it as UTF-8")
     return data
+
+
+def _wide_encoding(data: bytes) -> str | None:
+    """The encoding of more than one byte for each letter that a text is in, told by its first letters; None for UTF-8."""
+    if data.startswith((b"\xff\xfe\0\0", b"\0\0\xfe\xff")) or data[1:4] == b"\0\0\0" or data[:3] == b"\0\0\0":
+        return "UTF-32"
+    zeros = data[:1] == b"\0", data[1:2] == b"\0"
+    return "UTF-16" if data.startswith((b"\xff\xfe", b"\xfe\xff")) or zeros in ((True, False), (False, True)) else None

@@ -6,7 +6,7 @@ from typing import Any
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
-from robosmi.transformations.t2m.drawing import CircuitBuilder, End
+from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, child, children, told, word
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
@@ -30,6 +30,7 @@ class _Netlist:
         self.listed, self.made, self.report = listed, made, builder.report
         self.by_reference: dict[str, SchematicPart] = {}
         self.twice: set[str] = set()
+        self.identities: set[str] = set()
 
     def fill(self) -> None:
         """Read the sections."""
@@ -39,11 +40,12 @@ class _Netlist:
             raise SourceError("the netlist has no components or no nets", location=place, fix="export it again from KiCad")
         self.made.version = self._told(self.listed.root, "version")
         library = self._library(sections.get("libparts"))
-        for number, entry in enumerate(self.listed.members(sections["components"]), 1):
-            if number > MOST_PARTS:
-                place = Location(self.made.path, self.listed.line(entry.start))
-                fix = "check that it is the drawing you meant"
-                raise SourceError(f"it has more than {MOST_PARTS:,} parts", location=place, fix=fix)
+        components = [*self.listed.members(sections["components"])]
+        if len(components) > MOST_PARTS:
+            place = Location(self.made.path, self.listed.line(components[MOST_PARTS].start))
+            fix = "check that it is the drawing you meant"
+            raise SourceError(f"it has more than {MOST_PARTS:,} parts", location=place, fix=fix)
+        for entry in components:
             self._component(entry, library)
         self._nets(sections["nets"])
 
@@ -75,8 +77,9 @@ class _Netlist:
             self.report("RS206", Severity.warning, cause, line, "annotate the schematic and export it again")
             self.twice.add(reference)
         identity = identity or reference or f"line{line}"
-        if any(known_part.identity == identity for known_part in self.by_reference.values()):
-            identity = f"{identity} {reference or line}"
+        if identity in self.identities:
+            identity = free_identity(f"{identity} {reference or line}", line, self.identities)
+        self.identities.add(identity)
         made = SchematicPart(
             identity=identity, title="/".join((*path, reference)), symbol=name or value,
             listed_as=f"{family}:{name}" if family else name or value, family=family, value="" if value in (name, "~") else value,
