@@ -45,7 +45,7 @@ if TYPE_CHECKING:
         posix: ClassVar[HeaderKind]
 
     class Meaning(EnumLiteral):
-        """What a parameter means for migration."""
+        """What a parameter means for migration: a mask has a bit for each port, and what is handed is given to code that a function starts."""
 
         plain: ClassVar[Meaning]
         pin: ClassVar[Meaning]
@@ -58,6 +58,8 @@ if TYPE_CHECKING:
         speed: ClassVar[Meaning]
         text: ClassVar[Meaning]
         channel: ClassVar[Meaning]
+        mask: ClassVar[Meaning]
+        handed: ClassVar[Meaning]
 
     class Direction(EnumLiteral):
         """Direction of a pin seen from the board."""
@@ -137,6 +139,8 @@ else:
             "speed": 8,
             "text": 9,
             "channel": 10,
+            "mask": 11,
+            "handed": 12,
         },
     )
     Direction = enumeration(

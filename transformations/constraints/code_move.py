@@ -27,6 +27,7 @@ from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.numbers import Machine, Numbers
 from robosmi.transformations.queries.plan import keeps_main
+from robosmi.transformations.queries.port_masks import PortMasks
 from robosmi.transformations.queries.ranges import Ranges
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
@@ -142,6 +143,11 @@ class Move:
         """Standard headers that the moved program includes and the program does not."""
         marks = ((s.placeholder or "", s) for s in self.plan.symbolUses)
         return [text.removeprefix("#include <").rstrip(">") for text, _ in marks if text.startswith("#include <")]
+
+    @cached_property
+    def masks(self) -> PortMasks:
+        """The masks of ports that the program puts together."""
+        return PortMasks(self.views)
 
     @property
     def loop(self) -> str:

@@ -15,7 +15,6 @@ from robosmi.transformations.constraints.code_move import in_lines, move, moved,
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses_of
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
-from robosmi.transformations.queries.values import Values
 from robosmi.validate import Fail
 
 units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
@@ -29,7 +28,7 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> Any:
     m = the_move()
     view = m.view(u)
     count = view.api.ports
-    uses = [*pin_uses_of(view, m.views), *register_bits(view, Values(view.program, u))]
+    uses = [*pin_uses_of(view, m.views), *register_bits(view, m.masks)]
     wrong = [use for use in uses if use.pin is not None and use.pin >= count]
     numbers = sorted({use.pin for use in wrong if use.pin is not None})
     said = "; ".join(f"{number}, where functions that shift a bit by it act on port {number % count} there" for number in numbers)
@@ -59,7 +58,7 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Expression]]:
     flows = [flow for flow in m.plan.portFlows if flow.anything]
     calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
     yield from ((f"'{call.calleeName}'", call) for call in calls)
-    bits: list[PinUse] = register_bits(view, Values(view.program, u))
+    bits: list[PinUse] = register_bits(view, m.masks)
     yield from ((f"'{use.function}'", use.call) for use in bits if use.pin is None and use.direction != "unknown")
 
 

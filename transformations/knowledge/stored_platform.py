@@ -69,7 +69,11 @@ class StoredFacts:
         name = str(function.name)
         kind = "function_macro" if function.functionLikeMacro else "function"
         self._add(name, ApiEntry(header, kind, str(function.returnType), str(function.parameterList)))
-        self.functions[name] = {"blocking": bool(function.blocking), "longest_us": int(function.longestMicroseconds)}
+        self.functions[name] = {
+            "blocking": bool(function.blocking),
+            "longest_us": int(function.longestMicroseconds),
+            "parameters": ["" if p.meaning is pf.Meaning.plain else p.meaning.name for p in function.parameters],
+        }
         if function.codeArgument >= 0:
             self.code_arguments[name] = int(function.codeArgument)
         if function.startsCog:

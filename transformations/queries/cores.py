@@ -11,6 +11,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CalledFunction, CodeView, CogStart, cogs_of
 
 
@@ -89,3 +90,24 @@ class Cores:
             if isinstance(change, ccode.Located):
                 return [start.call, change]
         return []
+
+
+def handed_over(call: ccode.Call, api: ApiIndex) -> tuple[ccode.Expression | None, ccode.Function | None]:
+    """What a function of the platform hands to the code that it starts on another core, and that code; else None twice.
+
+    Args:
+        call: the call of the function.
+        api: the platform's.
+    """
+    name, arguments = str(call.calleeName or ""), list(call.arguments)
+    own = call.callee is not None and call.callee.definition
+    position = None if own else api.code_argument(name)
+    meanings = list(api.meaning(name).get("parameters", ())) if position is not None else []
+    handed = meanings.index("handed") if "handed" in meanings else None
+    if position is None or handed is None or max(position, handed) >= len(arguments):
+        return None, None
+    code: Any = arguments[position]
+    while isinstance(code, (ccode.Cast, ccode.Unary)):
+        code = code.operand
+    target = code.target if isinstance(code, ccode.NameReference) else None
+    return (arguments[handed], target) if isinstance(target, ccode.Function) else (None, None)

@@ -14,7 +14,9 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.argument_places import TokenText
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.initialisers import leaves, members_given, record_of, says_where
+from robosmi.transformations.queries.cores import handed_over
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
@@ -154,7 +156,7 @@ class FlowReader:
         key = self.key(literal)
         if key not in self._known:
             self._known.add(key)
-            name, within, holder = _holder(literal)
+            name, within, holder = holder_of(literal)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
             start, end = int(literal.startOffset), int(literal.endOffset)
@@ -214,6 +216,13 @@ class FlowReader:
         """A function of the program that is used as a value gets what anything that is called through a pointer gets."""
         function = reference.target
         if not isinstance(function, ccode.Function) or not function.definition:
+            return
+        call = ancestor_of_kind(reference, ccode.Call)
+        handed, code = handed_over(call, self.views[0].api) if call is not None else (None, None)
+        if code is function and code.parameters:
+            parameter = self.key(code.parameters[0])
+            self._give(parameter, handed)
+            self.flows.keep(parameter, f"it is handed to '{code.name}' on another core")
             return
         why = f"'{function.name}' is called through a pointer"
         for position, parameter in enumerate(function.parameters):
@@ -361,36 +370,3 @@ _THROUGH = {"Cast": "operand", "Index": "array", "Assignment": "left"}
 def view_text(data: bytes, start: int, end: int) -> str:
     """Bytes of a unit as text."""
     return data[start:end].decode("utf-8", errors="replace").strip()
-
-
-def _written(reference: Any) -> bool:
-    """Whether a reference to a variable, or to an element of it, changes it."""
-    inner, outer = reference, reference.eContainer()
-    while isinstance(outer, ccode.Index) and outer.array is inner:
-        inner, outer = outer, outer.eContainer()
-    if isinstance(outer, ccode.Assignment):
-        return outer.left is inner
-    return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
-
-
-def _holder(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
-    """Name of the constant that a literal is the value of, the function that the name belongs to, and the constant itself."""
-    inner, outer = literal, literal.eContainer()
-    index = None
-    while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
-        if isinstance(outer, ccode.InitializerList):
-            if index is not None or any(map(says_where, outer.elements)):
-                return "", "", literal
-            index = list(outer.elements).index(inner)
-        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
-    if not isinstance(outer, ccode.Variable):
-        return "", "", literal
-    function = ancestor_of_kind(outer, ccode.Function)
-    if any(_written(reference) for reference in outer.references):
-        return "", "", literal  # the name says no longer which port it is
-    name = str(outer.name) if index is None else f"{outer.name}[{index}]"
-    if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:
-        if outer.valueType.arrayDims or index is None or index >= len(record.fields):
-            return "", "", literal
-        name = f"{outer.name}.{record.fields[index].name}"
-    return name, str(function.name) if function is not None else "", outer if index is None else literal

@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import PinUse, pin_number, pin_uses, pin_values
+from robosmi.transformations.queries.port_masks import PortMasks
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.value_flows import Flow, PinArgument, PortPlace
@@ -101,7 +102,8 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
     reached = {view.unit.path: ReachedValues(view.program, view.unit) for view in views}
     count = next((view.api.ports for view in views), 0)
     through = [_flow_ports(flow, values, reached, count) for flow in flows]
-    bits = [use for view in views for use in register_bits(view, values[view.unit.path])]
+    masks = PortMasks(views)
+    bits = [use for view in views for use in register_bits(view, masks)]
     found: dict[int, Port] = {}
     for number, element in _reached(through, [use for use in bits if use.pin is not None and use.pin < count]):
         found.setdefault(number, Port(f"P{number}", "runtime", element, number))

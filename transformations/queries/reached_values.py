@@ -31,6 +31,9 @@ class ReachedValues(Values):
         return self._all_given(variable, [variable.initializer] if variable.initializer is not None else [])
 
     def _parameter(self, parameter: Any) -> list[Value]:
+        function = parameter.eContainer()
+        if isinstance(function, ccode.Function) and function.references:
+            return [RUNTIME]  # who has the function as a value may pass anything
         return self._all_given(parameter, passed_arguments(parameter))
 
     def _all_given(self, target: Any, given: list[Any]) -> list[Value]:
@@ -73,7 +76,7 @@ class ReachedValues(Values):
         if None in steps:
             return [RUNTIME]
         low, high = min(first), max(first)
-        bounds = list(self._bounds(target))
+        bounds = list(self.bounds(target))
         if any(step is not None and step > 0 for step in steps):
             tops = [number + _UP[operator] for operator, number, _ in bounds]
             if not tops:
@@ -86,7 +89,7 @@ class ReachedValues(Values):
             low = min(low, *bottoms)
         return [Value(number, "constant") for number in range(low, high + 1)] if high - low < LIMIT else [RUNTIME]
 
-    def _bounds(self, target: Any) -> Any:
+    def bounds(self, target: Any) -> Any:
         """The comparisons of a name with known numbers: operator, number, and 1 where it is stepped behind the comparison."""
         for reference in target.references:
             side: Any = reference

@@ -5,96 +5,139 @@ Which registers have a bit for each port is data of the platform.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.pin_uses import PinUse
-from robosmi.transformations.queries.values import Values
+from robosmi.transformations.queries.port_masks import WORD, PortMasks, union
 
-_WORD = 64
-_ALL = (1 << 32) - 1
+_ALL = (1 << WORD) - 1
 """All bits of a register."""
 _WRITES = ("=", "|=", "^=", "&=")
 
 
-def register_bits(view: CodeView, values: Values) -> list[PinUse]:
-    """The uses of ports as bits of registers, in text order; of a mask that the text does not say, one use of no known pin.
+def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
+    """The uses of ports as bits of registers and of masks, in text order; of one that the text does not say, one of no known pin.
 
     A bit that no port has, because the mask is wider than the register, is a use of that number.
 
     Args:
         view: of the unit.
-        values: values in the unit.
+        masks: those of the program.
     """
     registers: dict[str, str] = view.api.settings.get("ports", {}).get("registers", {})
-    count = view.api.ports
+    whole = (1 << view.api.ports) - 1
     found: dict[tuple[int | None, str, int], PinUse] = {}
     for reference in view.of_kind(ccode.NameReference):
         direction = registers.get(str(reference.name))
         if direction is None or isinstance(reference.target, (ccode.Variable, ccode.Parameter)) or _put_back(reference):
             continue
-        for bit in _bits(reference, values, count):
-            use = PinUse(
-                bit, expression_text(reference), "register", str(reference.name), direction, int(reference.line), reference
-            )
-            found.setdefault((bit, use.function, use.line), use)
+        _add(found, _bits(reference, masks, whole), reference, str(reference.name), direction)
+    for call in view.of_kind(ccode.Call):
+        name, arguments = str(call.calleeName or ""), list(call.arguments)
+        own = call.callee is not None and call.callee.definition
+        meanings = [] if own else list(view.api.meaning(name).get("parameters", ()))
+        for argument in (a for a, meaning in zip(arguments, meanings, strict=False) if meaning == "mask"):
+            _add(found, masks.bits(argument), call, name, "in")
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 
 
-def _bits(reference: Any, values: Values, count: int) -> Iterator[int | None]:
-    """The bits of one use of a register."""
-    whole = (1 << count) - 1
+def _add(
+    found: dict[tuple[int | None, str, int], PinUse], mask: int | None, place: ccode.Expression, name: str, direction: str
+) -> None:
+    numbers = [None] if mask is None else [bit for bit in range(mask.bit_length()) if mask >> bit & 1]
+    for number in numbers:
+        use = PinUse(number, expression_text(place), "register", name, direction, int(place.line), place)
+        found.setdefault((number, name, use.line), use)
+
+
+def _bits(reference: Any, masks: PortMasks, whole: int) -> int | None:
+    """The bits that one use of a register changes or looks at."""
     parent: Any = reference.eContainer()
-    if isinstance(parent, ccode.Assignment) and parent.left is reference:
-        operator = str(parent.operator)
-        mask = _changed(values, parent.right, reference, whole if operator == "&=" else 0) if operator in _WRITES else None
-    elif isinstance(parent, ccode.Binary) and str(parent.operator) == "&":
-        mask = _mask(values, parent.right if parent.left is reference else parent.left)
-    elif isinstance(parent, ccode.Binary) and str(parent.operator) == ">>" and parent.left is reference:
-        places = [v.number for v in values.of(parent.right)]
-        known = [place for place in places if place is not None and 0 <= place < _WORD]
-        mask = sum(1 << place for place in set(known)) if len(known) == len(places) else None
-    else:
-        mask = None
-    if mask is None:
-        yield None
-        return
-    mask = mask if mask >= 0 else mask & whole
-    yield from (bit for bit in range(mask.bit_length()) if mask >> bit & 1)
+    if not isinstance(parent, ccode.Assignment) or parent.left is not reference:
+        return _looked_at(reference, masks, 0, set())
+    operator = str(parent.operator)
+    mask = _changed(masks, parent.right, reference, whole if operator == "&=" else 0) if operator in _WRITES else None
+    return mask if mask is None or mask >= 0 else mask & whole
+
+
+def _looked_at(value: Any, masks: PortMasks, shifted: int, seen: set[int]) -> int | None:
+    """The bits of a register that are looked at where its value goes: at once, or by the names that keep it.
+
+    Args:
+        value: the expression with the register's value.
+        masks: those of the program.
+        shifted: by how much the value was shifted to the right.
+        seen: what was followed before.
+    """
+    parent: Any = value.eContainer()
+    operator = str(parent.operator) if isinstance(parent, (ccode.Binary, ccode.Unary)) else ""
+    if isinstance(parent, ccode.Cast) or operator in ("~", "^", "|"):
+        return _looked_at(parent, masks, shifted, seen)
+    if isinstance(parent, ccode.Binary) and operator == "&":
+        mask = masks.bits(parent.right if parent.left is value else parent.left)
+        return None if mask is None else (mask if mask >= 0 else mask & _ALL) << shifted
+    if operator == "%" and parent.left is value and masks.numbers(parent.right) == {2}:
+        return 1 << shifted
+    if operator == ">>" and parent.left is value:
+        places = masks.numbers(parent.right)
+        return None if places is None else union(_looked_at(parent, masks, shifted + n % WORD, seen) for n in places)
+    takers: list[Any] = _takers(value, parent, masks)
+    if not takers or id(parent) in seen:
+        return 0 if takers else None
+    return union(_looked_at(one, masks, shifted, seen | {id(parent)}) for one in takers)
+
+
+def _takers(value: Any, parent: Any, masks: PortMasks) -> list[Any]:
+    """The expressions that have a value later on: uses of the variable or parameter that keeps it, calls that return it."""
+    if isinstance(parent, ccode.Variable) and not (parent.valueType is not None and parent.valueType.arrayDims):
+        return [reference for reference in parent.references if not _is_written(reference)]
+    if isinstance(parent, ccode.Assignment) and str(parent.operator) == "=" and isinstance(parent.left, ccode.NameReference):
+        kept = parent.left.target
+        return [r for r in kept.references if not _is_written(r)] if isinstance(kept, ccode.Variable) else []
+    if isinstance(parent, ccode.Return):
+        function = ancestor_of_kind(parent, ccode.Function)
+        return list(function.calls) if function is not None else []
+    if isinstance(parent, ccode.Call) and parent.callee is not None:
+        position = next((i for i, a in enumerate(parent.arguments) if a is value), None)
+        parameters = list(parent.callee.parameters)
+        return list(parameters[position].references) if position is not None and position < len(parameters) else []
+    return []
+
+
+def _is_written(reference: Any) -> bool:
+    container: Any = reference.eContainer()
+    return isinstance(container, ccode.Assignment) and container.left is reference
 
 
 def _put_back(reference: Any) -> bool:
     """Whether a use of a register only gives back to the same register the bits that an assignment leaves alone."""
     inner, outer = reference, reference.eContainer()
-    while isinstance(outer, (ccode.Binary, ccode.Cast, ccode.Unary)):
+    while isinstance(outer, (ccode.Binary, ccode.Cast, ccode.Unary, ccode.ConditionalExpression)):
         inner, outer = outer, outer.eContainer()
     left = outer.left if isinstance(outer, ccode.Assignment) and outer.right is inner and str(outer.operator) == "=" else None
     return isinstance(left, ccode.NameReference) and left.name == reference.name
 
 
-def _changed(values: Values, expression: Any, register: Any, cleared: int = 0) -> int | None:
+def _changed(masks: PortMasks, expression: Any, register: Any, cleared: int = 0) -> int | None:
     """The bits that an assignment changes: of what is put back with `|`, `&` or `^`, those of the other side."""
+    if isinstance(expression, ccode.ConditionalExpression):
+        return union(_changed(masks, way, register, cleared) for way in (expression.whenTrue, expression.whenFalse))
     operator = str(expression.operator) if isinstance(expression, ccode.Binary) else ""
     if operator in ("|", "^", "&") and not cleared:
         sides = [expression.left, expression.right]
         own = [side for side in sides if isinstance(side, ccode.NameReference) and side.name == register.name]
         if own:
             other = sides[0] if own[0] is sides[1] else sides[1]
-            return _mask(values, other, _ALL if operator == "&" else 0)
+            return _mask(masks, other, _ALL if operator == "&" else 0)
         if operator != "&":
-            found = [_changed(values, side, register) for side in sides]
-            return None if None in found else (found[0] or 0) | (found[1] or 0)
-    return _mask(values, expression, cleared)
+            return union(_changed(masks, side, register) for side in sides)
+    return _mask(masks, expression, cleared)
 
 
-def _mask(values: Values, expression: Any, cleared: int = 0) -> int | None:
+def _mask(masks: PortMasks, expression: Any, cleared: int = 0) -> int | None:
     """All bits of the values of an expression; with `cleared`, those of its complement. None where a value is not known."""
-    found = 0
-    for value in values.of(expression):
-        if value.number is None:
-            return None
-        found |= ~value.number & cleared if cleared else value.number
-    return found
+    return masks.cleared(expression, cleared) if cleared else masks.bits(expression)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
@@ -167,8 +168,9 @@ class Values:
 
     def _parameter(self, parameter: Any) -> list[Value]:
         """What callers pass, the first caller first; runtime where nobody calls, or where the function changes it."""
-        if any(_written(r) for r in parameter.references):
-            return [RUNTIME]
+        function = parameter.eContainer()
+        if any(_written(r) for r in parameter.references) or (isinstance(function, ccode.Function) and function.references):
+            return [RUNTIME]  # who has the function as a value may pass anything
         arguments = passed_arguments(parameter)
         return [value for argument in arguments for value in self.of(argument)] or [RUNTIME]
 
@@ -179,28 +181,47 @@ class Values:
         return [RUNTIME] if macro.functionLike else self._guarded(macro, "macro", lambda m: self._macro_value(str(m.body or "")))
 
     def _macro_value(self, body: str) -> list[Value]:
-        text = _NUMBER.sub(lambda m: str(c_integer(m[1])), _CAST.sub(" ", body))
-        try:
-            number = self._evaluate(ast.parse(text.strip(), mode="eval").body)
-        except (SyntaxError, ValueError, RecursionError):
-            return [RUNTIME]
+        number = self._computed(body, {})
         return [RUNTIME if number is None else Value(number, "constant")]
 
-    def _evaluate(self, node: ast.expr) -> int | None:
+    def _computed(self, body: str, given: Mapping[str, int]) -> int | None:
+        """The value of a macro's body, with those of its parameters."""
+        text = _NUMBER.sub(lambda m: str(c_integer(m[1])), _CAST.sub(" ", body))
+        try:
+            return self._evaluate(ast.parse(text.strip(), mode="eval").body, given)
+        except (SyntaxError, ValueError, RecursionError):
+            return None
+
+    def _evaluate(self, node: ast.expr, given: Mapping[str, int]) -> int | None:
         if isinstance(node, ast.Constant):
             return node.value if isinstance(node.value, int) else None
         if isinstance(node, ast.UnaryOp):
-            value = self._evaluate(node.operand)
+            value = self._evaluate(node.operand, given)
             sign = {ast.USub: -1, ast.UAdd: 1}.get(type(node.op))
             return None if value is None or sign is None else sign * value
         if isinstance(node, ast.BinOp):
-            left, right = self._evaluate(node.left), self._evaluate(node.right)
+            left, right = self._evaluate(node.left, given), self._evaluate(node.right, given)
             operator = _PYTHON.get(type(node.op))
             return None if left is None or right is None or operator is None else calculate(operator, left, right)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
+            return self._function_macro(node.func.id, [self._evaluate(argument, given) for argument in node.args])
+        if isinstance(node, ast.Name) and node.id in given:
+            return given[node.id]
         if isinstance(node, ast.Name):
             values = self._by_name(node.id)
             return values[0].number if len(values) == 1 else None
         return None
+
+    def _function_macro(self, name: str, arguments: list[int | None]) -> int | None:
+        """The value of a macro with parameters, such as `BIT(20)`."""
+        macro = self.macros.get(name)
+        parameters = list(macro.parameters) if macro is not None and macro.functionLike else None
+        known = [argument for argument in arguments if argument is not None]
+        if macro is None or parameters is None or len(known) != len(arguments) or len(known) != len(parameters):
+            return None
+        given = dict(zip(map(str, parameters), known, strict=True))
+        made = self._guarded(macro, "macro", lambda m: [Value(self._computed(str(m.body or ""), given), "constant")])
+        return made[0].number
 
     def _by_name(self, name: str) -> list[Value]:
         if name in self.macros:

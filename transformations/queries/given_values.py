@@ -1,0 +1,125 @@
+"""Which expressions give a thing of a program its values: what is assigned, passed, returned, stored in arrays and members.
+
+Read from the code model alone, in any order and for all of the program at once: a thing may have any value that it is given
+anywhere. A pointer and what it points to are one thing, as are the elements of an array. What the values are, others tell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.cores import handed_over
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.pointers import gives_access, moved_pointer
+
+_SAME = {"Cast": "operand", "Index": "array"}
+
+
+class GivenValues:
+    """What the things of a program are given.
+
+    Args:
+        views: a view of each of its units.
+    """
+
+    def __init__(self, views: Sequence[CodeView]) -> None:
+        self._views = views
+        self._given: dict[Hashable, list[Any]] = {}
+        self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", ())}
+        self._functions = {
+            str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
+        }
+        self._shared = {
+            str(d.name): d
+            for v in views
+            for d in v.unit.declarations
+            if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.staticStorage
+        }
+        for view in views:
+            for element in view.elements:
+                self._read(element, view)
+
+    def of(self, key: Hashable) -> list[Any]:
+        """The expressions that give a thing its values; an assignment that calculates stands for itself."""
+        return self._given.get(key, [])
+
+    def key(self, expression: Any) -> Hashable | None:
+        """The thing that an expression is the value of, None of an expression that calculates or stands for itself."""
+        kind = type(expression).__name__
+        if kind in _SAME:
+            return self.key(getattr(expression, _SAME[kind]))
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
+            return self.key(expression.operand)
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--"):
+            return self.key(expression.operand) if gives_access(expression.operand) else None
+        if isinstance(expression, ccode.Binary) and (array := moved_pointer(expression)) is not None:
+            return self.key(array)
+        if isinstance(expression, ccode.Member):
+            return ("member", str(expression.name))
+        if isinstance(expression, ccode.Call):
+            own = self._own(expression)
+            return ("result", str(own.name)) if own is not None else None
+        target = expression.target if isinstance(expression, ccode.NameReference) else None
+        if target is None and isinstance(expression, ccode.NameReference):
+            target = self._shared.get(str(expression.name))
+        if not isinstance(target, (ccode.Variable, ccode.Parameter)) and getattr(expression, "name", None) in self._registers:
+            return ("register", str(expression.name))
+        return self._declared(target) if isinstance(target, (ccode.Variable, ccode.Parameter)) else None
+
+    def _declared(self, thing: Any) -> Hashable:
+        """The key of a declaration: of what all files share, its name."""
+        if isinstance(thing, ccode.Parameter):
+            function = thing.eContainer()
+            if isinstance(function, ccode.Function):
+                return ("parameter", str(function.name), list(function.parameters).index(thing))
+        elif isinstance(thing.eContainer(), ccode.SourceUnit) and thing.storage is not ccode.Storage.staticStorage:
+            return ("variable", str(thing.name))
+        return ("element", id(thing))
+
+    def _own(self, call: ccode.Call) -> ccode.Function | None:
+        return self._functions.get(str(call.calleeName or "")) if call.callee is not None else None
+
+    def _give(self, key: Hashable | None, expression: Any) -> None:
+        if key is not None and expression is not None:
+            self._given.setdefault(key, []).append(expression)
+
+    def _read(self, element: Any, view: CodeView) -> None:
+        if isinstance(element, ccode.Variable):
+            self._initialised(element)
+        elif isinstance(element, ccode.Assignment):
+            if not isinstance(element.eContainer(), ccode.InitializerList):
+                self._give(self.key(element.left), element.right if str(element.operator) == "=" else element)
+        elif isinstance(element, ccode.Unary) and str(element.operator) in ("++", "--"):
+            if not gives_access(element.operand):
+                self._give(self.key(element.operand), element)
+        elif isinstance(element, ccode.Return):
+            function = ancestor_of_kind(element, ccode.Function)
+            if function is not None:
+                self._give(("result", str(function.name)), element.value)
+        elif isinstance(element, ccode.Call):
+            self._called(element, view)
+
+    def _initialised(self, variable: ccode.Variable) -> None:
+        first = variable.initializer
+        if first is None:
+            return
+        if record_of(variable.valueType) is None:
+            for one in leaves(first):
+                self._give(self._declared(variable), one)
+        elif isinstance(first, ccode.InitializerList):
+            for member, one in members_given(variable.valueType, first):
+                self._give(("member", str(member.name)), one)
+
+    def _called(self, call: ccode.Call, view: CodeView) -> None:
+        own, arguments = self._own(call), list(call.arguments)
+        if own is not None:
+            for position, argument in enumerate(arguments[: len(own.parameters)]):
+                self._give(("parameter", str(own.name), position), argument)
+            return
+        handed, code = handed_over(call, view.api)
+        if code is not None and str(code.name) in self._functions:
+            self._give(("parameter", str(code.name), 0), handed)

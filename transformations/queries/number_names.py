@@ -1,0 +1,45 @@
+"""Under which name a number stands in a program's text: the constant, the element or the member that it is the value of.
+
+A name counts only while nothing writes to it. What the number is for, others tell.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.initialisers import record_of, says_where
+
+
+def _written(reference: Any) -> bool:
+    """Whether a reference to a variable, or to an element of it, changes it."""
+    inner, outer = reference, reference.eContainer()
+    while isinstance(outer, ccode.Index) and outer.array is inner:
+        inner, outer = outer, outer.eContainer()
+    if isinstance(outer, ccode.Assignment):
+        return outer.left is inner
+    return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
+
+
+def holder_of(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
+    """Name of the constant that a literal is the value of, the function that the name belongs to, and the constant itself."""
+    inner, outer = literal, literal.eContainer()
+    index = None
+    while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
+        if isinstance(outer, ccode.InitializerList):
+            if index is not None or any(map(says_where, outer.elements)):
+                return "", "", literal
+            index = list(outer.elements).index(inner)
+        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
+    if not isinstance(outer, ccode.Variable):
+        return "", "", literal
+    function = ancestor_of_kind(outer, ccode.Function)
+    if any(_written(reference) for reference in outer.references):
+        return "", "", literal  # the name says no longer which port it is
+    name = str(outer.name) if index is None else f"{outer.name}[{index}]"
+    if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:
+        if outer.valueType.arrayDims or index is None or index >= len(record.fields):
+            return "", "", literal
+        name = f"{outer.name}.{record.fields[index].name}"
+    return name, str(function.name) if function is not None else "", outer if index is None else literal

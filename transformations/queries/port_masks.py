@@ -1,0 +1,217 @@
+"""Which bits an expression may have: the masks that a program makes of numbers of ports, `1 << pins[i]`, `mask |= ...`.
+
+A bound from above, as `reached_values` is for numbers: of a mask that is put together, kept, passed and returned, all bits that
+any of it may have. None where a part comes from outside or where nothing bounds it. Which bits a register's use then touches is
+told by `register_bits`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Sequence
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.given_values import GivenValues
+from robosmi.transformations.queries.reached_values import ReachedValues
+from robosmi.transformations.queries.values import LIMIT, Value, Values, calculate
+
+WORD = 32
+"""Bits of a register."""
+_ALL = (1 << WORD) - 1
+_DEEP = 12
+"""So many things that are given one to the other are followed, at most."""
+_TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
+
+
+class PortMasks:
+    """The masks of one program.
+
+    Args:
+        views: a view of each of its units.
+    """
+
+    def __init__(self, views: Sequence[CodeView]) -> None:
+        self.given = GivenValues(views)
+        self._values = {id(v.unit): Values(v.program, v.unit) for v in views}
+        self._reached = {id(v.unit): ReachedValues(v.program, v.unit) for v in views}
+        self._assumed: dict[Hashable, int] = {}
+        self._active: set[Hashable] = set()
+        self._again = False
+        """Whether the numbers that were read last depend on themselves."""
+
+    def values(self, expression: Any) -> list[Value]:
+        """The values of an expression as `Values` reads them in its unit."""
+        return self._values[id(ancestor_of_kind(expression, ccode.SourceUnit))].of(expression)
+
+    def numbers(self, expression: Any) -> set[int] | None:
+        """The numbers that an expression may be, None where the text does not say them."""
+        reached = self._reached[id(ancestor_of_kind(expression, ccode.SourceUnit))]
+        for known in (self.values(expression), reached.of(expression)):
+            found = {value.number for value in known}
+            if None not in found:
+                return {number for number in found if number is not None}
+        if isinstance(expression, ccode.ConditionalExpression):
+            return _together([self.numbers(expression.whenTrue), self.numbers(expression.whenFalse)])
+        if isinstance(expression, ccode.Binary):
+            self._again = False
+            left, right = self.numbers(expression.left), self.numbers(expression.right)
+            if left is None or right is None or self._again or len(left) * len(right) > LIMIT:
+                return None
+            made = {calculate(str(expression.operator), a, b) for a in left for b in right}
+            return None if None in made else {number for number in made if number is not None}
+        key = self.given.key(expression)
+        if key is None:
+            return None
+        if key in self._active:
+            self._again = True
+            return set()
+        self._active.add(key)
+        try:
+            return _together([self.numbers(one) for one in self.given.of(key)]) or None
+        finally:
+            self._active.discard(key)
+
+    def bits(self, expression: Any) -> int | None:
+        """The bits that an expression may have, None where the text does not say them."""
+        numbers = [value.number for value in self.values(expression)]
+        if None not in numbers:
+            return union(numbers)
+        rule = _RULES.get(type(expression).__name__)
+        if rule is not None:
+            made: int | None = rule(self, expression)
+            return made
+        key = self.given.key(expression)
+        return None if key is None else self._kept(key)
+
+    def _kept(self, key: Hashable) -> int | None:
+        """The bits of what is given to a thing: the least that holds, where it is put together from itself."""
+        if key in self._assumed or len(self._assumed) > _DEEP:
+            return self._assumed.get(key)
+        given = self.given.of(key)
+        found = 0
+        try:
+            while True:
+                self._assumed[key] = found
+                more = found
+                for one in given:
+                    made = self.bits(one)
+                    if made is None:
+                        return None
+                    more |= made
+                if more == found:
+                    return found if given else None
+                found = more
+        finally:
+            self._assumed.pop(key, None)
+
+    def cleared(self, expression: Any, whole: int) -> int | None:
+        """The bits that an expression may not have, of those of `whole`; None where the text does not say them."""
+        numbers = [value.number for value in self.values(expression)]
+        if None not in numbers:
+            return union(~number & whole for number in numbers if number is not None)
+        if isinstance(expression, ccode.Cast):
+            return self.cleared(expression.operand, whole)
+        operator = str(getattr(expression, "operator", ""))
+        if isinstance(expression, ccode.Unary) and operator == "~":
+            return self.bits(expression.operand)
+        if operator in ("&", "&="):
+            return union(self.cleared(side, whole) for side in (expression.left, expression.right))
+        key = self.given.key(expression)
+        if key is None or not self.given.of(key):
+            return None
+        if key in self._active:
+            return 0
+        self._active.add(key)
+        try:
+            return union(self.cleared(one, whole) for one in self.given.of(key))
+        finally:
+            self._active.discard(key)
+
+    def _binary(self, binary: Any) -> int | None:
+        return self._combined(binary, str(binary.operator))
+
+    def _assignment(self, assignment: Any) -> int | None:
+        operator = str(assignment.operator)
+        return self.bits(assignment.right) if operator == "=" else self._combined(assignment, operator.removesuffix("="))
+
+    def _combined(self, sides: Any, operator: str) -> int | None:
+        """The bits of an operator's result, in an expression or in an assignment."""
+        if operator in _TRUTHS:
+            return 1
+        if operator == ",":
+            return self.bits(sides.right)
+        if operator in ("<<", ">>"):
+            return self._shifted(sides.left, self.numbers(sides.right), operator)
+        left, right = self.bits(sides.left), self.bits(sides.right)
+        if operator == "&":
+            return right if left is None else left if right is None else left & right
+        if left is None or right is None:
+            return None
+        if operator in ("|", "^") or (operator == "+" and not left & right):
+            return left | right
+        return left if operator == "-" and not right & ~left else None
+
+    def _shifted(self, left: Any, places: set[int] | None, operator: str) -> int | None:
+        again = self.given.key(left)
+        bits = self.bits(left)
+        if bits is None or places is None:
+            return None
+        bits, found = bits & _ALL, 0
+        for place in places:  # a shift of the source counts the lower bits of its place
+            found |= bits << place % WORD if operator == "<<" else bits >> place % WORD
+        if again in self._assumed and operator == "<<":
+            return self._bounded(left, found)
+        return found & _ALL
+
+    def _bounded(self, stepped: Any, found: int) -> int | None:
+        """The bits of a mask that is shifted again and again, up to what it is compared with."""
+        target = stepped.target if isinstance(stepped, ccode.NameReference) else None
+        unit = ancestor_of_kind(stepped, ccode.SourceUnit)
+        compared = self._reached[id(unit)].bounds(target) if target is not None else ()
+        bounds = [n - (o in ("<", "!=")) for o, n, _ in compared if o not in (">", ">=") and n > 0]
+        return found & ((1 << max(bounds).bit_length()) - 1) if bounds else None
+
+    def _unary(self, unary: Any) -> int | None:
+        operator = str(unary.operator)
+        if operator == "!":
+            return 1
+        if operator == "~":
+            return _ALL
+        key = self.given.key(unary)
+        return None if key is None else self._kept(key)
+
+    def _cast(self, cast: Any) -> int | None:
+        return self.bits(cast.operand)
+
+    def _conditional(self, choice: Any) -> int | None:
+        return union(map(self.bits, (choice.whenTrue, choice.whenFalse)))
+
+
+_RULES: dict[str, Any] = {
+    "Binary": PortMasks._binary,
+    "Assignment": PortMasks._assignment,
+    "Unary": PortMasks._unary,
+    "Cast": PortMasks._cast,
+    "ConditionalExpression": PortMasks._conditional,
+}
+
+
+def union(parts: Iterable[int | None]) -> int | None:
+    """All bits of some masks, None where one is not known."""
+    found = 0
+    for part in parts:
+        if part is None:
+            return None
+        found |= part
+    return found
+
+
+def _together(parts: Sequence[set[int] | None]) -> set[int] | None:
+    found: set[int] = set()
+    for part in parts:
+        if part is None:
+            return None
+        found |= part
+    return found
