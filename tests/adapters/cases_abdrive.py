@@ -66,6 +66,21 @@ void loop() {{}}
     assert right[-1][1] == pytest.approx(1500 - 141, abs=20)
 
 
+@proves(*d("speed"))
+def calls_again_and_again_do_not_drift_against_the_frames(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); drive_speed(20, 20); uint32_t begun = micros();
+  for (uint8_t turn = 0; turn < 10; turn++) {{ drive_speed(turn & 1 ? 20 : 80, 50); delay(100); }}
+  say((micros() - begun) / 100); }}
+void loop() {{}}
+"""
+    trace = replace(uno, ports=PORTS).run(program, d("speed"), 2600)
+    assert int(trace.text) == pytest.approx(22_000, abs=15)  # tenths of a millisecond: six frames each, and five of delay
+    began = [at for at, _ in trace.pulses("D5")]
+    gaps = [late - early for early, late in pairwise(began)][2:]  # it begins with two pulses, and stands until the first speed
+    assert gaps == pytest.approx([20_000] * len(gaps), abs=12)
+
+
 @proves(*d("goto", "getTicks", "gotoMode", "gotoStatus", "encoderPins"))
 def drives_go_so_many_ticks_and_count_them(uno: Uno) -> None:
     program = f"""{SAY}

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
+from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
+from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate
 from tests.transformations.verification.conftest import Run
 
@@ -82,6 +85,41 @@ def test_a_feedback_servo_tells_its_angle(job_of: Run, engine: str) -> None:
     assert before / 942 * 360 == pytest.approx(90, abs=2)
     assert after / 942 * 360 == pytest.approx(degrees, abs=2)
     assert degrees == pytest.approx(90 + beyond * 4.88 * turning, abs=2)
+
+
+class Quiet(Bench):
+    """A bench on which no time passes and nothing is at the pins."""
+
+    cycle = 0
+
+    def wake_at(self, cycle: int) -> None:
+        """Nothing comes later."""
+
+    def set_level(self, pin: str, level: int | None) -> None:
+        """Nobody looks."""
+
+    def set_voltage(self, pin: str, millivolts: float) -> None:
+        """Nobody looks."""
+
+    def send(self, data: bytes) -> None:
+        """Nobody listens."""
+
+
+@pytest.mark.parametrize(
+    ("way", "marks"),
+    [
+        ([90.0, 88.0, 91.0, 87.5, 90.0], []),  # it trembles where it is held
+        ([90.0, 80.0, 82.0, 80.5], [82]),  # over a mark and back again
+        ([0.0, 60.0, 0.0], [22, 52, 22]),
+        ([0.0, -75.0], [-8, -38, -68]),  # several at once
+    ],
+)
+def test_a_servo_notes_the_marks_that_it_passes(way: list[float], marks: list[int]) -> None:
+    servo = FeedbackServo(Quiet(["D9", "D2"], 16_000_000), 0, {"servo": "D9", "feedback": "D2"}, {})
+    PulseDriven.start(servo)
+    for place in way:
+        servo.moved_to(place)
+    assert [event.value for event in servo.bench.events] == marks
 
 
 def test_serial_registers_are_written_and_read(job_of: Run, engine: str) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from math import floor
+
 from robosmi.verify.bench import Device, Level
 
 _LONGEST_GAP_US = 50_000
 _FIRST_MARK = 0.72
 """Where the first mark is, as a part of the distance of two: programs seldom head for a place that is so near to one."""
-_NEAR = 0.25
 
 
 class PulseDriven(Device):
@@ -22,6 +23,7 @@ class PulseDriven(Device):
         self._begun: float | None = None
         self._last_pulse = 0.0
         self._passed: int | None = None
+        self._below: int | None = None
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Take a pulse of the program when it ends."""
@@ -42,11 +44,21 @@ class PulseDriven(Device):
         Args:
             position: where the device is now, in its own unit, marks being `mark` apart.
         """
-        first, passed = self.mark * _FIRST_MARK, round((position - self.mark * _FIRST_MARK) / self.mark)
-        at = first + passed * self.mark
-        if passed != self._passed and abs(position - at) < self.mark * _NEAR:
-            self._passed = passed
-            self.note("at", round(at))
+        below = floor(position / self.mark - _FIRST_MARK)
+        if self._below is None:
+            self._below = below
+        while self._below < below:
+            self._below += 1
+            self._pass(self._below)
+        while self._below > below:
+            self._pass(self._below)
+            self._below -= 1
+
+    def _pass(self, number: int) -> None:
+        """Note a mark, but for one that was noted last: a device that comes back over it has made no way."""
+        if number != self._passed:
+            self._passed = number
+            self.note("at", round((number + _FIRST_MARK) * self.mark))
 
     @property
     def left_alone(self) -> bool:

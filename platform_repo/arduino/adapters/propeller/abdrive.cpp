@@ -139,7 +139,7 @@ inline void drive_wait_rest() {
 }
 
 //# helper drive_start
-//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/background servo.h/servo_us simpletools.h/Io
+//#   needs: drive_frame drive_pins wheels servo.h/ServoSlot servo.h/frames servo.h/servo_us simpletools.h/Io
 //#   ram: 1
 static bool drive_on;
 
@@ -153,7 +153,7 @@ inline void drive_start() {  // as long as the library takes for the start of it
     slot->own = true;
     slot->start(servo_us(drive_pins[side], 0, 1500));
   }
-  run_in_background(frame_jobs, drive_frame);
+  do_each_frame(drive_frame);
   drive_wait_frames(7);
 }
 
@@ -191,7 +191,7 @@ inline void drive_watch_encoders() {
     wheel.mask = io.mask;
     wheel.sense = wheel.sense ? wheel.sense : 1;
   }
-  run_in_background(sample_jobs, drive_sample);
+  sample_in_background(drive_sample);
 }
 
 //# adapter drive_speed

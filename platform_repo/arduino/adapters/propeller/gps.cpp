@@ -118,7 +118,7 @@ inline int32_t gps_open(int32_t gpsSin, int32_t gpsSout, int32_t gps_baud) {
   cli();
   gps_receiver.line = line;
   SREG = old;
-  run_in_background(sample_jobs, gps_listen);
+  sample_in_background(gps_listen);
   return GPS_TRUE;
 }
 

@@ -1,29 +1,98 @@
 //# header servo.h
 // Servos with pulses in the background. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Motor/libservo (servo.h, servo.c).
 // The library's cog makes a pulse for each of 14 servos every 20 ms; here Servo.h does, with its timer. What else a cog did every frame
-// is a job of Timer0's compare interrupt, which lets other interrupts in, so that pulses keep their width. Of stack it takes 23 bytes
-// and a frame job (of servo360.h 77, of abdrive.h up to 54), and, as it comes again meanwhile, 23 and a sample job (of encoders 23).
+// is a job of that timer's other compare interrupt, 2 ms before the pulses, so that each pulse has the width of its own frame. Jobs let
+// other interrupts in, so that pulses keep their width. Of stack the interrupt takes 23 bytes and a frame job (of servo360.h 77, of
+// abdrive.h up to 54), and that of the samples, which comes meanwhile, 23 and a sample job (of encoders 23).
 
 //# helper background
-//#   needs: simpletools.h/TimedInput
 //#   vector: TIMER0_COMPA_vect
-//#   stack: 124
-//#   fidelity: sample jobs every 1,024 us, frame jobs every 20 ms on average, both with interrupts on; frame jobs wait while an input is
-//#   fidelity: timed, and come at least 8 ms one after the other
-//#   ram: 14
+//#   stack: 46
+//#   fidelity: sample jobs every 1,024 us with interrupts on
+//#   ram: 6
 static void (*sample_jobs[2])();
+static void (*each_period)();  // of 1,024 us
+
+ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {
+  for (auto job : sample_jobs)
+    if (job) job();
+  if (each_period) each_period();
+}
+
+inline void count_periods() {
+  if (!OCR0A) OCR0A = 128;  // not right behind the core's interrupt of that timer
+  TIMSK0 |= _BV(OCIE0A);
+}
+
+template <uint8_t places> inline void add_job(void (*(&jobs)[places])(), void (*job)()) {
+  for (auto &place : jobs) {
+    if (place == job) return;
+    if (place) continue;
+    place = job;
+    return;
+  }
+}
+
+inline void sample_in_background(void (*job)()) {
+  uint8_t old = SREG;
+  cli();
+  add_job(sample_jobs, job);
+  count_periods();
+  SREG = old;
+}
+
+//# helper servo_timer
+//#   include: <Servo.h>
+//#   library: Servo
+//#   timer: Timer1
+//#   taken: TIMER1_COMPA_vect
+//#   fidelity: the timer with which Servo.h makes its pulses: it counts half microseconds (at 16 MHz) from the begin of a frame
+#define SERVO_COUNT TCNT1
+#define SERVO_BEGIN OCR1A  // when Servo.h begins its next frame, while it makes no pulse
+#define SERVO_JOB OCR1B    // when the frame jobs are due
+#define SERVO_MASK TIMSK1
+#define SERVO_PENDING TIFR1
+#define SERVO_CLOCK TCCR1B
+#define SERVO_MODE TCCR1A
+
+//# helper servo_timer
+//#   mcu: atmega2560
+//#   include: <Servo.h>
+//#   library: Servo
+//#   timer: Timer5
+//#   taken: TIMER5_COMPA_vect
+#define SERVO_COUNT TCNT5
+#define SERVO_BEGIN OCR5A
+#define SERVO_JOB OCR5B
+#define SERVO_MASK TIMSK5
+#define SERVO_PENDING TIFR5
+#define SERVO_CLOCK TCCR5B
+#define SERVO_MODE TCCR5A
+
+//# helper frame_ticks
+//#   needs: servo_timer
+const uint16_t frame_ticks = clockCyclesPerMicrosecond() * 2500UL;  // 20 ms
+const uint16_t job_ticks = frame_ticks / 10 * 9;                    // jobs are 2 ms earlier than pulses
+
+inline bool servo_pulses() { return SERVO_MASK & _BV(OCIE1A); }  // whether Servo.h makes any
+
+//# helper frames
+//#   needs: background frame_ticks frame_interrupt simpletools.h/TimedInput
+//#   stack: 78
+//#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and come at least 8 ms one after the other
+//#   ram: 11
 static void (*frame_jobs[3])();
-static volatile uint16_t frame_waited;  // microseconds
-static volatile uint8_t frame_age;      // periods of 1,024 us since the frame jobs began last
+static volatile uint8_t frames_owed;  // that have waited
+static volatile uint8_t frame_age;    // periods of 1,024 us since the frame jobs began last
 
 inline void do_frame_jobs() {
   static volatile bool busy = false;
   uint8_t old = SREG;
   cli();
-  bool due = frame_waited >= 20000 && frame_age > 7 && !busy;
+  bool due = frames_owed && frame_age > 7 && !busy;
   if (due) {
     busy = true;
-    frame_waited -= 20000;
+    frames_owed--;
   }
   SREG = old;
   if (!due) return;
@@ -33,36 +102,61 @@ inline void do_frame_jobs() {
   busy = false;
 }
 
-ISR(TIMER0_COMPA_vect, ISR_NOBLOCK) {  // every 1,024 us
-  for (auto job : sample_jobs)
-    if (job) job();
-  frame_waited += 1024;
-  frame_age++;
+inline void frame_period() {
+  if (frame_age < 255) frame_age++;
   if (frames_wait) frames_wait--;
   else do_frame_jobs();
 }
 
-template <uint8_t places> inline void run_in_background(void (*(&jobs)[places])(), void (*job)()) {
+inline void frame_comes() {  // Servo.h begins each frame later than it should, by what its interrupt takes: here that is made good
+  static uint16_t due;
+  uint16_t late = (uint16_t)micros() - due;
+  if (!servo_pulses()) SERVO_JOB += frame_ticks;
+  else SERVO_JOB = job_ticks;
+  if (late > 500) due += late;
+  else if (servo_pulses() && SERVO_BEGIN == frame_ticks) SERVO_BEGIN = frame_ticks - min(late, 20) * (frame_ticks / 20000);
+  due += 20000;
+  if (frames_owed < 3) frames_owed++;
+  sei();
+  if (!frames_wait) do_frame_jobs();
+}
+
+inline void do_each_frame(void (*job)()) {
   uint8_t old = SREG;
   cli();
-  for (auto &place : jobs) {
-    if (place == job) break;
-    if (place) continue;
-    place = job;
-    break;
-  }
+  add_job(frame_jobs, job);
   frames_due = do_frame_jobs;
-  if (!OCR0A) OCR0A = 128;  // not right behind the core's interrupt of that timer
-  TIMSK0 |= _BV(OCIE0A);
+  each_period = frame_period;
+  count_periods();
+  if (!(SERVO_MASK & _BV(OCIE1B))) {
+    if (!servo_pulses()) {
+      SERVO_MODE = 0;
+      SERVO_CLOCK = _BV(CS11);
+    }
+    SERVO_JOB = servo_pulses() ? job_ticks : SERVO_COUNT + frame_ticks;
+    SERVO_PENDING = _BV(OCF1B);
+    SERVO_MASK |= _BV(OCIE1B);
+  }
   SREG = old;
 }
 
+//# helper frame_interrupt
+//#   vector: TIMER1_COMPB_vect
+//#   stack: 23
+inline void frame_comes();
+
+ISR(TIMER1_COMPB_vect) { frame_comes(); }
+
+//# helper frame_interrupt
+//#   mcu: atmega2560
+//#   vector: TIMER5_COMPB_vect
+//#   stack: 23
+inline void frame_comes();
+
+ISR(TIMER5_COMPB_vect) { frame_comes(); }
+
 //# helper ServoSlot
-//#   needs: simpletools.h/Io
-//#   include: <Servo.h>
-//#   library: Servo
-//#   timer: Timer1
-//#   taken: TIMER1_COMPA_vect
+//#   needs: simpletools.h/Io frame_ticks
 //#   stack: 24
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
 //#   ram: 132
@@ -74,11 +168,19 @@ struct ServoSlot {
   bool used, own;              // own: of a drive, which servo_stop and the like leave alone
   int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
 
-  void start(int16_t us) {
+  void start(int16_t us) {  // Servo.h lets its timer begin anew with the first servo: frames go on in their time
     uint8_t old = SREG;
     cli();
+    bool counted = servo_pulses();
+    uint16_t before = SERVO_COUNT, left = SERVO_JOB - before;  // until the frame jobs are due
+    if (counted && before >= SERVO_JOB) left += frame_ticks;
+    if (!(SERVO_MASK & _BV(OCIE1B))) left = job_ticks + 1000;
     servo->attach(pin, 40, 2900);
     servo->writeMicroseconds(us);
+    if (!counted || SERVO_COUNT < before) {
+      SERVO_JOB = left < job_ticks ? left : job_ticks;
+      SERVO_BEGIN = left < job_ticks ? left + (frame_ticks - job_ticks) : max(left - job_ticks, 100);
+    }
     SREG = old;
   }
   void rest() {  // no more pulses; one under way is ended first
@@ -87,6 +189,7 @@ struct ServoSlot {
       uint8_t old = SREG;
       cli();
       if (!(*io.out & io.mask)) servo->detach();
+      if (!servo_pulses() && SERVO_COUNT >= SERVO_JOB) SERVO_JOB += frame_ticks;
       SREG = old;
     }
   }
@@ -206,7 +309,7 @@ inline int32_t servo_get(int32_t pin) {
 //# adapter servo_setramp
 //#   for: int servo_setramp(int pin, int stepSize)
 //#   kind: semantic
-//#   needs: ServoSlot background
+//#   needs: ServoSlot frames
 //#   pin: pin digital out servo
 //#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
 inline void servo_ramps() {
@@ -223,7 +326,7 @@ inline int32_t servo_setramp(int32_t pin, int32_t stepSize) {
   ServoSlot *slot = servo_slot(pin, false);
   if (!slot) return -4;
   slot->step = stepSize;
-  run_in_background(frame_jobs, servo_ramps);
+  do_each_frame(servo_ramps);
   return pin;
 }
 

@@ -80,7 +80,7 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 };
 
 //# helper Servo360
-//#   needs: S360_POSITION Uninterrupted servo.h/background simpletools.h/PinWatch
+//#   needs: S360_POSITION Uninterrupted servo.h/frames simpletools.h/PinWatch
 //#   ram: 8
 const int16_t turn360 = 4096;
 
@@ -250,7 +250,7 @@ inline void feedback360_edge(PinWatch &watch) {  // short: the signal is high fo
 }
 
 //# helper servo360_run
-//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/background servo.h/servo_us
+//#   needs: Servo360 S360_SPEED S360_POSITION S360_GOTO servo.h/ServoSlot servo.h/frames servo.h/servo_us
 //#   ram: 1
 inline void servo360_frame() {
   bool alive[4];
@@ -284,7 +284,7 @@ inline void servo360_run() {
   static bool on = false;
   if (on) return;
   on = true;
-  run_in_background(frame_jobs, servo360_frame);
+  do_each_frame(servo360_frame);
   delay(500);
 }
 

@@ -1,6 +1,25 @@
 // The pulses are sent one after another: the compare interrupt ends one channel's pulse and begins the next one's, and after
-// the last it waits for the rest of the frame. One tick is half a microsecond (16 MHz / 8).
+// the last it waits for the rest of the frame, at the begin of which the timer counts from 0. One tick is half a microsecond
+// (16 MHz / 8). On a Mega it is Timer5, else Timer1.
 #include "Servo.h"
+
+#if defined(__AVR_ATmega2560__)
+#define TCNTn TCNT5
+#define OCRnA OCR5A
+#define TCCRnA TCCR5A
+#define TCCRnB TCCR5B
+#define TIFRn TIFR5
+#define TIMSKn TIMSK5
+#define TIMERn_COMPA_vect TIMER5_COMPA_vect
+#else
+#define TCNTn TCNT1
+#define OCRnA OCR1A
+#define TCCRnA TCCR1A
+#define TCCRnB TCCR1B
+#define TIFRn TIFR1
+#define TIMSKn TIMSK1
+#define TIMERn_COMPA_vect TIMER1_COMPA_vect
+#endif
 
 namespace {
 
@@ -15,7 +34,6 @@ volatile uint8_t pinOf[MAX_SERVOS];
 volatile bool active[MAX_SERVOS];
 volatile uint8_t running;             // channels that are active
 volatile int8_t current = BETWEEN_FRAMES;
-volatile uint16_t frameBegan;
 int8_t channels;
 
 class NoInterrupts {
@@ -28,19 +46,20 @@ class NoInterrupts {
 };
 
 void startTimer() {
-  TCCR1A = 0;
-  TCCR1B = _BV(CS11);
-  TCNT1 = 0;
-  OCR1A = 40;
-  TIFR1 = _BV(OCF1A);
-  TIMSK1 |= _BV(OCIE1A);
+  TCCRnA = 0;
+  TCCRnB = _BV(CS11);
+  TCNTn = 0;
+  OCRnA = 40;
+  current = BETWEEN_FRAMES;
+  TIFRn = _BV(OCF1A);
+  TIMSKn |= _BV(OCIE1A);
 }
 
 }  // namespace
 
-ISR(TIMER1_COMPA_vect) {
+ISR(TIMERn_COMPA_vect) {
   if (current == BETWEEN_FRAMES) {
-    frameBegan = OCR1A;
+    TCNTn = TCNTn - OCRnA;  // a frame begins at 0
   } else if (active[current]) {
     digitalWrite(pinOf[current], LOW);
   }
@@ -49,12 +68,11 @@ ISR(TIMER1_COMPA_vect) {
   if (next < channels) {
     current = next;
     digitalWrite(pinOf[next], HIGH);
-    OCR1A = TCNT1 + width[next] - LATENCY;
+    OCRnA = TCNTn + width[next] - LATENCY;
   } else {
     current = BETWEEN_FRAMES;
-    const uint16_t now = TCNT1;
-    const bool late = static_cast<uint16_t>(now - frameBegan) > static_cast<uint16_t>(FRAME - SOONEST);
-    OCR1A = late ? now + SOONEST : frameBegan + FRAME;
+    const uint16_t now = TCNTn;
+    OCRnA = now > FRAME - SOONEST ? now + SOONEST : FRAME;
   }
 }
 
@@ -86,10 +104,7 @@ void Servo::detach() {
   if (!active[channel]) return;
   digitalWrite(pinOf[channel], LOW);
   active[channel] = false;
-  if (!--running) {
-    TIMSK1 &= ~_BV(OCIE1A);
-    current = BETWEEN_FRAMES;
-  }
+  running--;  // frames go on without pulses
 }
 
 void Servo::write(int value) {

@@ -393,6 +393,20 @@ inline int32_t print(const char *format, Arguments... given) {
   return format_text<true>(TextOut(dport_ptr), format, arguments + 1, sizeof...(given));
 }
 
+// The timer with which Servo.h makes its pulses: it counts half microseconds (at 16 MHz) from the begin of a frame
+#define SERVO_COUNT TCNT1
+#define SERVO_BEGIN OCR1A  // when Servo.h begins its next frame, while it makes no pulse
+#define SERVO_JOB OCR1B    // when the frame jobs are due
+#define SERVO_MASK TIMSK1
+#define SERVO_PENDING TIFR1
+#define SERVO_CLOCK TCCR1B
+#define SERVO_MODE TCCR1A
+
+const uint16_t frame_ticks = clockCyclesPerMicrosecond() * 2500UL;  // 20 ms
+const uint16_t job_ticks = frame_ticks / 10 * 9;                    // jobs are 2 ms earlier than pulses
+
+inline bool servo_pulses() { return SERVO_MASK & _BV(OCIE1A); }  // whether Servo.h makes any
+
 // Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
 const uint8_t servo_places = MAX_SERVOS < 14 ? MAX_SERVOS : 14;
 
@@ -402,11 +416,19 @@ struct ServoSlot {
   bool used, own;              // own: of a drive, which servo_stop and the like leave alone
   int16_t asked, sent, step;   // microseconds; step: at most so many more or less each frame
 
-  void start(int16_t us) {
+  void start(int16_t us) {  // Servo.h lets its timer begin anew with the first servo: frames go on in their time
     uint8_t old = SREG;
     cli();
+    bool counted = servo_pulses();
+    uint16_t before = SERVO_COUNT, left = SERVO_JOB - before;  // until the frame jobs are due
+    if (counted && before >= SERVO_JOB) left += frame_ticks;
+    if (!(SERVO_MASK & _BV(OCIE1B))) left = job_ticks + 1000;
     servo->attach(pin, 40, 2900);
     servo->writeMicroseconds(us);
+    if (!counted || SERVO_COUNT < before) {
+      SERVO_JOB = left < job_ticks ? left : job_ticks;
+      SERVO_BEGIN = left < job_ticks ? left + (frame_ticks - job_ticks) : max(left - job_ticks, 100);
+    }
     SREG = old;
   }
   void rest() {  // no more pulses; one under way is ended first
@@ -415,6 +437,7 @@ struct ServoSlot {
       uint8_t old = SREG;
       cli();
       if (!(*io.out & io.mask)) servo->detach();
+      if (!servo_pulses() && SERVO_COUNT >= SERVO_JOB) SERVO_JOB += frame_ticks;
       SREG = old;
     }
   }
