@@ -1092,6 +1092,8 @@ class Adapter(Element, metaclass=MetaEClass):
     """Its parameters that are pins of the target."""
     ports: MutableSequence[ConventionalPort] = EReference(upper=-1, containment=True)
     """Pins that it uses without being told."""
+    ranges: MutableSequence[ArgumentRange] = EReference(upper=-1, containment=True)
+    """Values of its parameters that it can serve; others do something else than there."""
     tables: MutableSequence[PortTable] = EReference(upper=-1, containment=True)
     """Tables that it looks ports of the source up in."""
     source: str = EAttribute(eType=EString, default_value="")
@@ -1128,6 +1130,7 @@ class Adapter(Element, metaclass=MetaEClass):
             symmetric: Iterable[str] | None = None,
             pins: Iterable[AdapterPin] | None = None,
             ports: Iterable[ConventionalPort] | None = None,
+            ranges: Iterable[ArgumentRange] | None = None,
             tables: Iterable[PortTable] | None = None,
             source: str | None = None,
             needs: Iterable[Adapter] | None = None,
@@ -1158,6 +1161,42 @@ class AdapterPin(Element, metaclass=MetaEClass):
             direction: Direction | None = None,
             signed: bool | None = None,
             componentRole: str | None = None,
+        ) -> None: ...
+
+
+class ArgumentRange(Element, metaclass=MetaEClass):
+    """Which values of a parameter an adapter can serve."""
+
+    name: str = EAttribute(eType=EString, lower=1)
+    """The parameter, as the source's signature calls it."""
+    position: int = EAttribute(eType=EInt)
+    """Its position among the parameters, from 0."""
+    least: int = EAttribute(eType=EInt, default_value=-2147483648)
+    """The least value that it serves."""
+    most: int = EAttribute(eType=EInt, default_value=2147483647)
+    """The greatest value that it serves."""
+    others: MutableSequence[int] = EAttribute(eType=EInt, upper=-1, unique=False)
+    """Values outside of these that it serves all the same, such as 0 for off."""
+    beside: str = EAttribute(eType=EString, default_value="")
+    """The piece, with its header, in whose presence alone the range holds; empty for always."""
+    awayFrom: str = EAttribute(eType=EString, default_value="")
+    """Name of a pin of the target: calls that are given it have no such range; empty for none."""
+    effect: str = EAttribute(eType=EString, default_value="")
+    """What happens with other values, half a sentence."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            name: str | None = None,
+            position: int | None = None,
+            least: int | None = None,
+            most: int | None = None,
+            others: Iterable[int] | None = None,
+            beside: str | None = None,
+            awayFrom: str | None = None,
+            effect: str | None = None,
         ) -> None: ...
 
 
@@ -1272,6 +1311,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Adapter.symbols.eType = ApiSymbol
     Adapter.pins.eType = AdapterPin
     Adapter.ports.eType = ConventionalPort
+    Adapter.ranges.eType = ArgumentRange
     Adapter.tables.eType = PortTable
     Adapter.needs.eType = Adapter
     Platform.headers.eOpposite = Header.platform

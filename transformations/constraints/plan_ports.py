@@ -5,13 +5,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
 from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
+from robosmi.transformations.knowledge.adapter_ranges import parameter_names
+from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.validate import EVL, Fail
 
 ports = EVL()
@@ -113,6 +116,58 @@ def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> Any:
     assert heard.pin is not None
     where = f"'{component.title}' has two: {_wire(sent)} on {sent.pin.label} and {_wire(heard)} on {heard.pin.label}"
     return Fail(f"{call.calleeName} sends and listens on one wire ({named(b)}), and {where}")
+
+
+@bindings.constraint(
+    id="RS726", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None,
+    advice="bind the port to another pin, and move the wire",
+)  # fmt: skip
+def PinDoesWhatIsAsked(b: migration.PortBinding) -> Any:
+    """A pin can do what the functions that are given its port need of it, and no other adapter takes its timer."""
+    pin = bound_pin(b)
+    assert pin is not None
+    for name, capability in asked_of(b):
+        if capability is platform.PinCapability.pwm and "pwm" not in pin.abilities:
+            return Fail(
+                f"{name} needs PWM, and the {named(b)} is on {pin.label}, which has none: it is switched at half", pin=pin.label
+            )
+        if capability is platform.PinCapability.analog and "analog_in" not in pin.abilities:
+            return Fail(f"{name} measures a voltage, and the {named(b)} is on {pin.label}, which cannot", pin=pin.label)
+        takers = [use.name for use in plan_of(b).adapterUses if use.name != name and pin.timer in _timers(use)]
+        if capability is platform.PinCapability.pwm and pin.timer and takers:
+            taken = f"{pin.timer}, which {takers[0]} takes"
+            return Fail(f"{name} needs the PWM of {pin.label} for the {named(b)}, which comes from {taken}", pin=pin.label)
+    return True
+
+
+def asked_of(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
+    """The functions that are given a port, each with what it needs of the pin."""
+    if b.conventionalPort is not None:
+        yield b.name, b.conventionalPort.capability
+    plan = plan_of(b)
+    adapters = {str(use.name): use.adapter for use in plan.adapterUses if use.adapter is not None}
+    for flow in plan.portFlows:
+        for call in flow.calls if b in flow.bindings else ():
+            adapter = adapters.get(str(call.calleeName))
+            if adapter is None:
+                continue
+            names = [name for signature in adapter.signatures[:1] for name in parameter_names(signature)]
+            for pin in adapter.pins:
+                if len(adapter.pins) == 1 or (pin.name in names and _is_given(b, call, names.index(pin.name))):
+                    yield str(call.calleeName), pin.capability
+
+
+def _is_given(b: migration.PortBinding, call: ccode.Call, position: int) -> bool:
+    """Whether an argument of a call is a port, by its name or its number."""
+    argument = call.arguments[position] if position < len(call.arguments) else None
+    if isinstance(argument, ccode.IntegerLiteral):
+        return bool(argument.value == b.sourcePin)
+    return isinstance(argument, ccode.NameReference) and argument.name in (b.name, *b.names)
+
+
+def _timers(use: migration.AdapterUse) -> set[str]:
+    """The timers that the adapter of a use takes, with all that it needs."""
+    return {str(t) for piece in closure([use.adapter] if use.adapter is not None else []) for t in piece.timers}
 
 
 def _on_one_wire(adapter: platform.Adapter) -> bool:

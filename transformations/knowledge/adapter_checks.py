@@ -116,7 +116,7 @@ def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wron
         if said is None or said["name"] != piece.name:
             message = f"'{signature}' is no signature of '{piece.name}'"
             raise wrong("for", signature, message, f"write it as the source's header does: RESULT {piece.name}(PARAMETERS)")
-        count = len(_split(said["parameters"]))
+        count = len(split_arguments(said["parameters"]))
         if "..." not in said["parameters"] and all(len(names) != count for names in definitions):
             message = f"the function '{name}' takes {len(definitions[0])} parameters, '{signature}' has {count}"
             raise wrong("for", signature, message, "let the text take as many as the signature has")
@@ -132,7 +132,7 @@ def parameters_of(text: str, name: str) -> list[str]:
     return next(_defined(tokens(text.encode()), name), [])
 
 
-def _split(parameters: str) -> list[str]:
+def split_arguments(parameters: str) -> list[str]:
     """Parameters as texts; none for `void` and for nothing."""
     depth, parts = 0, [""]
     for character in parameters:
@@ -149,7 +149,7 @@ def _defined(found: list[Token], name: str) -> Iterator[list[str]]:
     """The names of the parameters of each definition of a function or macro; an empty text for one without a name."""
     for at, (kind, _, _, text) in enumerate(found):
         if kind == "directive" and (macro := re.match(rf"#\s*define\s+{re.escape(name)}\(([^)]*)\)", text)):
-            yield _split(macro[1])
+            yield split_arguments(macro[1])
         if text != name or at + 1 == len(found) or found[at + 1][3] != "(":
             continue
         end = _closing(found, at + 1)

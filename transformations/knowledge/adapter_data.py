@@ -28,10 +28,11 @@ from robosmi.transformations.knowledge.adapter_files import (
     PortTable,
     adapter_file,
 )
+from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
 
 ENDINGS = (".cpp", ".c")
 """Of adapter files, in C++ and in C."""
-_PARTS = {"pins": AdapterPin, "ports": ConventionalPort, "tables": PortTable}
+_PARTS = {"pins": AdapterPin, "ports": ConventionalPort, "tables": PortTable, "ranges": ArgumentRange}
 _DEFAULTS = {
     field.name: field.default if field.default is not MISSING else []
     for field in fields(AdapterPiece)

@@ -16,6 +16,7 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argument_range
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -28,7 +29,7 @@ CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
 _LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
-_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack", "ram")
+_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack", "ram", "range")
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
 _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
@@ -109,6 +110,7 @@ class AdapterPiece:
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
         tables: tables that it looks ports up in.
+        ranges: values of its parameters that it can serve.
         fidelity: how faithful it is.
         limits: what it does not do.
         symmetric: parameters that may change places without a difference.
@@ -136,6 +138,7 @@ class AdapterPiece:
     pins: list[AdapterPin] = field(default_factory=list)
     ports: list[ConventionalPort] = field(default_factory=list)
     tables: list[PortTable] = field(default_factory=list)
+    ranges: list[ArgumentRange] = field(default_factory=list)
     fidelity: str = ""
     limits: list[str] = field(default_factory=list)
     symmetric: list[str] = field(default_factory=list)
@@ -303,6 +306,8 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         if table is None:
             raise _wrong(place, f"'{value}' is no table", "write: table: NAME COUNT")
         piece.tables.append(PortTable(table[1], int(table[2])))
+    elif key == "range":
+        piece.ranges.append(_range(piece, value, place))
     elif key == "port":
         port = _PORT.fullmatch(value)
         if port is None:
@@ -319,6 +324,14 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
                 port[6] or "",
             )
         )
+
+
+def _range(piece: AdapterPiece, value: str, place: Location) -> ArgumentRange:
+    """What a marker `range` says."""
+    try:
+        return argument_range(piece.name, piece.signatures, value)
+    except ValueError as error:
+        raise _wrong(place, *map(str, error.args)) from error
 
 
 def _one_of(value: str, known: tuple[str, ...], place: Location) -> str:

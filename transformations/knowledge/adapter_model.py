@@ -44,6 +44,13 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
             )
             for port in piece.ports
         ],
+        ranges=[
+            platform.ArgumentRange(
+                name=one.name, position=one.position, others=list(one.others), beside=one.beside, awayFrom=one.away_from,
+                effect=one.effect, **{k: v for k, v in (("least", one.least), ("most", one.most)) if v is not None},
+            )
+            for one in piece.ranges
+        ],
         tables=[platform.PortTable(name=table.name, count=table.count) for table in piece.tables],
         **said,
     )  # fmt: skip

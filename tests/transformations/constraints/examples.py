@@ -125,6 +125,27 @@ def ranged(*signals: migration.Signal) -> migration.MigrationPlan:
     return made
 
 
+def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
+    """A plan with `dac_ctr` on a pin whose PWM is of a timer, if it has any, beside an adapter that takes a timer."""
+    made = a_plan(portBindings=lambda p: [migration.PortBinding(name="n", sourcePin=4)])
+    assert made.target is not None
+    assert made.board is not None
+    pin = platform.Pin(label="D9", abilities=["digital", *["pwm"] * bool(timer)], timer=timer)
+    made.board.pins.append(pin)
+    made.portBindings[0].pin = pin
+    adapter = platform.Adapter(
+        name="dac_ctr", signatures=["void dac_ctr(int pin, int channel, int dacVal)"],
+        pins=[platform.AdapterPin(name="pin", capability=platform.PinCapability.pwm)],
+    )  # fmt: skip
+    other = platform.Adapter(name="servo_angle", timers=[taken])
+    made.target.adapters.extend([adapter, other])
+    call = ccode.Call(calleeName="dac_ctr")
+    made.adapterUses.append(migration.AdapterUse(name="dac_ctr", adapter=adapter, calls=[call]))
+    made.adapterUses.append(migration.AdapterUse(name="servo_angle", adapter=other))
+    made.portFlows.append(migration.PortFlow(name="n", bindings=list(made.portBindings), calls=[call]))
+    return made
+
+
 def adapted(*names: str) -> migration.MigrationPlan:
     """A plan whose function `f` is adapted by adapters of these names, one use each."""
 
@@ -242,6 +263,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS716": (lambda: chosen_as("D2", "7"), lambda: chosen_as("D2", "D1")),
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
     "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
+    "RS726": (lambda: dimmed("Timer1", "Timer2"), lambda: dimmed("Timer1", "Timer1")),
     "RS724": (lambda: on_one_pin(1), lambda: on_one_pin(2)),
     "RS715": (lambda: on_one_pin(1), lambda: on_one_pin(3)),
     "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),

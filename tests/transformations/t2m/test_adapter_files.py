@@ -14,6 +14,7 @@ from robosmi.transformations.knowledge.adapter_files import (
     adapter_file,
     read_adapter_file,
 )
+from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 
 WHOLE = """//# header drive.h
@@ -36,6 +37,8 @@ static Servo wheel;
 //#   symmetric: left pin
 //#   fidelity: one frame
 //#   fidelity: late
+//#   range: left -128..128 or 999 beside servo.h/frames away from RX: it stands
+//#   range: pin ..13: nothing moves
 //#   limit: no ramp
 //#   limit: no encoder
 //#   mcu: atmega328p
@@ -70,6 +73,10 @@ def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None
     assert drive.ports == [ConventionalPort("drive_left", "drive.left", 12, "digital", "out", "servo")]
     assert (drive.libraries, drive.mcus) == (["Adafruit NeoPixel"], ["atmega328p"])
     assert (drive.fidelity, drive.limits) == ("one frame late", ["no ramp", "no encoder"])
+    assert drive.ranges == [
+        ArgumentRange("left", 0, -128, 128, [999], "servo.h/frames", "RX", "it stands"),
+        ArgumentRange("pin", 1, None, 13, [], "", "", "nothing moves"),
+    ]
     assert (drive.tables, drive.symmetric) == ([PortTable("port_pins", 4)], ["left", "pin"])
     assert drive.location.line == 9
     assert drive.text.startswith("void drive(")
@@ -122,6 +129,9 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
             5,
             "no parameter 'pinn' (did you mean 'pin'?)",
         ),
+        (f"{LOW}//#   range: us 5 to 9: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'us 5 to 9: no' is no range"),
+        (f"{LOW}//#   range: us ..: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "is no range"),
+        (f"{LOW}//#   range: ms 5..9: no\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'low' has no parameter 'ms'"),
         (f"{LOW}//#   symmetric: pin ms\nvoid low(int32_t pin, int32_t us) {{}}\n", 5, "'low' has no parameter 'ms'"),
         (f"{LOW}void high(int32_t pin, int32_t us) {{}}\n", 2, "has no 'low'"),
         (f"{LOW}//#   name: c_low\nvoid low(int32_t pin, int32_t us) {{ c_low(); }}\n", 5, "does not define a function 'c_low'"),

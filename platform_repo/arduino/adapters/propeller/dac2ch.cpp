@@ -18,6 +18,7 @@ typedef dac2ch dac2ch_t;
 //#   kind: semantic
 //#   needs: dac2ch
 //#   fidelity: up to 32 bits, of which the upper 8 count
+//#   range: bits 1..8: further bits are left out
 inline dac2ch *dac2ch_start(int32_t bits) {
   return new dac2ch{(uint8_t)bits, {255, 255}};
 }

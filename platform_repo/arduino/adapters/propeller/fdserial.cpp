@@ -202,6 +202,9 @@ inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t bau
 //#   limit: a byte is sent while the program waits, and what arrives meanwhile may get lost
 //#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
 //#   limit: FDSERIAL_MODE_IGNORE_TX_ECHO and FDSERIAL_MODE_RX_ONLY change nothing
+//#   range: baudrate 245..57600 away from RX: bytes get lost or broken
+//#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes
+//#   range: baudrate 245..9600 beside servo360.h/feedback360_edge away from RX: the interrupts of feedback signals break bytes
 inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   fdserial *line = open_line(rxpin, txpin, mode, baudrate);
   delay(500);

@@ -16,6 +16,8 @@ static Keypad keypad;
 //#   needs: Keypad simpletools.h/input
 //#   fidelity: the pins become inputs; pins and values are taken as they are at the call
 //#   limit: 8 rows and 8 columns
+//#   range: rowCount 1..8: further rows are not read
+//#   range: columnCount 1..8: further columns are not read
 template <class Pin, class Value>
 inline void keypad_setup(int32_t rowCount, int32_t columnCount, Pin *rowPinCons, Pin *columnPinCons, Value *buttonValues) {
   keypad.rows = min(rowCount, 8);

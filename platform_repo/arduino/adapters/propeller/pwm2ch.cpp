@@ -96,6 +96,7 @@ inline pwm2ch *pwm2ch_start(uint32_t cycleMicroseconds) {
 //#   pin: pin digital out
 //#   fidelity: width within 8 us: the interrupts add up to 5 us; less than nothing ends the pulses, and the pin becomes an input
 //#   limit: widths and rests of less than 20 us are not kept
+//#   range: tHigh 20.. or 0: the pulse is not kept
 inline void pwm2ch_set(pwm2ch *device, int32_t pin, int32_t channel, int32_t tHigh) {
   Io io(pin);
   uint8_t place = channel ? 1 : 0, bit = 1 << place;

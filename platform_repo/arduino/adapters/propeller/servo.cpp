@@ -243,6 +243,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   fidelity: widths within 1 us; returns the pin at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 //#   limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 //#   limit: widths from 40 to 2,900 us
+//#   range: time 40..2900 or 0: the pulse is made 40 or 2,900 us long
 inline int32_t servo_set(int32_t pin, int32_t time) {
   if (!Io(pin).wired()) return 0;
   ServoSlot *slot = servo_slot(pin, false);
@@ -275,6 +276,7 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
 //#   needs: servo_set
 //#   pin: pin digital out servo
 //#   fidelity: 500 us and one more for each tenth of a degree, as there
+//#   range: degreeTenths -460..2400 or -500: the pulse is made 40 or 2,900 us long
 inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
   return servo_set(pin, degreeTenths + 500);
 }
@@ -285,6 +287,7 @@ inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
 //#   needs: servo_set servo_us
 //#   pin: pin digital out servo
 //#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
+//#   range: speed -1460..1400 or -1500: the pulse is made 40 or 2,900 us long
 inline int32_t servo_speed(int32_t pin, int32_t speed) {
   int32_t us = speed + 1500;
   return servo_set(pin, us > 0 && us < 3000 ? servo_us(pin, speed, us) : us);

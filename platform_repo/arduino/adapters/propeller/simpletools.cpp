@@ -628,6 +628,7 @@ inline bool in_range_of_tone(int32_t frequency) {
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
 //#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
+//#   range: frequency 31..65535 or 0: it waits without a tone
 inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io(pin);
   if (!io.wired() || !in_range_of_tone(frequency)) {
@@ -667,6 +668,7 @@ inline void end_wave(uint8_t channel) {
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; a negative pin ends the channel's wave
 //#   limit: one wave at a time: while one channel plays, the other stays silent
 //#   limit: below 31 Hz and above 65,535 Hz there is no wave
+//#   range: freq 31..65535 or 0: there is no wave
 inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
   uint8_t at = channel != 0;
   if (pin != wave_pins[at] || !in_range_of_tone(freq)) end_wave(at);
@@ -752,6 +754,7 @@ inline uint16_t pwm_counts(uint32_t microseconds) {
 //#   pin: pin digital out
 //#   fidelity: within 4 us, from the next cycle on
 //#   limit: pulses shorter than 8 us come out up to 8 us long
+//#   range: tHigh 8.. or 0: the pulse comes out up to 8 us long
 inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
   volatile PwmChannel &it = pwm_channels[channel != 0];
   Io before(it.pin), io(pin);
@@ -778,6 +781,7 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
 //#   fidelity: within 0.1 %; the number returned is not that of a cog
 //#   limit: cycles of more than 262 ms are made 262 ms long
 //#   limit: not together with servos, which need Timer1, too
+//#   range: cycleMicroseconds 20..262144: the cycle is made 262 ms or 20 us long
 inline int32_t pwm_start(uint32_t cycleMicroseconds) {
   uint32_t cycle = cycleMicroseconds > 262144UL ? 262144UL : cycleMicroseconds < 20 ? 20 : cycleMicroseconds;
   bool slow = cycle > 32767;
@@ -858,6 +862,7 @@ inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
 //#   kind: oneToOne
 //#   needs: dac_bits
 //#   fidelity: exact; 0 means 8 bits
+//#   range: bits 1..8: further bits are left out
 inline void dac_ctr_res(int32_t bits) {
   dac_bits = bits > 0 && bits <= 32 ? bits : 8;
 }

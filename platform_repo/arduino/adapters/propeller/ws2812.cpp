@@ -199,6 +199,7 @@ inline void ws2812_close(ws2812_t *driver) {
 //#   pin: pin digital out
 //#   fidelity: all lights are set when it returns, which takes 31 us for each
 //#   limit: interrupts are off meanwhile, so that servos tremble, and from 33 lights on the clock falls behind; only at 16 MHz
+//#   range: count 0..32: the clock falls behind meanwhile
 inline void ws2812_set(ws2812_t *driver, int32_t pin, uint32_t *colors, int32_t count) {
   Io io(pin);
   if (!io.wired() || driver->cog < 0) return;

@@ -606,6 +606,7 @@ static inline bool wave_start(volatile uint8_t *in, uint8_t mask, int32_t freque
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
 //#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
+//#   range: frequency 31..65535 or 0: it waits without a tone
 static inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io = io_at(pin);
   bool plays = false;
@@ -642,6 +643,7 @@ static inline void end_wave(uint8_t channel) {
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; a negative pin ends the channel's wave
 //#   limit: one wave at a time: while one channel plays, the other stays silent
 //#   limit: below 31 Hz and above 65,535 Hz there is no wave
+//#   range: freq 31..65535 or 0: there is no wave
 static inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
   uint8_t at = channel != 0;
   bool possible = freq >= 31 && freq <= 65535;

@@ -1,0 +1,20 @@
+#include "simpletools.h"
+#include "fdserial.h"
+#include "servo.h"
+#define DEEP 10
+enum { FAST = 115200 };
+const int tones[] = {440, 20, 880};
+
+void beep(int hertz) {
+  freqout(4, 100, hertz);  // RS334: freqout(4, 100, hertz)
+}
+
+int main(void) {
+  square_wave(4, 0, DEEP);  // RS334: square_wave(4, 0, DEEP)
+  for (int i = 0; i < 3; i++) beep(tones[i]);
+  dac_ctr_res(10);  // RS334: dac_ctr_res(10)
+  fdserial *line = fdserial_open(7, 8, 0, FAST);  // RS334: fdserial_open(7, 8, 0, FAST)
+  fdserial *slow = fdserial_open(9, 10, 0, 38400);  // RS334: fdserial_open(9, 10, 0, 38400)
+  servo_angle(12, 900);
+  servo_set(12, 3200);  // RS334: servo_set(12, 3200)
+}

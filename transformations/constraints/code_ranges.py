@@ -1,0 +1,75 @@
+"""Constraints on the arguments of a program's calls: values that the adapter of the target cannot serve.
+
+Which values it can serve is data of the adapter (its `ranges`); which values an argument may have is asked of the program's text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move
+from robosmi.transformations.queries.plan_adapters import emitted
+from robosmi.validate import Fail
+
+calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_ranges(c)))
+
+
+@calls.constraint(
+    id="RS334", severity=Severity.warning, location=place,
+    advice="give it another value, or write an adapter of your own that can do it",
+)  # fmt: skip
+def AdapterServesTheValue(c: ccode.Call) -> Any:
+    """What a program gives for a parameter is a value that the adapter can serve."""
+    m, arguments = the_move(), list(c.arguments)
+    for one in _ranges(c):
+        if one.position >= len(arguments) or (one.awayFrom and _reaches(c, one.awayFrom, m)):
+            continue
+        outside = sorted(n for n in _numbers(arguments[one.position], m) if not _serves(one, n))
+        if outside:
+            said = ", ".join(map(str, outside))
+            return Fail(f"{c.calleeName} is given {said} for '{one.name}', {_said(one)}: {one.effect}", values=outside)
+    return True
+
+
+def _ranges(call: ccode.Call) -> list[platform.ArgumentRange]:
+    """The ranges of the adapter of a call, without those beside pieces that the program has not."""
+    m = the_move()
+    use = next((u for u in m.plan.adapterUses if u.name == call.calleeName and u.adapter is not None), None)
+    if use is None or use.adapter is None or not len(use.adapter.ranges):
+        return []
+    there = {f"{piece.sourceHeader}/{piece.name}" for piece in emitted(m.plan)}
+    return [one for one in use.adapter.ranges if not one.beside or one.beside in there]
+
+
+def _numbers(argument: ccode.Expression, m: Move) -> set[int]:
+    """The values that the text says an argument may have, as far as it says them."""
+    known = {value.number for value in m.masks.values(argument)}
+    return {number for number in known | (m.masks.numbers(argument) or set()) if number is not None}
+
+
+def _serves(one: platform.ArgumentRange, number: int) -> bool:
+    return bool(one.least <= number <= one.most or number in one.others)
+
+
+def _said(one: platform.ArgumentRange) -> str:
+    """A range in words."""
+    if one.most == _MOST:
+        return f"and the target serves {one.least:,} and more"
+    return f"and the target serves {one.least:,} to {one.most:,}"
+
+
+_MOST = (1 << 31) - 1
+
+
+def _reaches(call: ccode.Call, pin: str, m: Move) -> bool:
+    """Whether a port of a call is bound to a pin of the target, by its name."""
+    return any(pin in (b.pin.label, *b.pin.aliases) for b in _bindings(call, m) if b.pin is not None)
+
+
+def _bindings(call: ccode.Call, m: Move) -> Iterator[migration.PortBinding]:
+    for flow in m.plan.portFlows:
+        if call in flow.calls:
+            yield from flow.bindings

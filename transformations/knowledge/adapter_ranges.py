@@ -1,0 +1,71 @@
+"""Which values of a parameter an adapter can serve, as a marker `range` says it: `frequency 31..65535 or 0: it stays silent`.
+
+Whether a program gives other values is a constraint's to say.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from robosmi.errors import did_you_mean
+
+_RANGE = re.compile(r"(\w+) (-?\d+)?\.\.(-?\d+)?((?: or -?\d+)*)(?: beside ([\w./]+/\w+))?(?: away from (\w+))?: (.+)")
+_NAME = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*$")
+
+
+@dataclass(frozen=True)
+class ArgumentRange:
+    """Which values of a parameter an adapter can serve.
+
+    Attributes:
+        name: the parameter, as the source's signature calls it.
+        position: among the parameters, from 0.
+        least, most: the least and the greatest value; None where there is none.
+        others: values outside of these that it serves all the same, such as 0 for off.
+        beside: the piece in whose presence alone the range holds; empty for always.
+        away_from: a pin of the target whose calls have no such range; empty for none.
+        effect: what happens with other values, half a sentence.
+    """
+
+    name: str
+    position: int
+    least: int | None
+    most: int | None
+    others: Sequence[int]
+    beside: str
+    away_from: str
+    effect: str
+
+
+def argument_range(function: str, signatures: Sequence[str], text: str) -> ArgumentRange:
+    """What a marker says.
+
+    Args:
+        function: name of the adapter.
+        signatures: of the source's functions that it stands for, as far as they are read.
+        text: what stands behind `range:`.
+
+    Raises:
+        ValueError: it is no range, or of no parameter; its arguments are what is wrong and what to do.
+    """
+    said = _RANGE.fullmatch(text)
+    if said is None or not (said[2] or said[3]):
+        form = "PARAMETER LEAST..MOST [or VALUE] [beside HEADER/PIECE] [away from PIN]: WHAT HAPPENS ELSE"
+        raise ValueError(f"'{text}' is no range", f"write: range: {form}")
+    names = parameter_names(signatures[0]) if signatures else []
+    if said[1] not in names:
+        hint = did_you_mean(said[1], [name for name in names if name])
+        raise ValueError(f"'{function}' has no parameter '{said[1]}'{hint}", "name it as `for` does, which stands before")
+    least, most = (int(end) if end else None for end in (said[2], said[3]))
+    others = [int(word) for word in said[4].split() if word != "or"]
+    return ArgumentRange(said[1], names.index(said[1]), least, most, others, said[5] or "", said[6] or "", said[7])
+
+
+def parameter_names(signature: str) -> list[str]:
+    """The names of the parameters of a signature, empty texts for those without one."""
+    from robosmi.transformations.knowledge.adapter_checks import split_arguments  # built data needs no lexer
+
+    found = [_NAME.search(one) for one in split_arguments(signature[signature.find("(") + 1 : signature.rfind(")")])]
+    return [name[1] if name is not None else "" for name in found]
