@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 
@@ -20,7 +21,7 @@ def levels_at_the_pins_are_waited_for(uno: Uno) -> None:
     program = """
 void show(uint32_t value) { Serial.print(value, HEX); Serial.print(' '); }
 void setup() { Serial.begin(115200); show(INA & 0x60); Serial.flush();
-  waitpeq(0x20, 0x60); show(micros() / 1000); waitpne(0x20, 0x60); show(micros() / 1000);
+  waitpeq(0x20, 0x60); show((micros() + 500) / 1000); waitpne(0x20, 0x60); show((micros() + 500) / 1000);
 } void loop() {}
 """
     wired = replace(uno, numbers={5: "2", 6: "3"})
@@ -55,7 +56,7 @@ void setup() { Serial.begin(115200);
   OUTA ^= 1L << 26; OUTA &= ~(1UL << 3); OUTA |= 1L << 30; show(OUTA);
   if (OUTA >> 3 & 1) show(0xBAD);
   DIRA = 1L << 26; show(DIRA); show(INA & 0xFF); delay(1); Serial.flush();
-  waitpeq(0x20, 0x60); show(micros() / 1000); waitpne(0x20, 0x60); show(micros() / 1000);
+  waitpeq(0x20, 0x60); show((micros() + 500) / 1000); waitpne(0x20, 0x60); show((micros() + 500) / 1000);
   uint32_t was = OUTA; OUTA = DIRA; show(OUTA); OUTA = was;
 } void loop() {}
 """
@@ -71,6 +72,23 @@ void setup() { Serial.begin(115200);
     assert words[5:] == [f"{12:X}", f"{20:X}", "4000000"]
     levels = {pin: [level for _, level in trace.levels(pin) if level != "p"] for pin in ("D8", "D13")}
     assert levels == {"D8": [0, 1, 0, "z"], "D13": [0, 1, 0, 1, 0]}
+
+
+@proves(*p("waitpeq"))
+def one_bit_of_a_register_takes_little_time(uno: Uno) -> None:
+    program = """
+void setup() { DIRA |= 1L << 26; waitpeq(1 << 5, 1 << 5);
+  for (uint8_t turn = 0; turn < 10; turn++) { OUTA |= 1L << 26; OUTA &= ~(1L << 26); } OUTA ^= 1L << 26; OUTA ^= 1L << 26; }
+void loop() {}
+"""
+    wired = replace(uno, numbers={26: "13", 5: "2"})
+    device = DeviceUse("levels", {"pin": "D2"}, {"points": [[0, 0], [5, 1]]})
+    trace = wired.run(program, p("waitpeq", "OUTA", "DIRA"), 30, [device])
+    _, first, *later = [at_us for at_us, _ in trace.levels("D13")]
+    assert 0 < first - 5000 <= 80
+    times = [late - early for early, late in pairwise([first, *later])]
+    assert len(times) == 21
+    assert max(times) <= 60
 
 
 @proves(*p("waitcnt", "waitcnt2", "CNT", "CLKFREQ"))

@@ -120,7 +120,8 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
     gives = f"{places} place{'s' * (places != 1)}" if places else "no place"
     return together(
         f"{names} takes turns with main, up to {shared.slots} at once, each on a stack of {shared.stackBytes} bytes ({taken}{of} "
-        f"bytes of RAM); each goes on until it waits, for which {gives} of the text was given a yield()",
+        f"bytes of RAM); each goes on until it waits, for which {gives} of the text was given a yield(), and what another "
+        "waits for comes so much later",
         starts,
     )
 

@@ -53,7 +53,7 @@ const uint32_t _clkfreq = CLKFREQ;
 
 //# helper wait_until
 //#   needs: CNT
-//#   fidelity: until a tick that is to come, within 8 us
+//#   fidelity: until a tick that is to come, within 8 us, later by what other cogs do until they wait
 inline void wait_until(uint32_t target) {
   while ((int32_t)(CNT - target) < 0) yield();
 }
@@ -62,7 +62,8 @@ inline void wait_until(uint32_t target) {
 //#   for: unsigned int waitcnt(unsigned int target)
 //#   kind: semantic
 //#   needs: wait_until
-//#   fidelity: within 8 us
+//#   fidelity: within 8 us while no cogs take turns
+//#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
 inline uint32_t waitcnt(uint32_t target) {
   wait_until(target);
@@ -73,7 +74,8 @@ inline uint32_t waitcnt(uint32_t target) {
 //#   for: unsigned int waitcnt2(unsigned int target, unsigned int delta)
 //#   kind: semantic
 //#   needs: waitcnt
-//#   fidelity: within 8 us; the next target is exact
+//#   fidelity: within 8 us while no cogs take turns; the next target is exact
+//#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
 inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
   return waitcnt(target) + delta;
@@ -81,18 +83,25 @@ inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
 
 //# helper read_ports
 //#   needs: simpletools.h/Io port
-//#   fidelity: a property of each port as 32 bits
-inline uint32_t read_ports(bool (Io::*property)() const) {
+//#   fidelity: a property of those ports whose bit is set in a mask
+inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
   uint32_t bits = 0;
-  for (int8_t number = 31; number >= 0; number--) bits = bits << 1 | (Io(port(number)).*property)();
+  for (uint8_t first = 0; mask; first += 8, mask >>= 8) {
+    uint8_t found = 0, bit = 1, number = first;
+    for (uint8_t rest = mask; rest; rest >>= 1, bit <<= 1, number++)
+      if (rest & 1 && (Io(port(number)).*property)()) found |= bit;
+    bits |= (uint32_t)found << first;
+  }
   return bits;
 }
 
 //# register INA
 //#   needs: simpletools.h/Io read_ports
-//#   fidelity: levels at the pins; they are read one after the other, in some 150 us
+//#   fidelity: levels at the pins; they are read one after the other, all in some 250 us; of `INA & mask` only
+//#   fidelity: those of the mask, one in some 25 us
 const struct {
-  operator uint32_t() const { return read_ports(&Io::high); }
+  operator uint32_t() const { return read_ports(&Io::high, ~0UL); }
+  template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(&Io::high, (uint32_t)mask); }
 } INA = {};
 
 //# register _INA
@@ -106,33 +115,41 @@ const auto &_INA = INA;
 struct PortRegister {
   bool directions;
 
-  uint32_t bits() const { return read_ports(directions ? &Io::driven : &Io::latch); }
+  uint32_t bits(uint32_t mask = ~0UL) const { return read_ports(directions ? &Io::driven : &Io::latch, mask); }
   operator uint32_t() const { return bits(); }
-  const PortRegister &operator=(uint32_t value) const {
-    uint32_t changed = value ^ bits();
-    for (uint8_t number = 0; number < 32; number++, value >>= 1, changed >>= 1) {
-      if (!(changed & 1)) continue;
-      Io io(port(number));
-      if (directions) io.drive(value & 1);
-      else io.set(value & 1);
+  template <class Mask> uint32_t operator&(Mask mask) const { return bits((uint32_t)mask); }
+  const PortRegister &change(uint32_t mask, uint32_t value, bool flips = false) const {
+    for (uint8_t first = 0; mask; first += 8, mask >>= 8, value >>= 8) {
+      uint8_t number = first, levels = value;
+      for (uint8_t rest = mask; rest; rest >>= 1, levels >>= 1, number++) {
+        if (!(rest & 1)) continue;
+        Io io(port(number));
+        bool before = directions ? io.driven() : io.latch(), level = flips ? !before : levels & 1;
+        if (level == before) continue;
+        if (directions) io.drive(level);
+        else io.set(level);
+      }
     }
     return *this;
   }
+  const PortRegister &operator=(uint32_t value) const { return change(~0UL, value); }
   const PortRegister &operator=(const PortRegister &other) const { return *this = other.bits(); }
-  const PortRegister &operator|=(uint32_t value) const { return *this = bits() | value; }
-  const PortRegister &operator&=(uint32_t value) const { return *this = bits() & value; }
-  const PortRegister &operator^=(uint32_t value) const { return *this = bits() ^ value; }
+  const PortRegister &operator|=(uint32_t mask) const { return change(mask, mask); }
+  const PortRegister &operator&=(uint32_t mask) const { return change(~mask, 0); }
+  const PortRegister &operator^=(uint32_t mask) const { return change(mask, 0, true); }
 };
 
 //# register OUTA
 //#   needs: PortRegister
-//#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other, in some 400 us
+//#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other:
+//#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
 const PortRegister OUTA = {false};
 
 //# register DIRA
 //#   needs: PortRegister
-//#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other, in some 400 us
+//#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other:
+//#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
 const PortRegister DIRA = {true};
 
@@ -150,8 +167,8 @@ static const PortRegister &_DIRA = DIRA;
 //#   for: void waitpeq(unsigned int state, unsigned int mask)
 //#   kind: semantic
 //#   needs: INA
-//#   fidelity: within 200 us
-//#   limit: a state that lasts less than 200 us can be missed
+//#   fidelity: within 40 us for one port, 10 us more for each further one
+//#   limit: a state that lasts less than that can be missed
 inline void waitpeq(uint32_t state, uint32_t mask) {
   while ((INA & mask) != state) yield();
 }
@@ -160,8 +177,8 @@ inline void waitpeq(uint32_t state, uint32_t mask) {
 //#   for: void waitpne(unsigned int state, unsigned int mask)
 //#   kind: semantic
 //#   needs: INA
-//#   fidelity: within 200 us
-//#   limit: a state that lasts less than 200 us can be missed
+//#   fidelity: within 40 us for one port, 10 us more for each further one
+//#   limit: a state that lasts less than that can be missed
 inline void waitpne(uint32_t state, uint32_t mask) {
   while ((INA & mask) == state) yield();
 }

@@ -77,7 +77,7 @@ const uint16_t job_ticks = frame_ticks / 10 * 9;                    // jobs are 
 inline bool servo_pulses() { return SERVO_MASK & _BV(OCIE1A); }  // whether Servo.h makes any
 
 //# helper frames
-//#   needs: background frame_ticks frame_interrupt simpletools.h/TimedInput
+//#   needs: background servo_timer frame_ticks frame_interrupt simpletools.h/TimedInput
 //#   stack: 78
 //#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and come at least 8 ms one after the other
 //#   ram: 11
@@ -134,29 +134,40 @@ inline void do_each_frame(void (*job)()) {
       SERVO_CLOCK = _BV(CS11);
     }
     SERVO_JOB = servo_pulses() ? job_ticks : SERVO_COUNT + frame_ticks;
-    SERVO_PENDING = _BV(OCF1B);
-    SERVO_MASK |= _BV(OCIE1B);
+    begin_frames();
   }
   SREG = old;
 }
 
 //# helper frame_interrupt
+//#   needs: servo_timer
 //#   vector: TIMER1_COMPB_vect
 //#   stack: 23
 inline void frame_comes();
 
 ISR(TIMER1_COMPB_vect) { frame_comes(); }
 
+inline void begin_frames() {
+  SERVO_PENDING = _BV(OCF1B);
+  SERVO_MASK |= _BV(OCIE1B);
+}
+
 //# helper frame_interrupt
 //#   mcu: atmega2560
+//#   needs: servo_timer
 //#   vector: TIMER5_COMPB_vect
 //#   stack: 23
 inline void frame_comes();
 
 ISR(TIMER5_COMPB_vect) { frame_comes(); }
 
+inline void begin_frames() {
+  SERVO_PENDING = _BV(OCF1B);
+  SERVO_MASK |= _BV(OCIE1B);
+}
+
 //# helper ServoSlot
-//#   needs: simpletools.h/Io frame_ticks
+//#   needs: simpletools.h/Io servo_timer frame_ticks
 //#   stack: 24
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
 //#   ram: 132
