@@ -78,7 +78,6 @@ inline bool servo_pulses() { return SERVO_MASK & _BV(OCIE1A); }  // whether Serv
 
 //# helper frames
 //#   needs: background servo_timer frame_ticks frame_interrupt simpletools.h/TimedInput
-//#   stack: 78
 //#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and come at least 8 ms one after the other
 //#   ram: 11
 static void (*frame_jobs[3])();
@@ -142,7 +141,7 @@ inline void do_each_frame(void (*job)()) {
 //# helper frame_interrupt
 //#   needs: servo_timer
 //#   vector: TIMER1_COMPB_vect
-//#   stack: 23
+//#   stack: 124
 inline void frame_comes();
 
 ISR(TIMER1_COMPB_vect) { frame_comes(); }
@@ -156,7 +155,7 @@ inline void begin_frames() {
 //#   mcu: atmega2560
 //#   needs: servo_timer
 //#   vector: TIMER5_COMPB_vect
-//#   stack: 23
+//#   stack: 124
 inline void frame_comes();
 
 ISR(TIMER5_COMPB_vect) { frame_comes(); }
