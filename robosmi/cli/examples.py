@@ -25,6 +25,7 @@ EXAMPLES = {
     "platform": "robosmi platform import include --name mine",
     "metamodels": "robosmi metamodels generate library.ecore -o packages",
     "trust": "robosmi trust .",
+    "mcp": "robosmi mcp --root my-robot",
     "explain": "robosmi explain RS311",
     "doctor": "robosmi doctor",
     "completion": "robosmi completion bash > ~/.local/share/bash-completion/completions/robosmi",

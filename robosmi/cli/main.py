@@ -59,6 +59,7 @@ COMMANDS = {
     "platform": "make a source platform of your own from its headers",
     "metamodels": "hand out the metamodels, or generate Python packages from one",
     "trust": "let what a found folder holds run, as it is now",
+    "mcp": "a server for assistants, whose tools are the commands, held to one folder",
     "explain": "what a rule's findings mean, with an example and what to do",
     "doctor": "what is installed and what is missing",
     "completion": "a script that lets bash, zsh or fish complete commands and options",

@@ -1,0 +1,136 @@
+"""Commands that the MCP server runs: each in a process of its own, confined to the root folder, with a limit of time.
+
+The answer is the command's JSON document. Where a command gives none, since it was stopped or cannot be started, the document
+is made here, in the same form.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import anyio
+import anyio.abc
+
+from robosmi.cli.root_folder import RootFolder
+from robosmi.data_text import json_of
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import RobosmiError
+from robosmi.report.document import SCHEMA
+
+_KEPT = ("PATH", "LANG", "LC_ALL", "SYSTEMROOT", "ROBOSMI_NPM")
+"""What a command is told of the server's environment."""
+_GRACE_S = 5.0
+
+
+class Commands:
+    """Runs commands in a root folder.
+
+    A context manager: at its end the temporary data goes.
+
+    Args:
+        root: the folder.
+        limit_s: seconds after which a command is ended.
+        confined: whether the kernel holds the commands to the folder (see `confined`); else only named paths are looked at.
+
+    Attributes:
+        root: the folder.
+        limit_s: as given.
+        confined: as given.
+    """
+
+    def __init__(self, root: RootFolder, limit_s: float, *, confined: bool) -> None:
+        self.root = root
+        self.limit_s = limit_s
+        self.confined = confined
+        self._own = tempfile.TemporaryDirectory(prefix="robosmi-mcp-")
+
+    async def run(self, command: str, words: list[str]) -> dict[str, Any]:
+        """Run one command; the document that it prints with `--json`, with its `exit_code`.
+
+        Args:
+            command: its name.
+            words: its options and arguments.
+        """
+        own = Path(self._own.name)
+        with tempfile.TemporaryDirectory(dir=own, prefix="call-") as temporary:
+            program = ["robosmi.cli.confined", str(self.root.path), str(own)] if self.confined else ["robosmi"]
+            process = await anyio.open_process(
+                [sys.executable, "-P", "-m", *program, command, "--json", *words], cwd=self.root.path, stdin=subprocess.DEVNULL,
+                env=self._environment(own, temporary), start_new_session=True,
+            )  # fmt: skip
+            said, complained = bytearray(), bytearray()
+            try:
+                with anyio.move_on_after(self.limit_s) as in_time:
+                    async with anyio.create_task_group() as both:
+                        both.start_soon(_collect, process.stdout, said)
+                        both.start_soon(_collect, process.stderr, complained)
+                    await process.wait()
+            finally:
+                with anyio.CancelScope(shield=True):
+                    await _end(process)
+        if in_time.cancelled_caught:
+            message = f"{command} did not end within {self.limit_s:g} s and was stopped; nothing half-written is left"
+            return refusal(command, "RS902", 3, message, "give it less to do, or start the server with a longer --limit")
+        try:
+            document = json_of(bytes(said))
+            return {**document, "exit_code": process.returncode}
+        except (ValueError, TypeError):
+            last = (complained.decode(errors="replace").strip().splitlines() or ["it said nothing"])[-1]
+            return refusal(command, "RS970", 70, f"{command} gave no document: {last}", "report it")
+
+    def _environment(self, own: Path, temporary: str) -> dict[str, str]:
+        """No data of the person's is in it: neither earlier choices nor what was imported, trusted or named by ROBOSMI_PATH."""
+        import robosmi
+
+        kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
+        package = str(Path(robosmi.__file__).resolve().parents[1])
+        return kept | {
+            "HOME": str(own), "ROBOSMI_HOME": str(own / "data"), "XDG_CACHE_HOME": str(own / "cache"), "TMPDIR": temporary,
+            "PYTHONPATH": package, "PYTHONUTF8": "1", "NO_COLOR": "1",
+        }  # fmt: skip
+
+    def __enter__(self) -> Commands:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._own.cleanup()
+
+
+async def _collect(stream: anyio.abc.ByteReceiveStream | None, into: bytearray) -> None:
+    if stream is not None:
+        async for piece in stream:
+            into += piece
+
+
+async def _end(process: anyio.abc.Process) -> None:
+    """End a process as Ctrl-C does, so that it ends what it has started and puts its files in order; else by force."""
+    if process.returncode is None:
+        process.send_signal(signal.SIGTERM)
+        with anyio.move_on_after(_GRACE_S):
+            await process.wait()
+    if process.returncode is None:
+        process.kill()
+        await process.wait()
+    for stream in (process.stdout, process.stderr):
+        if stream is not None:
+            await stream.aclose()
+
+
+def refused(command: str, error: RobosmiError) -> dict[str, Any]:
+    """The document for arguments that are refused before the command runs."""
+    return refusal(command, "RS901", error.exit_code, error.message, error.fix)
+
+
+def refusal(command: str, rule: str, exit_code: int, message: str, fix: str | None) -> dict[str, Any]:
+    """A document of the contract's form for a command that did not run to its end."""
+    finding = Finding(rule, Severity.error, message, fix=fix)
+    return {
+        "schema": SCHEMA, "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
+        "artifacts": [], "timings": {"total_s": 0.0}, "exit_code": exit_code,
+    }  # fmt: skip

@@ -1,0 +1,219 @@
+"""The MCP server: robosmi's commands as tools for an assistant, whose paths all lie below one folder.
+
+Each tool's arguments are the command's, its answer is the command's JSON document with `exit_code`. How commands are run and
+confined is in `mcp_commands`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from mcp.server import MCPServer
+from mcp_types import ToolAnnotations
+
+from robosmi import __version__
+from robosmi.cli.mcp_commands import Commands, refused
+from robosmi.errors import RobosmiError, UsageError
+
+INSTRUCTIONS = """\
+RoboSMi moves a robot's C program to another board by models. All paths are below the root folder, relative to it.
+
+1. analyse: what the program uses of its platform. hardware: which pin of the drawing drives what.
+2. migrate: makes OUT with the sketch, the plan and a list of what is left; result.plan.choices[] are open decisions.
+3. choose (or migrate with bind and library): settle a decision by its id and the value of one of its options. plan_show: the
+   plan.
+4. Write bodies of adapters in OUT/NAME/adapters.h, where a TODO stands; then generate, which keeps and counts them.
+5. compile: does it build for the board, does it fit. verify: does it do what the original does; a difference has its first place.
+
+A body counts as right when verify says no-difference-found, not before. explain tells what a finding's rule means. Findings
+have a place, a cause (message) and what to do (fix); exit_code 0 is done, 1 findings, 2 arguments, 3 input, 4 a missing tool,
+5 stopped, 6 does not compile or differs.
+"""
+READS = ToolAnnotations(read_only_hint=True, open_world_hint=False)
+WRITES = ToolAnnotations(read_only_hint=False, destructive_hint=False, idempotent_hint=True, open_world_hint=False)
+
+Document = dict[str, Any]
+
+
+class Tools:
+    """The tools, as methods with the types and texts that an assistant is shown.
+
+    Args:
+        commands: runs the commands.
+    """
+
+    def __init__(self, commands: Commands) -> None:
+        self._commands = commands
+        self._path = commands.root.relative
+
+    async def analyse(
+        self, files: list[str], source_platform: str | None = None, include_dirs: list[str] | None = None,
+        defines: list[str] | None = None,
+    ) -> Document:  # fmt: skip
+        """What a C program uses of its platform: calls, pins, code on other cores, what no header declares.
+
+        files: the sources of one program. include_dirs: folders with headers. defines: macros, NAME or NAME=VALUE.
+        """
+        return await self._run("analyse", lambda: self._source(files, source_platform, include_dirs, defines))
+
+    async def hardware(self, sketch: str) -> Document:
+        """Which pin of the drawn board drives which component, and what is electrically wrong with the wiring.
+
+        sketch: a drawing (Fritzing, Wokwi, KiCad, EAGLE) or a pin table.
+        """
+        return await self._run("hardware", lambda: [self._path(sketch)])
+
+    async def recommend(self, sketch: str | None = None, components: str | None = None, ranker: str | None = None) -> Document:
+        """Which library drives which component, ranked with reasons; give a drawing or a JSON file of components."""
+        return await self._run(
+            "recommend",
+            lambda: [
+                *([self._path(sketch)] if sketch is not None else []),
+                *_option("--components", self._path(components) if components is not None else None),
+                *_option("--ranker", ranker),
+            ],
+        )
+
+    async def migrate(
+        self, files: list[str], out: str, hardware: str | None = None, target: str | None = None,
+        source_platform: str | None = None, include_dirs: list[str] | None = None, defines: list[str] | None = None,
+        library: list[str] | None = None, bind: list[str] | None = None, adapters: str | None = None, widths: str | None = None,
+        bench: bool = False, dry_run: bool = False, strict: bool = False,
+    ) -> Document:  # fmt: skip
+        """Move a program to the board of a drawing: makes the folder out with sketch, plan and list of what is left.
+
+        hardware: the drawing or pin table. library: COMPONENT=LIBRARY. bind: NAME=PIN, for a port of the source. adapters:
+        filled or placeholders. widths: fix or keep. Edits in out that you made are kept, or it stops. Nothing is asked;
+        decisions that nobody has made stay open (result.plan.choices).
+        """
+        return await self._run(
+            "migrate",
+            lambda: [
+                *self._source(files, source_platform, include_dirs, defines), "-o", self._path(out), "--yes",
+                *_option("--hardware", self._path(hardware) if hardware is not None else None), *_option("--target", target),
+                *_options("--library", library), *_options("--bind", bind), *_option("--adapters", adapters),
+                *_option("--widths", widths), *_flags(bench=bench, dry_run=dry_run, strict=strict),
+            ],
+        )  # fmt: skip
+
+    async def plan_show(self, plan: str) -> Document:
+        """The stored plan of a migration (OUT/models/plan.xmi): choices, bindings, tasks; writes nothing."""
+        return await self._run("generate", lambda: [self._path(plan), "-o", self._out_of(plan), "--dry-run"])
+
+    async def choose(self, out: str, answers: dict[str, str], why: str = "") -> Document:
+        """Settle decisions of a migration, and make the sketch again.
+
+        answers: id of a choice (result.plan.choices[].id) to the value of one of its options, to `none` for a port that is not
+        wired, or to an empty text to open it again. why: the reason, kept with the decision.
+        """
+        words = [f"{choice}={value}" for choice, value in answers.items() if value]
+        again = [choice for choice, value in answers.items() if not value]
+        return await self._run(
+            "choose",
+            lambda: [
+                self._path(out), *_no_options(words), *_options("--reopen", again), *_option("--why", why or None),
+            ],
+        )  # fmt: skip
+
+    async def generate(self, plan: str, out: str, bench: bool = False, dry_run: bool = False, strict: bool = False) -> Document:
+        """Make the sketch again from a stored, perhaps edited plan and the models beside it alone."""
+        return await self._run(
+            "generate",
+            lambda: [self._path(plan), "-o", self._path(out), *_flags(bench=bench, dry_run=dry_run, strict=strict)],
+        )
+
+    async def compile(self, out: str, board: str | None = None) -> Document:
+        """Compile a generated sketch with the target's toolchain: does it build, its flash and RAM, does it fit the board."""
+        return await self._run("compile", lambda: [self._path(out), *_option("--board", board)])
+
+    async def verify(
+        self, out: str, scenarios: list[str] | None = None, engine: str | None = None, seed: int = 1
+    ) -> Document:  # fmt: skip
+        """Run the original and the migrated program under the same scenarios, and compare pins and texts.
+
+        The answer has a verdict, and a first_difference with its time, channel and call of the source.
+        scenarios: files; without any, stored and generated ones, which takes minutes.
+        """
+        more = [word for path in scenarios or () for word in ("--scenario", path)]
+        return await self._run(
+            "verify",
+            lambda: [
+                self._path(out), *(self._path(w) if w != "--scenario" else w for w in more), *_option("--engine", engine),
+                f"--seed={seed}",
+            ],
+        )  # fmt: skip
+
+    async def explain(self, rule: str) -> Document:
+        """What the findings of a rule (RS311, or its name) mean, with an example and what to do."""
+        return await self._run("explain", lambda: _no_options([rule]))
+
+    def _source(
+        self, files: Sequence[str], source_platform: str | None, include_dirs: Sequence[str] | None,
+        defines: Sequence[str] | None,
+    ) -> list[str]:  # fmt: skip
+        if not files:
+            raise UsageError("no files are given", fix="name the sources of the program")
+        folders = [word for path in include_dirs or () for word in ("-I", self._path(path))]
+        macros = [f"-D{macro}" for macro in defines or ()]
+        return [*map(self._path, files), *_option("--source-platform", source_platform), *folders, *macros]
+
+    def _out_of(self, plan: str) -> str:
+        """The output folder of a stored plan, two above it."""
+        place = self._path(plan).split("/")
+        return "/".join(place[:-2]) or "."
+
+    async def _run(self, command: str, words: Callable[[], list[str]]) -> Document:
+        try:
+            found = words()
+        except RobosmiError as error:
+            return refused(command, error)
+        return await self._commands.run(command, found)
+
+
+def make_server(commands: Commands) -> MCPServer:
+    """The server with all its tools.
+
+    Args:
+        commands: runs the commands.
+    """
+    held = "held to the root folder by the kernel (Landlock), without TCP" if commands.confined else "NOT confined by the kernel"
+    native = (
+        f"Runs native code: the original is compiled for this machine and run with the server's account, {held}; "
+        f"a call ends after {commands.limit_s:g} s."
+    )
+    server = MCPServer(
+        "robosmi", title="RoboSMi", version=__version__, instructions=f"{INSTRUCTIONS}\nverify. {native}\n", log_level="WARNING"
+    )
+    tools = Tools(commands)
+    for tool, about in (
+        (tools.analyse, READS), (tools.hardware, READS), (tools.recommend, READS), (tools.plan_show, READS),
+        (tools.explain, READS), (tools.migrate, WRITES), (tools.choose, WRITES), (tools.generate, WRITES),
+        (tools.compile, WRITES),
+    ):  # fmt: skip
+        server.tool(annotations=about)(tool)
+    server.tool(annotations=WRITES, description=f"{tools.verify.__doc__}\n\n{native}")(tools.verify)
+    return server
+
+
+def _option(name: str, value: str | None) -> list[str]:
+    return [f"{name}={value}"] if value is not None else []
+
+
+def _options(name: str, values: Sequence[str] | None) -> list[str]:
+    return [f"{name}={value}" for value in values or ()]
+
+
+def _flags(**asked: bool) -> list[str]:
+    return [f"--{name.replace('_', '-')}" for name, wanted in asked.items() if wanted]
+
+
+def _no_options(words: list[str]) -> list[str]:
+    """Words that are no options of the command.
+
+    Raises:
+        UsageError: one begins as an option does.
+    """
+    if odd := next((word for word in words if word.startswith("-") or not word), None):
+        raise UsageError(f"'{odd}' is no rule and no choice", fix="give a name")
+    return words

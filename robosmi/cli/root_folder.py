@@ -1,0 +1,61 @@
+"""Paths that a stranger names, held to one folder: resolved, without links, relative to it.
+
+What a path leads to may change after it was looked at; who runs a command with it confines the process, too (`confined`).
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError, UsageError
+
+
+class RootFolder:
+    """The folder outside of which nothing is read or written.
+
+    Args:
+        path: the folder; it may be named by a link, what is in it may not.
+
+    Raises:
+        SourceError: it is not there, or no folder.
+    """
+
+    def __init__(self, path: Path) -> None:
+        try:
+            self.path = path.resolve(strict=True)
+        except (OSError, RuntimeError) as error:
+            raise SourceError(f"the folder is not there: {error}", location=Location(str(path)), fix="make it first") from error
+        if not self.path.is_dir():
+            raise SourceError("this is no folder", location=Location(str(path)), fix="name a folder")
+
+    def relative(self, text: str) -> str:
+        """A path below the folder, relative to it, as a word of a command line that is no option.
+
+        Args:
+            text: as it was named, relative to the folder or absolute; it need not be there.
+
+        Raises:
+            UsageError: it leads out of the folder, passes a link, or is no path.
+        """
+        if not text.strip() or "\0" in text:
+            raise UsageError("a path is empty, or no path", fix="name a file below the root folder")
+        whole = Path(os.path.normpath(self.path / text))
+        if not whole.is_relative_to(self.path):
+            raise UsageError(f"'{text}' is outside of the root folder", fix="name a file below it")
+        below = whole.relative_to(self.path)
+        place = self.path
+        for part in below.parts:
+            place = place / part
+            try:
+                mode = os.lstat(place).st_mode
+            except FileNotFoundError:
+                break
+            except OSError as error:
+                raise UsageError(f"'{text}' cannot be reached: {error.strerror}", fix="name a file that can") from error
+            if stat.S_ISLNK(mode):
+                raise UsageError(f"'{text}' leads through a link, '{place.name}'", fix="name files and folders themselves")
+        shown = below.as_posix()
+        return f"./{shown}" if shown.startswith("-") else shown

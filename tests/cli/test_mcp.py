@@ -1,0 +1,331 @@
+"""The MCP server, asked by the package's own client: the commands' documents, the root folder, a judge of adapters' bodies."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Awaitable, Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mcp import Client
+from mcp.client.stdio import StdioServerParameters, stdio_client
+
+from robosmi.cli import landlock
+from robosmi.cli.mcp_commands import Commands
+from robosmi.cli.mcp_tools import make_server
+from robosmi.cli.root_folder import RootFolder
+from robosmi.errors import SourceError, UsageError
+from tests.running import check_document, run
+from tests.tools import require_engine, require_tools
+
+ROBOT = Path(__file__).parent / "mcp_robot"
+SECRET = "the_secret_of_another_folder"
+Call = Callable[..., Awaitable[dict[str, Any]]]
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """A root folder with a robot, beside which something secret lies."""
+    (tmp_path / "outside").mkdir()
+    (tmp_path / "outside" / "secret.h").write_text(f"int {SECRET};\n#error {SECRET}\n")
+    return Path(shutil.copytree(ROBOT, tmp_path / "root"))
+
+
+@pytest.fixture
+def commands(root: Path) -> Iterator[Commands]:
+    """Runs commands in the root folder, confined where the kernel can."""
+    with Commands(RootFolder(root), 120, confined=bool(landlock.version())) as made:
+        yield made
+
+
+def ask(commands: Commands, conversation: Callable[[Call], Awaitable[None]]) -> None:
+    """Have a client in this process talk to the server."""
+
+    async def talk() -> None:
+        async with Client(make_server(commands)) as client:
+
+            async def call(name: str, /, **arguments: Any) -> dict[str, Any]:
+                answer = await client.call_tool(name, arguments)
+                assert not answer.is_error, answer.content
+                document = answer.structured_content
+                assert document is not None
+                check_document(document)
+                return dict(document)
+
+            await conversation(call)
+
+    asyncio.run(talk())
+
+
+def test_the_tools_are_the_commands_with_their_arguments(commands: Commands) -> None:
+    async def talk() -> None:
+        async with Client(make_server(commands)) as client:
+            tools = {tool.name: tool for tool in (await client.list_tools()).tools}
+            assert set(tools) == {
+                "analyse", "hardware", "recommend", "migrate", "plan_show", "choose", "generate", "compile", "verify", "explain",
+            }  # fmt: skip
+            assert {"files", "hardware", "target", "out"} <= set(tools["migrate"].input_schema["properties"])
+            assert set(tools["generate"].input_schema["required"]) == {"plan", "out"}
+            assert set(tools["explain"].input_schema["properties"]) == {"rule"}
+            assert "native code" in (tools["verify"].description or "")
+            assert "120 s" in (tools["verify"].description or "")
+            assert tools["analyse"].annotations is not None
+            assert tools["analyse"].annotations.read_only_hint is True
+
+    asyncio.run(talk())
+
+
+def test_an_answer_is_the_commands_document(commands: Commands, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root)
+    expected = run("analyse", "blink.c", "--json")
+
+    async def talk(call: Call) -> None:
+        answer = await call("analyse", files=["blink.c"])
+        assert answer["result"] == expected.result
+        assert answer["exit_code"] == expected.code == 0
+        missing = await call("analyse", files=["gone.c"])
+        assert (missing["exit_code"], missing["ok"], missing["findings"][0]["rule"]) == (3, False, "RS902")
+        page = await call("explain", rule="number-too-wide")
+        assert page["result"]["rules"][0]["id"] == "RS311"
+
+    ask(commands, talk)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "../outside/secret.h",
+        "{outside}/secret.h",
+        "/etc/passwd",
+        "link.c",
+        "folder/secret.h",
+        "a/../../outside/secret.h",
+        "",
+        "a\0b",
+    ],
+)
+def test_a_path_out_of_the_root_folder_is_refused(path: str, root: Path, commands: Commands) -> None:
+    outside = root.parent / "outside"
+    (root / "link.c").symlink_to(outside / "secret.h")
+    (root / "folder").symlink_to(outside)
+
+    async def talk(call: Call) -> None:
+        named = path.format(outside=outside)
+        for name, arguments in (
+            ("analyse", {"files": [named]}),
+            ("analyse", {"files": ["blink.c"], "include_dirs": [named]}),
+            ("hardware", {"sketch": named}),
+            ("migrate", {"files": ["blink.c"], "out": named}),
+            ("migrate", {"files": ["blink.c"], "out": "out", "hardware": named}),
+            ("generate", {"plan": "out/models/plan.xmi", "out": named}),
+            ("compile", {"out": named}),
+            ("verify", {"out": "out", "scenarios": [named]}),
+            ("choose", {"out": named, "answers": {"port:P26": "none"}}),
+        ):
+            answer = await call(name, **arguments)
+            assert (answer["exit_code"], answer["findings"][0]["rule"]) == (2, "RS901"), name
+            assert answer["result"] is None
+
+    ask(commands, talk)
+    assert sorted(p.name for p in outside.iterdir()) == ["secret.h"]
+
+
+def test_paths_inside_are_taken_however_they_are_written(root: Path) -> None:
+    folder = RootFolder(root)
+    assert folder.relative("blink.c") == folder.relative(str(root / "blink.c")) == folder.relative("a/../blink.c") == "blink.c"
+    assert folder.relative(".") == "."
+    assert folder.relative("-o.c") == "./-o.c"
+    (root / "inner.c").symlink_to("blink.c")
+    with pytest.raises(UsageError, match="link"):
+        folder.relative("inner.c")
+    with pytest.raises(SourceError):
+        RootFolder(root / "gone")
+    with pytest.raises(SourceError):
+        RootFolder(root / "blink.c")
+
+
+def test_words_are_no_options(commands: Commands) -> None:
+    async def talk(call: Call) -> None:
+        for name, arguments in (
+            ("explain", {"rule": "--sarif=x.sarif"}),
+            ("choose", {"out": "out", "answers": {"--source": "x"}}),
+            ("migrate", {"files": [], "out": "out"}),
+        ):
+            assert (await call(name, **arguments))["exit_code"] == 2
+        answer = await call("migrate", files=["blink.c"], out="out", target="--json")
+        assert answer["exit_code"] == 2
+
+    ask(commands, talk)
+
+
+def compiled_thief(commands: Commands) -> str:
+    """All that is said of a sketch that includes the secret."""
+    root = commands.root.path
+    (root / "thief").mkdir()
+    (root / "thief" / "thief.ino").write_text(f'#include "{root.parent}/outside/secret.h"\nvoid setup() {{}}\nvoid loop() {{}}\n')
+    said: list[str] = []
+
+    async def talk(call: Call) -> None:
+        answer = await call("compile", out="thief", board="uno")
+        assert answer["exit_code"] == 6, answer
+        said.append(str(answer))
+
+    ask(commands, talk)
+    return said[0]
+
+
+def test_what_compilers_read_is_held_to_the_root_folder(commands: Commands) -> None:
+    require_landlock()
+    require_tools("avr-gcc", "arduino-core-avr")
+    said = compiled_thief(commands)
+    assert "secret.h" in said
+    assert SECRET not in said
+
+
+def test_a_compiler_that_nothing_holds_tells_the_secret(root: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    with Commands(RootFolder(root), 120, confined=False) as free:
+        assert SECRET in compiled_thief(free)
+
+
+def test_a_command_that_takes_too_long_is_ended(root: Path) -> None:
+    async def talk(call: Call) -> None:
+        answer = await call("analyse", files=["blink.c"])
+        assert answer["exit_code"] == 3
+        assert "did not end within 0.05 s" in answer["findings"][0]["message"]
+
+    with Commands(RootFolder(root), 0.05, confined=False) as hasty:
+        ask(hasty, talk)
+
+
+def test_a_wrong_body_is_refused_with_its_first_difference_and_a_right_one_passes(commands: Commands, root: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr", "gcc-32-bits")
+    require_engine("simavr")
+    bodies = {
+        "high": "pinMode(pin, OUTPUT);\n  digitalWrite(pin, HIGH);",
+        "low": "pinMode(pin, OUTPUT);\n  digitalWrite(pin, LOW);",
+    }
+
+    def write(name: str, body: str) -> None:
+        file = root / "out" / "blink" / "adapters.h"
+        head, declared, rest = file.read_text().partition(f"void {name}(")
+        end = rest.index("\n}\n")
+        opened = rest.index("{\n") + 2
+        file.write_text(f"{head}{declared}{rest[:opened]}  {body}{rest[end:]}")
+
+    async def talk(call: Call) -> None:
+        made = await call(
+            "migrate", files=["blink.c"], out="out", hardware="wiring.csv", bind=["P26=D13"], adapters="placeholders"
+        )
+        assert [task["rule"] for task in made["tasks"] if task["rule"] == "RS501"] == ["RS501"] * 3
+        shown = await call("plan_show", plan="out/models/plan.xmi")
+        assert shown["result"]["plan"]["call_sites"]["todo"] == 4
+        write("high", bodies["high"])
+        write("pause", "delay(time);")
+        write("low", bodies["high"])  # wrong: the lamp never goes out
+        await call("generate", plan="out/models/plan.xmi", out="out")
+        wrong = await call("verify", out="out", scenarios=["short.toml"])
+        assert (wrong["ok"], wrong["exit_code"], wrong["result"]["verdict"]) == (False, 6, "different")
+        first = wrong["result"]["first_difference"]
+        assert first["channel"] == "lamp (P26)"
+        assert (first["call"]["function"], first["call"]["line"]) == ("low", 8)
+        write("low", bodies["low"])
+        right = await call("verify", out="out", scenarios=["short.toml"])
+        assert (right["ok"], right["exit_code"], right["result"]["verdict"]) == (True, 0, "no-difference-found")
+        again = await call(
+            "migrate", files=["blink.c"], out="out", hardware="wiring.csv", bind=["P26=D13"], adapters="placeholders"
+        )
+        assert (
+            again["result"]["plan"]["work"]["write"]["open"] == 0 if "open" in again["result"]["plan"]["work"]["write"] else True
+        )
+        assert bodies["low"] in (root / "out" / "blink" / "adapters.h").read_text()
+
+    ask(commands, talk)
+
+
+def test_a_decision_is_made_and_opened_again(commands: Commands, root: Path) -> None:
+    async def talk(call: Call) -> None:
+        made = await call("migrate", files=["blink.c"], out="out", hardware="wiring.csv")
+        (port,) = [choice for choice in made["result"]["plan"]["choices"] if choice["kind"] == "port"]
+        chosen = await call("choose", out="out", answers={port["id"]: "none"}, why="the lamp is gone")
+        assert (chosen["ok"], chosen["exit_code"]) == (True, 0), chosen
+        (port,) = [choice for choice in chosen["result"]["plan"]["choices"] if choice["kind"] == "port"]
+        assert (port["chosen"], port["why"]) == ("none", "the lamp is gone")
+        opened = await call("choose", out="out", answers={port["id"]: ""})
+        (port,) = [choice for choice in opened["result"]["plan"]["choices"] if choice["kind"] == "port"]
+        assert port["chosen"] != "none"
+
+    ask(commands, talk)
+
+
+def test_a_client_starts_the_command_and_talks_over_its_streams(root: Path, tmp_path: Path) -> None:
+    confined = [] if landlock.version() else ["--unconfined"]
+    server = StdioServerParameters(
+        command=sys.executable, args=["-m", "robosmi", "mcp", "--root", str(root), *confined],
+        env={**os.environ, "ROBOSMI_HOME": str(tmp_path / "home")}, cwd=Path(__file__).parents[2],
+    )  # fmt: skip
+
+    async def talk() -> None:
+        async with Client(stdio_client(server)) as client:
+            assert len((await client.list_tools()).tools) == 10
+            answer = await client.call_tool("explain", {"rule": "RS230"})
+            assert answer.structured_content is not None
+            assert answer.structured_content["result"]["rules"][0]["name"] == "ShortCircuit"
+            assert not (tmp_path / "home").exists()
+
+    asyncio.run(talk())
+
+
+def require_landlock() -> None:
+    """Skip the running test on a kernel without Landlock."""
+    if not landlock.version():
+        pytest.skip("the kernel has no Landlock")
+
+
+def test_landlock_holds_a_process_and_what_it_starts(tmp_path: Path) -> None:
+    require_landlock()
+    (tmp_path / "in").mkdir()
+    (tmp_path / "out.txt").write_text(SECRET)
+    program = """
+import os, subprocess, sys
+from pathlib import Path
+from robosmi.cli import landlock
+inside, outside = Path(sys.argv[1]), Path(sys.argv[2])
+system = [(Path(name), landlock.RUN) for name in ("/usr", "/lib", "/lib64", "/bin")]
+landlock.restrict([(inside, landlock.WRITE), *system])
+(inside / "a.txt").write_text("a")
+acts = [outside.read_text, lambda: outside.with_name("new.txt").write_text("a"), lambda: os.symlink("/etc", inside / "etc")]
+for act in acts:
+    try:
+        act()
+    except PermissionError:
+        print("refused")
+done = subprocess.run(["/bin/cat", outside], stderr=subprocess.STDOUT, stdout=subprocess.PIPE, text=True)
+print(done.stdout)
+"""
+    words = [sys.executable, "-c", program, str(tmp_path / "in"), str(tmp_path / "out.txt")]
+    done = subprocess.run(words, capture_output=True, text=True, cwd=Path(__file__).parents[2], check=False)
+    assert done.stdout.count("refused") == 3, done.stderr
+    assert "Permission denied" in done.stdout
+    assert SECRET not in done.stdout
+    assert (tmp_path / "in" / "a.txt").read_text() == "a"
+
+
+def test_the_command_says_what_is_missing(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert run("mcp").code == 2
+    assert run("mcp", "--root", root / "gone").code == 3
+    assert run("mcp", "--root", root, "--json").code == 2
+    assert run("mcp", "--root", root, "--limit", "0").code == 2
+    monkeypatch.setattr(landlock, "version", lambda: 0)
+    outcome = run("mcp", "--root", root)
+    assert outcome.code == 4
+    assert "--unconfined" in outcome.err
+    monkeypatch.setitem(sys.modules, "mcp.server", None)
+    outcome = run("mcp", "--root", root)
+    assert outcome.code == 4
+    assert "robosmi[mcp]" in outcome.err
