@@ -337,6 +337,7 @@ OPENS: dict[str, str] = {
     "robosmi/inputs.py": "it is the place",
     "robosmi/generate/template_cache.py": "asks who has written what it reads",
     "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
+    "robosmi/cli/landlock.py": "names a folder to the kernel, and can read nothing by it",
     "robosmi/model/open_folder.py": "writes, and holds folders open",
     "robosmi/model/files.py": "writes",
     "robosmi/model/sqlite_files.py": "changes bytes of the file that it has just written",

@@ -60,7 +60,7 @@ class Tools:
     async def hardware(self, sketch: str) -> Document:
         """Which pin of the drawn board drives which component, and what is electrically wrong with the wiring.
 
-        sketch: a drawing (Fritzing, Wokwi, KiCad, EAGLE) or a pin table.
+        sketch: a drawing or a pin table.
         """
         return await self._run("hardware", lambda: [self._path(sketch)])
 
