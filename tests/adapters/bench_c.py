@@ -40,7 +40,7 @@ PINS = {
     **{str(number): 24 + number for number in range(8)},
     **{str(number): number for number in range(8, 14)},
     **{f"A{number}": 16 + number for number in range(6)},
-    "MISO": 12, "SCK": 13, "MOSI": 11,
+    "MISO": 12, "SCK": 13, "MOSI": 11, "SCL": 21, "SDA": 20,
 }  # fmt: skip
 """A pin of an Uno as the Arduino core calls it -> its number on avr-libc: 8 for each port from A on, and the bit."""
 

@@ -217,3 +217,28 @@ void loop() {}
 """
     trace = uno.run(program, ["simpletools.h/term_cmd", *t("CLS", "CRSRXY", "CRSRX", "CRSRY", "HOME")], 20)
     assert [each.byte for each in trace.console] == [16, 2, 3, 13, 14, 7, 15, 9, 1]
+
+
+@proves("simpletext.h/getStopCOGID", "simpletext.h/setStopCOGID")
+def numbers_of_cogs_are_kept_one_higher(uno: Uno) -> None:
+    program = (
+        "void setup() { Serial.begin(115200); Serial.print(getStopCOGID(5)); Serial.print(setStopCOGID(7)); }\nvoid loop() {}\n"
+    )
+    assert uno.run(program, ["simpletext.h/getStopCOGID", "simpletext.h/setStopCOGID"], 20).text == "48"
+
+
+@proves("simpletext.h/_dosprnt", "simpletext.h/_intsprnt")
+def values_of_a_list_are_put_into_a_text(uno: Uno) -> None:
+    program = """
+char text[60];
+int32_t real(const char *format, ...) {
+  va_list l; va_start(l, format); int32_t n = _dosprnt(format, l, text); va_end(l); return n; }
+int32_t whole(const char *format, ...) {
+  va_list l; va_start(l, format); int32_t n = _intsprnt(format, l, text); va_end(l); return n; }
+void setup() { Serial.begin(115200); int32_t n = real("%d %c %s %1.2f %x %b %%", -70000L, 'x' + 0L, "abc", 2.5, 255L, 5L);
+  Serial.print(text); Serial.print(n); n = whole("|%03d%s", 7L, "!"); Serial.print(text); Serial.print(n); }
+void loop() {}
+"""
+    first = "-70000 x abc 2.50 ff 101 %"
+    trace = uno.run(program, ["simpletext.h/_dosprnt", "simpletext.h/_intsprnt"], 40)
+    assert trace.text == f"{first}{len(first)}|007!5"

@@ -44,7 +44,7 @@ def devices_on_the_bus_are_written_and_read(uno: Uno) -> None:
     program = """
 uint8_t data[6], more[40];
 void show(int32_t count) { Serial.print(count); for (int at = 0; at < 4; at++) { Serial.print(' '); Serial.print(data[at]);
-  } Serial.println(); }
+  } Serial.print("\\r\\n"); }
 void setup() { Serial.begin(115200);
   i2c *bus = i2c_newbus(SCL, SDA, 0), *none = i2c_newbus(4, 5, 0);
   const uint8_t out[] = {1, 2, 3};

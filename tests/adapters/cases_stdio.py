@@ -106,3 +106,55 @@ void loop() {}
 """
     trace = uno.run(program, ["simpletools.h/sd_mount", *c("fopen", "fflush")], 60)
     assert trace.text == "-1" + "0" + "a"
+
+
+@proves(*c("fputs", "fputc", "putc", "fgets", "fgetc", "getc", "perror"))
+def the_terminal_is_a_file_too(uno: Uno) -> None:
+    program = r"""
+char text[20];
+void setup() { Serial.begin(115200); stdin = stdout = stderr = console_file();
+  c_printf("%d%d", c_fputs("x", 0), c_fputc('x', 0)); c_fputs("|put,", stdout); c_fputc('a', stdout); c_putc('b', stderr);
+  c_printf("|%d%d", c_fgets(text, 20, 0) == 0, c_fgetc(0)); c_fgets(text, 8, stdin); c_printf("|%s|", text);
+  c_printf("%c", c_fgetc(stdin)); c_printf("%c|", c_getc(stdin)); errno = 5; perror("say"); perror(0); }
+void loop() {}
+"""
+    typing = DeviceUse("typing", {}, {"points": [[30, "one\ntwo"]]})
+    names = c("fputs", "fputc", "putc", "fgets", "fgetc", "getc", "perror", "printf")
+    trace = uno.run(program, names, 100, [typing])
+    assert trace.text.split("|") == ["-1-1", "put,ab", "1-1", "one\n", "tw", "say: error 5\nerror 5\n"]
+
+
+@proves(*c("vsnprintf", "vsprintf", "vprintf"))
+def values_of_a_list_are_printed(uno: Uno) -> None:
+    program = r"""
+char text[80];
+int32_t in(const char *format, ...) {
+  va_list l; va_start(l, format); int32_t n = c_vsprintf(text, format, l); va_end(l); return n; }
+int32_t cut(const char *format, ...) {
+  va_list l; va_start(l, format); int32_t n = c_vsnprintf(text, 5, format, l); va_end(l); return n; }
+int32_t out(const char *format, ...) { va_list l; va_start(l, format); int32_t n = c_vprintf(format, l); va_end(l); return n; }
+void setup() {
+  Serial.begin(115200); int32_t n = in("%ld %d %c %s %5.2f %u %% %*d", 70000L, -3L, 120L, "abc", 2.5, 65535UL, 3L, 7L);
+  Serial.print(text); Serial.print('|'); Serial.print(n); Serial.print('|'); n = cut("%s%d", "abc", 123L); Serial.print(text);
+  Serial.print(n); Serial.print('|'); n = out("%lu,%x", 4000000000UL, 255L); Serial.print('|'); Serial.print(n); }
+void loop() {}
+"""
+    trace = uno.run(program, c("vsnprintf", "vsprintf", "vprintf"), 60)
+    first = "70000 -3 x abc  2.50 65535 %   7"
+    assert trace.text.split("|") == [first, str(len(first)), "abc16", "4000000000,ff", "13"]
+
+
+@proves("simpletools.h/sd_mount", *c("remove", "vfprintf"))
+def files_are_removed_and_written_from_lists(uno: Uno) -> None:
+    program = r"""
+char text[20];
+int32_t to(FILE *file, const char *format, ...) {
+  va_list l; va_start(l, format); int32_t n = c_vfprintf(file, format, l); va_end(l); return n; }
+void setup() { Serial.begin(115200); sd_mount(MISO, SCK, MOSI, 10); FILE *file = fopen("a.txt", "w");
+  Serial.print(to(file, "%ld!", 70000L));
+  c_fclose(file); file = fopen("a.txt", "r"); fgets(text, 20, file); c_fclose(file); Serial.print(text); to(stdout, "%s", "out");
+  Serial.print(c_remove("a.txt")); Serial.print(c_remove("a.txt")); Serial.print(fopen("a.txt", "r") == 0); }
+void loop() {}
+"""
+    names = c("fopen", "fclose", "remove", "vfprintf")
+    assert uno.run(program, ["simpletools.h/sd_mount", *names], 100).text == "670000!out0-11"

@@ -17,7 +17,7 @@ from tests.tools import require_tools
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
 NOT_MODELLED = {
     "simpletools.h/sd_mount": "files on SD cards are not modelled",
-    **dict.fromkeys((f"stdio.h/{name}" for name in ("fopen", "fclose", "fseek", "ftell", "rewind")), "files are "
+    **dict.fromkeys((f"stdio.h/{name}" for name in ("fopen", "fclose", "fseek", "ftell", "rewind", "remove")), "files are "
         "not modelled"),
 }  # fmt: skip
 """What has an adapter and no model, with the reason; a run that reaches it ends with its name."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.verify.simulation import DeviceUse
-from tests.host_model.bench import run, said
+from tests.host_model.bench import ended, run, said
 from tests.tools import require_tools
 
 
@@ -108,3 +108,8 @@ def test_memory_is_that_of_the_chip() -> None:
         'char *p = malloc(40000); char *q = malloc(1000); free(q); char *r = malloc(900); print("%d %d", p == 0, q == r);'
     ) == ["1", "1"]
     assert run("#include <stdlib.h>\nint main() { int n; free(&n); }").status == "crashed"
+
+
+def test_the_number_of_an_error_is_printed() -> None:  # perror in lib/string/strerror.c, whose words are its own
+    text = ended('#include <stdio.h>\n#include <errno.h>\nint main() { errno = 5; perror("say"); perror(0); }', 100).text
+    assert text == "say: error 5\nerror 5\n"

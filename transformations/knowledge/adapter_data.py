@@ -79,7 +79,7 @@ def _file(data: Mapping[str, Any], path: str) -> AdapterFile:
             if key in known:
                 known[key] = [part(*values) for values in known[key]]
         pieces.append(AdapterPiece(header=header, location=location, **known))
-    return AdapterFile(header, pieces, str(data["unsupported"]))
+    return AdapterFile(header, pieces, str(data["unsupported"]), dict(data.get("tasks", {})))
 
 
 def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]]) -> str:
@@ -92,7 +92,8 @@ def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]])
     """
     rows = [_piece(piece, headers) for piece in file.pieces]
     text = ",\n".join(json.dumps(row, ensure_ascii=False) for row in rows)
-    head = json.dumps({"header": file.header, "digest": sha256(raw).hexdigest(), "unsupported": file.unsupported})
+    said = {"header": file.header, "digest": sha256(raw).hexdigest(), "unsupported": file.unsupported}
+    head = json.dumps(said | ({"tasks": file.tasks} if file.tasks else {}), ensure_ascii=False)
     return f'{head[:-1]}, "pieces": [\n{text}\n]}}\n'
 
 

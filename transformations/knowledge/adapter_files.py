@@ -21,6 +21,8 @@ from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argu
 MARK = "//#"
 NOT_SERVED = "unsupported"
 """A line `//# unsupported REASON` behind that of the header: the target cannot serve the header."""
+TASK = "task"
+"""A line `//# task NAME REASON` behind that of the header: no adapter can do what the function does; a person has to."""
 KINDS = ("adapter", "constant", "register", "variable", "type", "helper")
 """A function, a constant, a register, a variable or a type of the source platform, or something that only adapters use."""
 RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
@@ -155,11 +157,13 @@ class AdapterFile:
         header: header of the source platform.
         pieces: in their order.
         unsupported: why the target cannot serve the header, a sentence; empty where it can.
+        tasks: name of a function that no adapter can serve -> why, a sentence.
     """
 
     header: str = ""
     pieces: list[AdapterPiece] = field(default_factory=list)
     unsupported: str = ""
+    tasks: dict[str, str] = field(default_factory=dict)
 
 
 def read_adapter_file(path: Path) -> list[AdapterPiece]:
@@ -230,6 +234,9 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
             continue
         if len(words) > 1 and words[0] == NOT_SERVED and made.header and piece is None:
             made.unsupported = said.split(maxsplit=1)[1]
+            continue
+        if len(words) > 2 and words[0] == TASK and made.header and piece is None:
+            made.tasks[words[1]] = said.split(maxsplit=2)[2]
             continue
         if len(words) != 2 or words[0] not in KINDS:
             wrong = words[0] if words else ""

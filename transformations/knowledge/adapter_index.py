@@ -94,6 +94,10 @@ class AdapterIndex:
         """The pieces for a header, file by file."""
         return [file.pieces for file in self.files(header)]
 
+    def task(self, name: str, header: str) -> str:
+        """Why no adapter can do what a function of a header does; empty where nothing is said."""
+        return next((file.tasks[name] for file in self.files(header) if name in file.tasks), "")
+
     def unsupported(self, header: str) -> str:
         """Why the target cannot serve a header; empty where a file has pieces for it, or nothing is said."""
         files = self.files(header)

@@ -97,7 +97,8 @@ class AdapterChoice:
             return
         key = self._key(use.name, header, FUNCTIONS)
         if key is None:
-            use.reason = NO_ADAPTER
+            places = (self.index.task(str(use.name), place) for place in self._places(str(use.name), header))
+            use.reason = next((reason for reason in places if reason), NO_ADAPTER)
             return
         needed = self.pieces.needed([key], self.mcu)
         if why := needed.unserved.get(key):
@@ -142,16 +143,22 @@ class AdapterChoice:
 
     def _key(self, name: str, header: str, kinds: Sequence[str]) -> tuple[str, str] | None:
         """The piece for a name of a header: its own, that of one that declares the same, that it includes or that includes it."""
-        declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
-        same = [other for other, signature in declared.items() if header and signature == declared.get(header)]
-        below = [other for other in declared if header and other in self.api.closure((header,))]
-        above = [other for other in self.index.headers if header and header in self.api.closure((other,))]
-        for place in dict.fromkeys((header, *same, *below, *(other for other in above if other not in declared))):
-            key = self.pieces.key(f"{place}/{name}" if place else name)
+        for place in self._places(name, header):
+            key = self.pieces.key(f"{place}/{name}")
             variants = self.pieces.variants(key) if key is not None else []
             if variants and variants[0].kind in kinds:
                 return key
         return None
+
+    def _places(self, name: str, header: str) -> list[str]:
+        """The headers whose files may tell of a name of a header; all where nobody knows its header."""
+        if not header:
+            return list(self.index.headers)
+        declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
+        same = [other for other, signature in declared.items() if signature == declared.get(header)]
+        below = [other for other in declared if other in self.api.closure((header,))]
+        above = [other for other in self.index.headers if header in self.api.closure((other,))]
+        return list(dict.fromkeys((header, *same, *below, *(other for other in above if other not in declared))))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
         """Which interrupt pieces need that another function's adapter has; empty for none."""

@@ -85,6 +85,19 @@ def test_a_header_that_the_target_cannot_serve_is_a_task_that_says_what_is_missi
     assert [(h.name, h.reason) for h in models.plan.target.unsupportedHeaders] == [("badgetools.h", use.reason)]
 
 
+def test_a_function_that_no_adapter_can_serve_is_a_task_that_says_what_to_do(tmp_path: Path) -> None:
+    text = "#include <propeller.h>\nextern int image[];\nint main() { cognew(image, 0); while (1) waitvid(1, 2); }\n"
+    models = planned(tmp_path, text)
+    found = uses(models)
+    assert {name: found[name].status for name in ("cognew", "waitvid")} == dict.fromkeys(
+        ("cognew", "waitvid"), migration.AdapterStatus.todo
+    )
+    assert "machine code of the Propeller" in found["cognew"].reason
+    assert "video generator" in found["waitvid"].reason
+    said = [task.message for task in models.plan.tasks if task.rule == "RS501"]
+    assert [found[name].reason in message for name, message in zip(("cognew", "waitvid"), said, strict=True)] == [True, True]
+
+
 def test_a_call_that_no_signature_takes_has_no_adapter(tmp_path: Path) -> None:
     models = planned(tmp_path, '#include "simpletools.h"\nint main() {\n  while (1) { high(3, 4); low(3); }\n}\n')
     assert uses(models)["high"].reason == "line 3 calls it with 2 arguments, and its adapter takes 1"

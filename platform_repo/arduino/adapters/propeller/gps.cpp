@@ -275,5 +275,5 @@ inline void gps_txByte(int32_t txByte) {
 static char gps_talkers[65];
 
 inline char *gps_sources() {
-  return gps_receiver.talkers;
+  return gps_receiver.talkers = gps_talkers;
 }

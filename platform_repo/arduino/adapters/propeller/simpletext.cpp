@@ -2,6 +2,8 @@
 // Text on a terminal, on other devices and in memory. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/TextDevices/libsimpletext.
 // The terminal is the serial port of the console. Its line ends are line feeds here and carriage returns there; control characters
 // (HOME, CLS and so on) are sent as they are. Arguments of any type are taken as 32 bits, as there: no call has to be rewritten.
+//# task _doscanf its values come in a list, with the widths of the calls that made it: call sprint, dprint or sscan with the values themselves
+//# task _intscanf its values come in a list, with the widths of the calls that made it: call sprint, dprint or sscan with the values themselves
 
 // ---------------------------------------------------------------- control characters
 
@@ -1094,4 +1096,71 @@ inline int32_t sscanAfterStr(const char *buffer, const char *str, const char *fm
   if (!found) return 0;
   const ScanTarget variables[] = {ScanTarget(), targets...};
   return scan_text<true>(found + strlen(str), fmt, variables + 1, sizeof...(targets));
+}
+
+//# adapter getStopCOGID
+//#   for: int getStopCOGID(int id)
+//#   kind: oneToOne
+//#   fidelity: exact: one less
+inline int32_t getStopCOGID(int32_t id) {
+  return id - 1;
+}
+
+//# adapter setStopCOGID
+//#   for: int setStopCOGID(int id)
+//#   kind: oneToOne
+//#   fidelity: exact: one more
+inline int32_t setStopCOGID(int32_t id) {
+  return id + 1;
+}
+
+// ---------------------------------------------------------------- values in a list
+
+//# helper ListArguments
+//#   needs: TextArgument
+//#   include: <stdarg.h>
+//#   fidelity: up to 12 values of a list, as their conversions say: a text, a float, or 32 bits of integer, of which all others are made
+struct ListArguments {
+  TextArgument values[12];
+  uint8_t count;
+
+  ListArguments(const char *format, va_list list) : count(0) {
+    for (; *format && count < 12; format++) {
+      if (*format != '%') continue;
+      for (format++; *format && (!isalpha((uint8_t)*format) || strchr("hlLjtz", *format)) && *format != '%'; format++)
+        if (*format == '*' && count < 12) values[count++] = TextArgument(va_arg(list, int32_t));
+      if (!*format) break;
+      if (*format == '%' || count == 12) continue;
+      if (*format == 's') values[count++] = TextArgument(va_arg(list, const char *));
+      else if (*format == 'p') values[count++] = TextArgument((int32_t)va_arg(list, uint16_t));
+      else if (strchr("fFeEgGaA", *format)) values[count++] = TextArgument(va_arg(list, double));
+      else values[count++] = TextArgument(va_arg(list, int32_t));
+    }
+  }
+};
+
+//# adapter _dosprnt
+//#   for: int _dosprnt(const char *fmt, va_list args, char *obuf)
+//#   for: int _dosprnt(const char *fmt, __va_list args, char *obuf)
+//#   kind: semantic
+//#   needs: ListArguments TextOut format_text
+//#   include: <stdarg.h>
+//#   fidelity: exact: as sprint
+//#   limit: at most 12 values
+inline int32_t _dosprnt(const char *fmt, va_list args, char *obuf) {
+  ListArguments given(fmt, args);
+  return format_text<true>(TextOut(obuf), fmt, given.values, given.count);
+}
+
+//# adapter _intsprnt
+//#   for: int _intsprnt(const char *fmt, va_list args, char *obuf)
+//#   for: int _intsprnt(const char *fmt, __va_list args, char *obuf)
+//#   kind: semantic
+//#   needs: ListArguments TextOut format_text
+//#   include: <stdarg.h>
+//#   fidelity: exact: as sprinti
+//#   limit: at most 12 values
+inline int32_t _intsprnt(const char *fmt, va_list args, char *obuf) {
+  ListArguments given(fmt, args);
+  return format_text<false>(TextOut(obuf), fmt, given.values, given.count);
 }

@@ -2,6 +2,8 @@
 // printf, scanf and single characters on the terminal. Read from propgcc b280e7a77, lib/stdio. What the functions of the target's own
 // library lack is here: 32 bits of integer for any argument, and floats. Files are on a card. The target's own fread, fwrite, fgets, fputs,
 // fgetc, fputc and feof work on them.
+//# task setbuf writes to the terminal and to a file go on at once; take the call out
+//# task setvbuf writes to the terminal and to a file go on at once; take the call out
 
 //# helper FloatText
 //#   include: <math.h>
@@ -496,4 +498,169 @@ inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
   text_t device = {file_of(fp), 0, 0, 0, 0, 0};
   return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, arguments + 1, sizeof...(given));
+}
+
+// ---------------------------------------------------------------- the console as a file
+
+//# helper console_file
+//#   needs: putchar getchar
+//#   include: <stdio.h>
+//#   setup: stdin = stdout = stderr = console_file();
+//#   fidelity: the target's own functions for files read and write the terminal, as stdin, stdout and stderr
+inline FILE *console_file() {
+  static FILE file;
+  fdev_setup_stream(
+      &file, [](char c, FILE *) { return (int)(c_putchar(c) < 0); }, [](FILE *) { return (int)c_getchar(); }, _FDEV_SETUP_RW);
+  return &file;
+}
+
+inline bool is_file(const FILE *file) {
+  return file != 0;
+}
+
+//# adapter fputs
+//#   for: int fputs(const char *s, FILE *fp)
+//#   kind: oneToOne
+//#   name: c_fputs
+//#   needs: console_file
+//#   include: <stdio.h>
+//#   fidelity: exact but for line ends; -1 without a file
+inline int32_t c_fputs(const char *s, FILE *fp) {
+  return is_file(fp) ? fputs(s, fp) : -1;
+}
+
+//# adapter fputc
+//#   for: int fputc(int c, FILE *fp)
+//#   kind: oneToOne
+//#   name: c_fputc
+//#   needs: console_file
+//#   include: <stdio.h>
+//#   fidelity: exact but for line ends; -1 without a file
+inline int32_t c_fputc(int32_t c, FILE *fp) {
+  return is_file(fp) ? fputc((int)c, fp) : -1;
+}
+
+//# adapter putc
+//#   for: int putc(int c, FILE *fp)
+//#   kind: oneToOne
+//#   name: c_putc
+//#   needs: fputc
+//#   include: <stdio.h>
+//#   fidelity: exact but for line ends; -1 without a file
+inline int32_t c_putc(int32_t c, FILE *fp) {
+  return c_fputc(c, fp);
+}
+
+//# adapter fgets
+//#   for: char *fgets(char *s, int size, FILE *fp)
+//#   kind: oneToOne
+//#   name: c_fgets
+//#   needs: console_file
+//#   include: <stdio.h>
+//#   fidelity: exact: it waits at the terminal for a line; 0 without a file. What is typed is not shown
+inline char *c_fgets(char *s, int32_t size, FILE *fp) {
+  return is_file(fp) ? fgets(s, (int)size, fp) : 0;
+}
+
+//# adapter fgetc
+//#   for: int fgetc(FILE *fp)
+//#   kind: oneToOne
+//#   name: c_fgetc
+//#   needs: console_file
+//#   include: <stdio.h>
+//#   fidelity: exact: it waits at the terminal; -1 at the end of a file, and without one. What is typed is not shown
+inline int32_t c_fgetc(FILE *fp) {
+  return is_file(fp) ? fgetc(fp) : -1;
+}
+
+//# adapter getc
+//#   for: int getc(FILE *fp)
+//#   kind: oneToOne
+//#   name: c_getc
+//#   needs: fgetc
+//#   include: <stdio.h>
+//#   fidelity: exact: it waits at the terminal; -1 at the end of a file, and without one. What is typed is not shown
+inline int32_t c_getc(FILE *fp) {
+  return c_fgetc(fp);
+}
+
+//# adapter perror
+//#   for: void perror(const char *msg)
+//#   kind: semantic
+//#   needs: printf
+//#   include: <errno.h>
+//#   fidelity: the message and the number of the error
+//#   limit: the number of the error stands for its words, and functions for files set none here
+inline void perror(const char *msg) {
+  if (msg && *msg) c_printf("%s: ", msg);
+  c_printf("error %d\n", errno);
+}
+
+//# adapter remove
+//#   for: int remove(const char *filename)
+//#   kind: oneToOne
+//#   name: c_remove
+//#   include: <SD.h>
+//#   library: SD
+//#   fidelity: exact: 0, or -1 when there is no such file
+inline int32_t c_remove(const char *filename) {
+  return SD.remove((char *)filename) ? 0 : -1;
+}
+
+// ---------------------------------------------------------------- values in a list
+
+//# adapter vsnprintf
+//#   for: int vsnprintf(char *str, size_t size, const char *format, va_list ap)
+//#   for: int vsnprintf(char *str, size_t size, const char *format, __va_list ap)
+//#   kind: semantic
+//#   name: c_vsnprintf
+//#   needs: simpletext.h/ListArguments printf_text simpletext.h/TextOut
+//#   include: <stdarg.h>
+//#   fidelity: exact, floats too
+//#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+inline int32_t c_vsnprintf(char *str, uint32_t size, const char *format, va_list ap) {
+  ListArguments given(format, ap);
+  return printf_text(TextOut(str, size), format, given.values, given.count);
+}
+
+//# adapter vsprintf
+//#   for: int vsprintf(char *str, const char *format, va_list ap)
+//#   for: int vsprintf(char *str, const char *format, __va_list ap)
+//#   kind: semantic
+//#   name: c_vsprintf
+//#   needs: vsnprintf
+//#   include: <stdarg.h>
+//#   fidelity: exact, floats too
+//#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+inline int32_t c_vsprintf(char *str, const char *format, va_list ap) {
+  return c_vsnprintf(str, 32767, format, ap);
+}
+
+//# adapter vprintf
+//#   for: int vprintf(const char *fmt, va_list ap)
+//#   for: int vprintf(const char *fmt, __va_list ap)
+//#   kind: semantic
+//#   name: c_vprintf
+//#   needs: simpletext.h/ListArguments printf_text simpletext.h/TextOut simpletext.h/dport_ptr
+//#   include: <stdarg.h>
+//#   fidelity: exact but for line ends, floats too
+//#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+inline int32_t c_vprintf(const char *fmt, va_list ap) {
+  ListArguments given(fmt, ap);
+  return printf_text(TextOut(dport_ptr), fmt, given.values, given.count);
+}
+
+//# adapter vfprintf
+//#   for: int vfprintf(FILE *fp, const char *fmt, va_list ap)
+//#   for: int vfprintf(FILE *fp, const char *fmt, __va_list ap)
+//#   kind: semantic
+//#   name: c_vfprintf
+//#   needs: simpletext.h/ListArguments file_of printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut
+//#   include: <stdarg.h>
+//#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal
+//#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+inline int32_t c_vfprintf(FILE *fp, const char *fmt, va_list ap) {
+  ListArguments given(fmt, ap);
+  text_t device = {file_of(fp), 0, 0, 0, 0, 0};
+  return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, given.values, given.count);
 }

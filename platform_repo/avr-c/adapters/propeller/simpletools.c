@@ -665,6 +665,266 @@ static inline void square_wave_stop(void) {
   end_wave(1);
 }
 
+//# helper pwm_channels
+//#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
+typedef struct {
+  uint8_t pin, mask;
+  volatile uint8_t *out;
+  uint16_t end;
+  uint32_t microseconds;
+  bool high;
+} PwmChannel;
+static volatile PwmChannel pwm_channels[2];
+
+//# helper pwm_cycle
+//#   fidelity: microseconds of the cycle, 0 while there is none
+static volatile uint32_t pwm_cycle = 0;
+
+//# helper pwm_end_pulses
+//#   needs: pwm_channels
+//#   timer: Timer1
+//#   fidelity: ends the pulses that are over within 4 us, and has the timer call at the end of the next one
+static inline void pwm_end_pulses(void) {
+  uint16_t next = 0xFFFF;
+  for (uint8_t at = 0; at < 2; at++) {
+    volatile PwmChannel *channel = &pwm_channels[at];
+    if (!channel->high) continue;
+    if (channel->end <= TCNT1 + 8) {
+      *channel->out &= ~channel->mask;
+      channel->high = false;
+    } else if (channel->end < next) {
+      next = channel->end;
+    }
+  }
+  OCR1B = next;
+}
+
+//# helper pwm_counts
+//#   needs: pwm_channels pwm_cycle pwm_end_pulses
+//#   timer: Timer1
+//#   include: <avr/interrupt.h>
+//#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
+//#   stack: 20
+//#   fidelity: half microseconds in cycles up to 32.7 ms, 4 us beyond
+ISR(TIMER1_COMPA_vect) {  // a cycle begins
+  for (uint8_t at = 0; at < 2; at++) {
+    volatile PwmChannel *channel = &pwm_channels[at];
+    if (!channel->end) continue;
+    *channel->out |= channel->mask;
+    channel->high = true;
+  }
+  pwm_end_pulses();
+}
+ISR(TIMER1_COMPB_vect) {
+  pwm_end_pulses();
+}
+static inline uint16_t pwm_counts(uint32_t microseconds) {
+  if (microseconds >= pwm_cycle) return microseconds ? 0xFFFF : 0;  // it never ends
+  return pwm_cycle > 32767 ? microseconds / 4 : microseconds * 2;
+}
+
+//# adapter pwm_set
+//#   for: void pwm_set(int pin, int channel, int tHigh)
+//#   kind: semantic
+//#   needs: Io pwm_channels pwm_cycle pwm_counts
+//#   timer: Timer1
+//#   pin: pin digital out
+//#   fidelity: within 4 us, from the next cycle on
+//#   limit: pulses shorter than 8 us come out up to 8 us long
+static inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
+  volatile PwmChannel *it = &pwm_channels[channel != 0];
+  Io before = io_at(it->pin), io = io_at(pin);
+  volatile uint8_t *out = io.mask ? io.in + IO_OUT : 0;
+  uint32_t microseconds = tHigh < 0 ? 0 : tHigh;
+  uint8_t old = SREG;
+  cli();
+  bool moved = it->out && (it->out != out || it->mask != io.mask);
+  it->pin = io.number;
+  it->mask = io.mask;
+  it->out = out;
+  it->high = it->high && !moved;
+  it->microseconds = io.mask ? microseconds : 0;
+  it->end = io.mask ? pwm_counts(microseconds) : 0;
+  SREG = old;
+  if (moved) io_drive(before, false);
+  if (pwm_cycle) io_drive(io, true);
+}
+
+//# adapter pwm_start
+//#   for: int pwm_start(unsigned int cycleMicroseconds)
+//#   kind: semantic
+//#   needs: Io pwm_channels pwm_cycle pwm_counts
+//#   timer: Timer1
+//#   fidelity: within 0.1 %; the number returned is not that of a cog
+//#   limit: cycles of more than 262 ms are made 262 ms long
+//#   limit: not together with servos, which need Timer1, too
+static inline int32_t pwm_start(uint32_t cycleMicroseconds) {
+  uint32_t cycle = cycleMicroseconds > 262144UL ? 262144UL : cycleMicroseconds < 20 ? 20 : cycleMicroseconds;
+  bool slow = cycle > 32767;
+  uint8_t old = SREG;
+  cli();
+  pwm_cycle = cycle;
+  for (uint8_t at = 0; at < 2; at++) {
+    volatile PwmChannel *channel = &pwm_channels[at];
+    if (!channel->out) continue;
+    channel->end = pwm_counts(channel->microseconds);
+    io_drive(io_at(channel->pin), true);
+  }
+  TCCR1A = 0;
+  TCCR1B = _BV(WGM12) | (slow ? _BV(CS11) | _BV(CS10) : _BV(CS11));  // up to OCR1A, again and again
+  OCR1A = (uint16_t)((slow ? cycle / 4 : cycle * 2) - 1);
+  OCR1B = 0xFFFF;
+  TCNT1 = 0;
+  TIFR1 = _BV(OCF1A) | _BV(OCF1B);
+  TIMSK1 = _BV(OCIE1A) | _BV(OCIE1B);
+  SREG = old;
+  return 2;
+}
+
+//# adapter pwm_stop
+//#   for: void pwm_stop(void)
+//#   kind: semantic
+//#   needs: Io pwm_channels pwm_cycle
+//#   timer: Timer1
+//#   fidelity: exact: no more pulses, and the pins become inputs
+static inline void pwm_stop(void) {
+  TIMSK1 = 0;
+  pwm_cycle = 0;
+  for (uint8_t at = 0; at < 2; at++) {
+    volatile PwmChannel *channel = &pwm_channels[at];
+    channel->high = false;
+    if (channel->out) io_drive(io_at(channel->pin), false);
+  }
+}
+
+//# helper duty_rows
+//#   mcu: atmega328p
+//#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+typedef struct {
+  uint8_t number, timer;
+  volatile uint8_t *control;
+  uint8_t bits;
+  volatile uint8_t *compare;  // the lower half of one of 16 bits, whose upper half is 0
+} DutyRow;
+static const DutyRow duty_rows[] = {
+    {AVR_PIN('D', 6), 0, &TCCR0A, _BV(COM0A1), &OCR0A}, {AVR_PIN('D', 5), 0, &TCCR0A, _BV(COM0B1), &OCR0B},
+    {AVR_PIN('B', 1), 1, &TCCR1A, _BV(COM1A1), &OCR1AL}, {AVR_PIN('B', 2), 1, &TCCR1A, _BV(COM1B1), &OCR1BL},
+    {AVR_PIN('B', 3), 2, &TCCR2A, _BV(COM2A1), &OCR2A}, {AVR_PIN('D', 3), 2, &TCCR2A, _BV(COM2B1), &OCR2B},
+};
+
+//# helper duty_rows
+//#   mcu: atmega2560
+//#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+typedef struct {
+  uint8_t number, timer;
+  volatile uint8_t *control;
+  uint8_t bits;
+  volatile uint8_t *compare;  // the lower half of one of 16 bits, whose upper half is 0
+} DutyRow;
+static const DutyRow duty_rows[] = {
+    {AVR_PIN('B', 7), 0, &TCCR0A, _BV(COM0A1), &OCR0A}, {AVR_PIN('G', 5), 0, &TCCR0A, _BV(COM0B1), &OCR0B},
+    {AVR_PIN('B', 5), 1, &TCCR1A, _BV(COM1A1), &OCR1AL}, {AVR_PIN('B', 6), 1, &TCCR1A, _BV(COM1B1), &OCR1BL},
+    {AVR_PIN('B', 4), 2, &TCCR2A, _BV(COM2A1), &OCR2A}, {AVR_PIN('H', 6), 2, &TCCR2A, _BV(COM2B1), &OCR2B},
+};
+
+//# helper duty_rows
+//#   mcu: atmega32u4
+//#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+typedef struct {
+  uint8_t number, timer;
+  volatile uint8_t *control;
+  uint8_t bits;
+  volatile uint8_t *compare;  // the lower half of one of 16 bits, whose upper half is 0
+} DutyRow;
+static const DutyRow duty_rows[] = {
+    {AVR_PIN('B', 7), 0, &TCCR0A, _BV(COM0A1), &OCR0A}, {AVR_PIN('D', 0), 0, &TCCR0A, _BV(COM0B1), &OCR0B},
+    {AVR_PIN('B', 5), 1, &TCCR1A, _BV(COM1A1), &OCR1AL}, {AVR_PIN('B', 6), 1, &TCCR1A, _BV(COM1B1), &OCR1BL},
+};
+
+//# helper put_duty
+//#   needs: Io duty_rows propeller.h/clock_us
+//#   timer: Timer0 Timer1 Timer2
+//#   fidelity: pulses of a 256th of their cycle or more; Timer0 goes on counting for the clock
+static inline void put_duty(Io io, uint8_t duty) {
+  clock_us();
+  for (uint8_t at = 0; at < sizeof duty_rows / sizeof *duty_rows; at++) {
+    const DutyRow *row = &duty_rows[at];
+    if (row->number != io.number) continue;
+    uint8_t old = SREG;
+    cli();
+    if (!duty || duty == 255) {
+      *row->control &= ~row->bits;
+      io_put(io, IO_OUT, duty != 0);
+    } else {
+      if (row->timer == 0) TCCR0A |= _BV(WGM01) | _BV(WGM00);
+      if (row->timer == 1) TCCR1A |= _BV(WGM10), TCCR1B = _BV(CS11) | _BV(CS10), row->compare[1] = 0;
+#ifdef TCCR2A
+      if (row->timer == 2) TCCR2A |= _BV(WGM20), TCCR2B = _BV(CS22);
+#endif
+      *row->compare = duty;
+      *row->control |= row->bits;
+    }
+    io_put(io, IO_DIRECTION, true);
+    SREG = old;
+  }
+}
+
+//# helper dac_pins
+//#   fidelity: the pin of each channel of dac_ctr
+static int32_t dac_pins[2] = {-1, -1};
+
+//# helper dac_bits
+//#   fidelity: resolution of dac_ctr
+static uint8_t dac_bits = 8;
+
+//# helper end_dac
+//#   needs: Io dac_pins put_duty
+static inline void end_dac(uint8_t channel) {
+  Io io = io_at(dac_pins[channel]);
+  dac_pins[channel] = -1;
+  if (!io.mask) return;
+  put_duty(io, 0);
+  io_drive(io, false);
+}
+
+//# adapter dac_ctr
+//#   for: void dac_ctr(int pin, int channel, int dacVal)
+//#   kind: semantic
+//#   needs: Io dac_pins dac_bits end_dac put_duty
+//#   pin: pin pwm out
+//#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
+//#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
+//#   limit: 8 bits: further bits of the resolution are left out
+//#   limit: at pins of Timer0, Timer1 and Timer2; not beside tones at pins of Timer2, nor servos and pwm_start at pins of Timer1
+static inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
+  uint8_t at = channel != 0;
+  if (pin != dac_pins[at]) end_dac(at);
+  Io io = io_at(pin);
+  if (!io.mask) return;
+  dac_pins[at] = pin;
+  uint32_t fraction = (uint32_t)dacVal << (32 - dac_bits);  // of 2 to the power of 32; what does not fit is lost, as there
+  put_duty(io, fraction >> 24);
+}
+
+//# adapter dac_ctr_res
+//#   for: void dac_ctr_res(int bits)
+//#   kind: oneToOne
+//#   needs: dac_bits
+//#   fidelity: exact; 0 means 8 bits
+static inline void dac_ctr_res(int32_t bits) {
+  dac_bits = bits > 0 && bits <= 32 ? bits : 8;
+}
+
+//# adapter dac_ctr_stop
+//#   for: void dac_ctr_stop(void)
+//#   kind: semantic
+//#   needs: end_dac
+//#   fidelity: exact; the pins become inputs
+static inline void dac_ctr_stop(void) {
+  end_dac(0);
+  end_dac(1);
+}
+
 // ---------------------------------------------------------------- shifting
 
 //# constant MSBPRE
@@ -729,6 +989,80 @@ static inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32
     io_set(data, value >> (mode == LSBFIRST ? number : bits - 1 - number) & 1);
     clock_pulse(clock);
   }
+}
+
+// ---------------------------------------------------------------- two-wire bus
+
+//# helper i2c_buses
+//#   needs: simplei2c.h/i2c
+static i2c i2c_buses[2];
+
+//# adapter i2c_newbus
+//#   for: i2c *i2c_newbus(int sclPin, int sdaPin, int sclDrive)
+//#   kind: manyToOne
+//#   needs: i2c_buses simplei2c.h/BUS_SCL simplei2c.h/i2c simplei2c.h/i2c_open
+//#   pin: sclPin digital both
+//#   pin: sdaPin digital both
+//#   fidelity: exact at the pins SCL and SDA; a bus at any other pins is not wired
+//#   limit: the bus is the one of the hardware: connect devices to SCL and SDA
+static inline i2c *i2c_newbus(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
+  return i2c_open(&i2c_buses[sclPin != BUS_SCL || sdaPin != BUS_SDA], sclPin, sdaPin, sclDrive);
+}
+
+//# helper i2c_begin
+//#   needs: simplei2c.h/i2c simplei2c.h/i2c_start simplei2c.h/i2c_writeByte
+//#   include: <stdlib.h>
+//#   fidelity: addresses a device, then its memory: highest byte first, lowest first when the count is negative; counts acknowledged bytes
+static inline int32_t i2c_begin(i2c *bus, int32_t address, int32_t memory, int32_t count) {
+  i2c_start(bus);
+  if (i2c_writeByte(bus, address << 1 & 0xFE)) return 0;
+  int32_t taken = 0, size = labs(count);
+  while (taken < size) {
+    if (i2c_writeByte(bus, memory >> 8 * (count > 0 ? size - 1 - taken : taken) & 0xFF)) break;
+    taken++;
+  }
+  return 1 + taken;
+}
+
+//# adapter i2c_out
+//#   for: int i2c_out(i2c *busID, int i2cAddr, int memAddr, int memAddrCount, const unsigned char *data, int dataCount)
+//#   kind: oneToMany
+//#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_writeByte simplei2c.h/i2c_stop
+//#   include: <stdlib.h>
+//#   fidelity: exact: the number of bytes that were acknowledged, with the device's address; 100 kHz
+static inline int32_t i2c_out(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, const void *data, int32_t dataCount) {
+  int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
+  if (!acknowledged) return 0;
+  for (int32_t number = 0; number < size; number++, acknowledged++)
+    if (i2c_writeByte(busID, ((const uint8_t *)data)[dataCount < 0 ? size - 1 - number : number])) break;
+  i2c_stop(busID);
+  return acknowledged;
+}
+
+//# adapter i2c_in
+//#   for: int i2c_in(i2c *busID, int i2cAddr, int memAddr, int memAddrCount, unsigned char *data, int dataCount)
+//#   kind: oneToMany
+//#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte simplei2c.h/i2c_readByte
+//#   include: <stdlib.h>
+//#   fidelity: exact, with its count of bytes, which leaves out the last one read; 100 kHz
+static inline int32_t i2c_in(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, void *data, int32_t dataCount) {
+  int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
+  if (!acknowledged) return 0;
+  i2c_start(busID);
+  if (i2c_writeByte(busID, (i2cAddr << 1 & 0xFE) | 1)) return acknowledged;
+  for (int32_t number = 0; number < size; number++)
+    ((uint8_t *)data)[dataCount < 0 ? size - 1 - number : number] = i2c_readByte(busID, number == size - 1);
+  i2c_stop(busID);
+  return acknowledged + (size ? size : 1);
+}
+
+//# adapter i2c_busy
+//#   for: int i2c_busy(i2c *busID, int i2cAddr)
+//#   kind: oneToMany
+//#   needs: simplei2c.h/i2c simplei2c.h/i2c_poll
+//#   fidelity: exact: 0 when the device acknowledges its address, 1 when it does not
+static inline int32_t i2c_busy(i2c *busID, int32_t i2cAddr) {
+  return i2c_poll(busID, i2cAddr << 1 & 0xFE);
 }
 
 // ---------------------------------------------------------------- EEPROM of the microcontroller

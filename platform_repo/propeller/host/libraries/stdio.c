@@ -1,4 +1,5 @@
 /* stdio.h on the console. Formats are those of C99; doubles of the program have 4 bytes. Files are not modelled. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -118,3 +119,9 @@ int scanf(const char *format, ...) { WITH_VALUES(format, scan_line(stdin, format
 int fscanf(FILE *stream, const char *format, ...) { WITH_VALUES(format, scan_line(stream, format, values)); }
 int setvbuf(FILE *stream, char *buffer, int mode, size_t size) { (void)stream, (void)buffer, (void)mode, (void)size; return 0; }
 void setbuf(FILE *stream, char *buffer) { (void)stream, (void)buffer; }
+
+/* The number of the error stands for its words. */
+void perror(const char *message) {
+  if (message && *message) fprintf(stderr, "%s: ", message);
+  fprintf(stderr, "error %d\n", errno);
+}

@@ -3,6 +3,8 @@
 #include <string.h>
 #include "host.h"
 
+int errno;  /* no function of the models sets it */
+
 float strtof(const char *s, char **end);
 
 /* ---- the heap: blocks one after the other, each with its size before it; free neighbours are joined when room is looked for */

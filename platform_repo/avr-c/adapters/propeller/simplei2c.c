@@ -1,0 +1,124 @@
+//# header simplei2c.h
+// The two-wire bus, byte by byte, in C. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Protocol/libsimplei2c.
+// There any two pins are a bus; here the hardware drives the one at SCL and SDA. At any other pins there is no device.
+
+//# type i2c
+//#   fidelity: for use with the functions; its members are others than there
+typedef struct {
+  bool wired;
+} i2c;
+
+//# helper BUS_SCL
+//#   fidelity: the pins of the bus: PC5 and PC4 of an ATmega328P, PD0 and PD1 of the others
+#if defined(__AVR_ATmega328P__)
+enum { BUS_SCL = AVR_PIN('C', 5), BUS_SDA = AVR_PIN('C', 4) };
+#else
+enum { BUS_SCL = AVR_PIN('D', 0), BUS_SDA = AVR_PIN('D', 1) };
+#endif
+
+//# helper two_wire
+//#   include: <util/delay.h>
+//#   fidelity: gives the hardware a command and waits for it, 10 ms at most; then what it answers as its status
+static inline uint8_t two_wire(uint8_t command) {
+  TWCR = _BV(TWINT) | _BV(TWEN) | command;
+  if (command & _BV(TWSTA)) _delay_us(10);  // that long it takes at least; some simulators leave TWINT set meanwhile
+  else _delay_us(90);
+  for (uint16_t turn = 20000; turn && !(TWCR & _BV(TWINT)); turn--) {}
+  return TWCR & _BV(TWINT) ? TWSR & 0xF8 : 0;
+}
+
+//# adapter i2c_open
+//#   for: i2c *i2c_open(i2c *bus, int sclPin, int sdaPin, int sclDrive)
+//#   kind: semantic
+//#   needs: i2c BUS_SCL simpletools.h/Io
+//#   pin: sclPin digital both
+//#   pin: sdaPin digital both
+//#   fidelity: 100 kHz; weak pull-ups are switched on
+//#   limit: only at the pins SCL and SDA; the clock is never driven high
+static inline i2c *i2c_open(i2c *bus, int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
+  (void)sclDrive;
+  bus->wired = sclPin == BUS_SCL && sdaPin == BUS_SDA;
+  if (!bus->wired) return bus;
+  io_put(io_at(BUS_SCL), IO_OUT, true);
+  io_put(io_at(BUS_SDA), IO_OUT, true);
+  TWSR = 0;
+  TWBR = (F_CPU / 100000UL - 16) / 2;
+  TWCR = _BV(TWEN);
+  return bus;
+}
+
+//# adapter i2c_start
+//#   for: void i2c_start(i2c *bus)
+//#   kind: semantic
+//#   needs: i2c two_wire
+//#   fidelity: exact
+static inline void i2c_start(i2c *bus) {
+  if (bus->wired) two_wire(_BV(TWSTA));
+}
+
+//# adapter i2c_stop
+//#   for: void i2c_stop(i2c *bus)
+//#   kind: semantic
+//#   needs: i2c
+//#   fidelity: exact
+static inline void i2c_stop(i2c *bus) {
+  if (!bus->wired) return;
+  TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
+  for (uint16_t turn = 20000; turn && TWCR & _BV(TWSTO); turn--) {}
+}
+
+//# adapter i2c_writeByte
+//#   for: int i2c_writeByte(i2c *bus, int byte)
+//#   kind: semantic
+//#   needs: i2c two_wire
+//#   fidelity: exact: 0 when the byte is acknowledged, else 1
+static inline int32_t i2c_writeByte(i2c *bus, int32_t byte) {
+  if (!bus->wired) return 1;
+  TWDR = (uint8_t)byte;
+  uint8_t status = two_wire(0);
+  return status != 0x18 && status != 0x28 && status != 0x40;  // an address to write to, a byte, an address to read from
+}
+
+//# adapter i2c_readByte
+//#   for: int i2c_readByte(i2c *bus, int ackState)
+//#   kind: semantic
+//#   needs: i2c two_wire
+//#   fidelity: exact: it acknowledges the byte when ackState is 0
+static inline int32_t i2c_readByte(i2c *bus, int32_t ackState) {
+  if (!bus->wired) return 0;
+  two_wire(ackState ? 0 : _BV(TWEA));
+  return TWDR;
+}
+
+//# adapter i2c_writeData
+//#   for: int i2c_writeData(i2c *bus, const unsigned char *data, int count)
+//#   kind: oneToMany
+//#   needs: i2c i2c_writeByte
+//#   fidelity: exact: the number of bytes that were acknowledged
+static inline int32_t i2c_writeData(i2c *bus, const void *data, int32_t count) {
+  int32_t number = 0;
+  while (number < count && !i2c_writeByte(bus, ((const uint8_t *)data)[number])) number++;
+  return number;
+}
+
+//# adapter i2c_readData
+//#   for: int i2c_readData(i2c *bus, unsigned char *data, int count)
+//#   kind: oneToMany
+//#   needs: i2c i2c_readByte
+//#   fidelity: exact: it acknowledges all bytes but the last, and returns their number without it
+static inline int32_t i2c_readData(i2c *bus, void *data, int32_t count) {
+  int32_t number = 0;
+  do ((uint8_t *)data)[number] = (uint8_t)i2c_readByte(bus, number + 1 >= count);
+  while (++number < count);
+  return number - 1;
+}
+
+//# adapter i2c_poll
+//#   for: int i2c_poll(i2c *bus, int addr)
+//#   kind: oneToMany
+//#   needs: i2c i2c_start i2c_writeByte
+//#   fidelity: exact: 0 when the device acknowledges; the address has 8 bits here
+static inline int32_t i2c_poll(i2c *bus, int32_t addr) {
+  i2c_start(bus);
+  return i2c_writeByte(bus, addr);
+}
