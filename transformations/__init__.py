@@ -65,6 +65,7 @@ _CONTENT = {
     ("device", "eeprom"): "verification.devices.two_wire:Eeprom",
     ("device", "keypad"): "verification.devices.keypad:Keypad",
     ("device", "levels"): "verification.devices.levels:Levels",
+    ("device", "light_chain"): "verification.devices.light_chain:LightChain",
     ("device", "ranger"): "verification.devices.ranger:Ranger",
     ("device", "registers"): "verification.devices.two_wire:Registers",
     ("device", "serial_line"): "verification.devices.serial_line:SerialLine",

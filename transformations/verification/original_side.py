@@ -29,12 +29,15 @@ Place = tuple[str | int, ...]
 SETTLED = ("running", "finished")
 """Status of a run that came to its end by itself."""
 
+_LINE_PART = 0.025
+"""Serial lines may be off by so much: an AVR at 16 MHz is 2.1 % too fast at 115200 baud."""
+
 _FACTORS = (
     Variation(1, block_factor=2.0, call_factor=2.0),
     Variation(2, block_factor=0.5, call_factor=0.5),
     Variation(3, noise=0.3, late_us=100.0),
     Variation(4, block_factor=1.3, call_factor=0.8, noise=0.3, late_us=100.0),
-    Variation(5, early_part=0.001),
+    Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
 """What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
 _MEASURED = ("voltages", "capacitor", "ranger")
@@ -188,8 +191,9 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[D
     made = []
     for use in devices:
         percent = float(facts.get(use.kind, {}).get("jitter_percent", 0))
+        least = float(facts.get(use.kind, {}).get("jitter_least", 0))
         settings = {
-            name: [_moved(point, chance, percent) for point in value] if _is_signal(value) else value
+            name: [_moved(point, chance, percent, least) for point in value] if _is_signal(value) else value
             for name, value in use.settings.items()
         }
         for name, value in settings.items():
@@ -205,9 +209,10 @@ def _is_signal(value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(point, list) and len(point) == 2 for point in value)
 
 
-def _moved(point: list[Any], chance: random.Random, percent: float) -> list[Any]:
+def _moved(point: list[Any], chance: random.Random, percent: float, least: float) -> list[Any]:
     at_ms, value = point
     at_ms = max(0.0, at_ms + chance.uniform(-_MOVED_MS, _MOVED_MS)) if at_ms else at_ms
     if percent and isinstance(value, (int, float)):
-        value = value * (1 + chance.uniform(-percent, percent) / 100)
+        off = chance.uniform(-1, 1)
+        value = value + off * max(abs(value) * percent / 100, min(least, abs(value)))
     return [at_ms, value]

@@ -124,6 +124,8 @@ void host_spend(host_time ticks) {
   advance(ticks);
 }
 
+void host_send_for(host_time ticks) { host_spend(ticks - (host_time)(ticks * settings.line_part)); }
+
 void host_turns(unsigned turns) { host_spend((host_time)turns * settings.block_ticks); }
 
 void host_sleep_until(host_time when) {

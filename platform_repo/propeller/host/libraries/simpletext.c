@@ -64,7 +64,7 @@ int serial_rxChar(serial *device) {
 int serial_txChar(serial *device, int txbyte) {
   Serial_t *line = (Serial_t *)device->devst;
   if (is_console(line)) {
-    host_spend(10 * line->ticks);
+    host_send_for(10 * line->ticks);
     host_console_write(txbyte);
     return txbyte;
   }

@@ -11,7 +11,7 @@ static struct robosmi_file input = {0, EOF}, output = {1, EOF}, errors = {1, EOF
 FILE *stdin = &input, *stdout = &output, *stderr = &errors;
 
 static void put(char c) {
-  host_spend(10 * CONSOLE_BIT_TICKS);
+  host_send_for(10 * CONSOLE_BIT_TICKS);
   host_console_write(c);
 }
 
