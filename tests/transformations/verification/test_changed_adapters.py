@@ -1,0 +1,66 @@
+"""A body that does something else is named by the verdict: the function, the call, and the first difference that it makes.
+
+People write bodies themselves; here those of the repository are spoilt in the adapters of a migrated program.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.transformations.chains.verify import verify
+from robosmi.verify.host_model import load_host_model
+from robosmi.verify.original_build import missing_tools
+from tests.tools import require_engine, require_tools
+
+PROGRAM = Path(__file__).parent / "programs" / "button.c"
+SCENARIO = "horizon_ms = 2500\n[signals]\nP3 = [[0, 0], [500, 1], [900, 0]]\n"
+SPOILT = {
+    "pin": (
+        "digitalWrite(io.pin, value);", "io = Io(io.pin - 1); digitalWrite(io.pin, value);",
+        "high", 11, "Lamp (P26)", "high is missing",
+    ),
+    "time": ("delay((uint32_t)time);", "delay((uint32_t)(time - time / 20));", "pause", 12, "Lamp (P26)", "high lasts 28"),
+    "frequency": (
+        "tone(io.pin, (unsigned int)frequency);", "tone(io.pin, 2500);",
+        "freqout", 14, "Speaker (P4)", "2500.01 Hz instead of 2999.99 Hz",
+    ),
+    "input": ("return io.high();", "return !io.high();", "input", 8, "Lamp (P26)", "high comes 501"),
+    "text": (
+        "port->write((uint8_t)c);", "port->write((uint8_t)(c == 's' ? 'z' : c));",
+        "print", 10, "console", "'prezzez 1' instead of",
+    ),
+}  # fmt: skip
+"""What is spoilt -> old text, new text, the function and line of the call that is named, the channel, what is said."""
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The migrated program."""
+    require_tools("avr-gcc", "arduino-core-avr", "gcc")
+    if advice := missing_tools(load_host_model("propeller")):
+        pytest.skip(advice)
+    require_engine("simavr")
+    folder = tmp_path_factory.mktemp("adapters")
+    robosmi.migrate([PROGRAM], folder / "out", bind={"P3": "D2", "P4": "D8", "P26": "D13"})
+    return folder / "out"
+
+
+@pytest.mark.parametrize("what", SPOILT)
+def test_a_spoilt_adapter_is_named(what: str, made: Path, tmp_path: Path) -> None:
+    old, new, function, line, channel, said = SPOILT[what]
+    out = tmp_path / "out"
+    shutil.copytree(made, out)
+    adapters = out / "button" / "adapters.h"
+    assert old in adapters.read_text()
+    adapters.write_text(adapters.read_text().replace(old, new))
+    (tmp_path / "pressed.toml").write_text(SCENARIO)
+    told = verify(out, scenarios=[tmp_path / "pressed.toml"]).verdict.to_json()
+    assert told["verdict"] == "different"
+    first = told["first_difference"]
+    calls = {(each["function"], each["line"]) for each in (first["call"], *first["calls_around"])}
+    assert (first["channel"], (function, line) in calls) == (channel, True), first
+    assert said in first["message"]
