@@ -73,6 +73,7 @@ _CONTENT = {
     ("device", "lis3dh"): "verification.devices.lis3dh:Lis3dh",
     ("device", "bme680"): "verification.devices.bme680:Bme680",
     ("device", "serial_registers"): "verification.devices.serial_registers:SerialRegisters",
+    ("device", "shifted_bits"): "verification.devices.shifted_bits:ShiftedBits",
     ("device", "sony_remote"): "verification.devices.infrared:SonyRemote",
     ("device", "two_pin_ranger"): "verification.devices.ranger:TwoPinRanger",
     ("device", "typing"): "verification.devices.levels:Typing",

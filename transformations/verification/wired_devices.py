@@ -48,6 +48,8 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
     for rule in rules:
         parts = rule.table("parts") if "parts" in rule.values else None
         apart, addresses = set(rule.values.get("apart", ())), rule.values.get("addresses")
+        if len({tuple(_told(views, place)) for place in rule.texts("same", ())}) > 1:
+            continue
         for device in _of_parts(views, rule.text("kind"), parts, roles) if parts is not None else _of_calls(views, rule):
             places: set[object] = set(device.pins.values())
             if rule.flag("bus", False):
@@ -83,15 +85,21 @@ def _of_parts(views: Sequence[CodeView], kind: str, parts: DataTable, roles: Map
     pins: dict[str, int] = {}
     for name in parts.values:
         for place in parts.texts(name):
-            function, _, position = place.partition(" ")
-            numbers = [roles[place]] if place in roles else []
-            for view, call in _calls(views, (function,)) if position else ():
-                numbers += _ports(view, call, int(position), Values(view.program, view.unit))
+            numbers = [roles[place]] if place in roles else _told(views, place)
             if numbers:
                 pins[name] = numbers[0]
                 break
     if len(pins) == len(parts.values):
         yield WiredDevice(kind, pins)
+
+
+def _told(views: Sequence[CodeView], place: str) -> list[int]:
+    """The ports that an argument says (`function position`), by the calls; none for a place that is no argument."""
+    function, _, position = place.partition(" ")
+    numbers: list[int] = []
+    for view, call in _calls(views, (function,)) if position else ():
+        numbers += _ports(view, call, int(position), Values(view.program, view.unit))
+    return list(dict.fromkeys(numbers))
 
 
 def _calls(views: Sequence[CodeView], names: Sequence[str]) -> Iterator[tuple[CodeView, ccode.Call]]:

@@ -11,8 +11,8 @@ _ONE_US = 0.5
 """A pulse that is longer is a 1: between the longest 0 (0.38 us and its tolerance) and the shortest 1 (0.6 us) of data sheets."""
 _SHORTEST_US, _LONGEST_US = 0.15, 5.0
 _LATCH_US = 50.0
-"""What was sent is shown when the line was low for so long. Newer chips want 280 us, but no program pauses within a picture for as
-long as the older ones need."""
+"""What was sent is shown when the line was low for so long. Newer chips want 280 us, but no program pauses within a picture for
+as long as the older ones need."""
 
 
 class LightChain(Device):
