@@ -46,6 +46,9 @@ _FEWEST = 4
 _AHEAD = 8
 _STEADY = 1.3
 """Periods of a wave are within this factor of one another, nearly all of them."""
+_PITCH = 0.015
+_RARE = 10
+"""Odd pulses within a wave are the wave's where those before and behind are so many times as many."""
 _EQUAL_US = 8.0
 """Widths of two frames of a servo that differ by less are equal: interrupts delay edges by so much."""
 _SILENCE_US = 200_000.0
@@ -233,15 +236,26 @@ def _is_frames(pulses: Sequence[_Pulse]) -> bool:
 
 
 def _absorbed(parts: list[tuple[bool, list[_Pulse]]]) -> list[tuple[bool, list[_Pulse]]]:
-    """Parts in which a few odd pulses at the begin or the end of a wave are the wave's."""
+    """Parts in which a few odd pulses at the begin or the end of a wave, or within it, are the wave's."""
     kept: list[tuple[bool, list[_Pulse]]] = []
     for steady, part in parts:
         few = kept and not kept[-1][0] and len(kept[-1][1]) < _FEWEST
-        if (steady and few) or (not steady and len(part) < _FEWEST and kept and kept[-1][0]):
+        if steady and len(kept) > 1 and kept[-2][0] and not kept[-1][0]:
+            (_, before), (_, odd) = kept[-2:]
+            if len(odd) * _RARE < min(len(before), len(part)) and _same_pitch(before, part):  # interrupts stretch some in a row
+                kept[-2:] = [(True, before + odd)]
+        goes_on = steady and kept and kept[-1][0] and _same_pitch(kept[-1][1], part)
+        if goes_on or (steady and few) or (not steady and len(part) < _FEWEST and kept and kept[-1][0]):
             kept[-1] = (True, kept[-1][1] + part)
         else:
             kept.append((steady, part))
     return kept
+
+
+def _same_pitch(one: Sequence[_Pulse], other: Sequence[_Pulse]) -> bool:
+    """Whether two waves have the same frequency, within 1.5 %."""
+    usual, another = (median(after.begin - before.begin for before, after in pairwise(part)) for part in (one, other))
+    return abs(usual - another) <= _PITCH * usual
 
 
 def _part(steady: bool, pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:

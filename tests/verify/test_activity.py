@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from robosmi.verify.activity import IDLE, Sight, activity, console_lines
+from robosmi.verify.activity import IDLE, LEVEL, WAVE, Sight, activity, console_lines
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace, Wave
 
 
@@ -108,3 +108,12 @@ def test_pulses_of_no_steady_period_are_a_burst_of_so_many() -> None:
 def test_what_is_printed_is_lines_with_the_time_of_their_end() -> None:
     text = [(1000.0, "a"), (2000.0, "b"), (3000.0, "\r"), (3100.0, "\n"), (5000.0, "c"), (900_000.0, "d"), (901_000.0, "\n")]
     assert [(e.at_us, e.value[0]) for e in console_lines(trace(text=text))] == [(3000.0, "ab"), (5000.0, "c"), (901_000.0, "d")]
+
+
+def test_a_wave_that_interrupts_stretch_here_and_there_is_one_wave() -> None:
+    periods = [26.0] * 400 + [50.0, 14.0, 41.0, 16.0, 60.0] + [26.0] * 400 + [37.0] + [26.0] * 300
+    ups = [1000.0 + sum(periods[:number]) for number in range(len(periods))]
+    levels = [each for up in ups for each in ((up, 1), (up + 10, 0))]
+    found = activity(trace([*levels, (900_000.0, 0)]), "D1")
+    assert [event.kind for event in found] == [LEVEL, WAVE, LEVEL]
+    assert found[1].value[0] == pytest.approx(1e6 / 26, rel=0.01)

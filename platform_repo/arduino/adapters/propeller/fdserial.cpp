@@ -48,7 +48,7 @@ typedef text_t fdserial;
 //#   ram: 22
 struct SerialLine : Stream, PinWatch {
   Io receives, sends;
-  bool inverts_rx, inverts_tx, open_drain, fast;
+  bool inverts_rx, inverts_tx, open_drain, drops_echo, fast;
   uint16_t cycles, bit_us;             // of a bit
   volatile uint8_t head = 0, tail = 0;
   uint8_t bytes[64];
@@ -57,7 +57,8 @@ struct SerialLine : Stream, PinWatch {
   uint32_t begun;                      // micros of its start bit
 
   SerialLine(int32_t rxpin, int32_t txpin, uint8_t mode, uint32_t baudrate)
-      : receives(rxpin), sends(txpin), inverts_rx(mode & 1), inverts_tx(mode & 2), open_drain(mode & 4), fast(baudrate > 19200) {
+      : receives(rxpin), sends(txpin), inverts_rx(mode & 1), inverts_tx(mode & 2), open_drain(mode & 4),
+        drops_echo(mode & 8), fast(baudrate > 19200) {
     cycles = (F_CPU + baudrate / 2) / baudrate;
     bit_us = (1000000UL + baudrate / 2) / baudrate;
     if (receives.wired()) {
@@ -146,7 +147,7 @@ struct SerialLine : Stream, PinWatch {
     if (frames_due) frames_due();
     frames_wait = 50;
     uint16_t bits = byte << 1 | 0x200, until = 0;
-    uint8_t old = SREG;
+    uint8_t old = SREG, last = head;
     cli();
     uint32_t start = micros();
     for (uint8_t left = 10; left; left--, bits >>= 1) {
@@ -163,6 +164,10 @@ struct SerialLine : Stream, PinWatch {
       while (micros() - start < until) {}
     }
     frames_wait = 0;
+    if (drops_echo) {
+      head = last;
+      cells = 0;
+    }
     SREG = old;
     return 1;
   }
@@ -197,11 +202,11 @@ inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t bau
 //#   needs: fdserial open_line
 //#   pin: rxpin interrupt in
 //#   pin: txpin digital out
-//#   fidelity: 63 bytes are kept, as there; it waits half a second, as there; the modes for inversion and open drain are obeyed
+//#   fidelity: 63 bytes are kept, as there; it waits half a second, as there; the modes for inversion, open drain and echo are obeyed
 //#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
 //#   limit: a byte is sent while the program waits, and what arrives meanwhile may get lost
 //#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
-//#   limit: FDSERIAL_MODE_IGNORE_TX_ECHO and FDSERIAL_MODE_RX_ONLY change nothing
+//#   limit: FDSERIAL_MODE_RX_ONLY changes nothing
 //#   range: baudrate 245..57600 away from RX: bytes get lost or broken
 //#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes
 //#   range: baudrate 245..9600 beside servo360.h/feedback360_edge away from RX: the interrupts of feedback signals break bytes
