@@ -1,9 +1,8 @@
 """The engine `simavr`: the library libsimavr (GPL-3, Debian's libsimavr2), reached through ctypes, in the worker's process only.
 
-Nothing of it is shipped or linked. The layout of its structures is not relied on, but for the head of `elf_firmware_t`, which
-versions 1.4 to 1.8 have in common; the clock is read from a timer that never fires. `avr_run` runs one instruction, or a few
-where the field that says so is found by what stands in it: the C library's `lfind` calls it in a loop, which is eleven times
-faster than a loop in Python.
+Nothing of it is shipped or linked; what is known of it is in `simavr_library`. The clock is read from a timer that never fires.
+`avr_run` runs one instruction, or a few where that can be asked for: the C library's `lfind` calls it in a loop, which is eleven
+times faster than a loop in Python.
 """
 
 from __future__ import annotations
@@ -18,6 +17,14 @@ from typing import Any
 
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
+from robosmi.transformations.verification.engines.simavr_library import (
+    NOTIFY,
+    SILENT,
+    TIMER,
+    Firmware,
+    installed_library,
+    run_in_a_row,
+)
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
@@ -28,11 +35,6 @@ _AT_ONCE = 20000
 """Instructions between two looks at the clock."""
 _LONGEST = 5
 """Cycles of the longest instruction, an interrupt's call."""
-_IN_A_ROW = 64
-"""Cycles that the library may run before it looks at its timers again, which it does earlier where one is due: a third faster."""
-_LOOKS = 16
-_HEAD_WORDS = 64
-"""So many words of 8 bytes of the library's `avr_t` are looked at: it has more than 16 kB."""
 _ALL_PINS, _DIRECTIONS, _PORT = 8, 9, 10
 _EVERY_WRITE = 8
 _PAINT = 0xA5
@@ -42,65 +44,11 @@ _BUS_IN, _BUS_OUT = 0, 1
 _START, _STOP, _ADDRESSED, _ACKNOWLEDGE, _WRITE, _READ = 1, 2, 4, 8, 16, 32
 """Bits of a message on the two-wire bus."""
 
-_NOTIFY = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_void_p)
-_TIMER = ctypes.CFUNCTYPE(ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p)
-_LOGGER = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p)
-
-
-class _Firmware(ctypes.Structure):
-    """The head of `elf_firmware_t`; the rest is room for what follows."""
-
-    _fields_ = (
-        ("mmcu", ctypes.c_char * 64), ("frequency", ctypes.c_uint32), ("vcc", ctypes.c_uint32), ("avcc", ctypes.c_uint32),
-        ("aref", ctypes.c_uint32), ("rest", ctypes.c_char * 16384),
-    )  # fmt: skip
-
 
 @cache
 def _code(text: str) -> int:
     """Four characters as simavr's number of a peripheral."""
     return int.from_bytes(text.encode(), "big")
-
-
-@cache
-def _library() -> ctypes.CDLL | None:
-    for name in ("libsimavr.so.2", ctypes.util.find_library("simavr"), "libsimavr.so"):
-        try:
-            library = ctypes.CDLL(name) if name else None
-        except OSError:
-            continue
-        if library is not None:
-            return _declared(library)
-    return None
-
-
-def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
-    pointer, number, wide = ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint64
-    for name, result, arguments in (
-        ("avr_make_mcu_by_name", pointer, [ctypes.c_char_p]),
-        ("avr_init", ctypes.c_int, [pointer]),
-        ("elf_read_firmware", ctypes.c_int, [ctypes.c_char_p, pointer]),
-        ("avr_load_firmware", None, [pointer, pointer]),
-        ("avr_run", ctypes.c_int, [pointer]),
-        ("avr_terminate", None, [pointer]),
-        ("avr_io_getirq", pointer, [pointer, number, ctypes.c_int]),
-        ("avr_iomem_getirq", pointer, [pointer, ctypes.c_uint16, ctypes.c_char_p, ctypes.c_int]),
-        ("avr_irq_register_notify", None, [pointer, _NOTIFY, pointer]),
-        ("avr_raise_irq", None, [pointer, number]),
-        ("avr_ioctl", ctypes.c_int, [pointer, number, pointer]),
-        ("avr_cycle_timer_register", None, [pointer, wide, _TIMER, pointer]),
-        ("avr_cycle_timer_status", wide, [pointer, _TIMER, pointer]),
-        ("avr_global_logger_set", None, [pointer]),
-        ("avr_core_watch_write", None, [pointer, ctypes.c_uint16, ctypes.c_uint8]),
-        ("avr_core_watch_read", ctypes.c_uint8, [pointer, ctypes.c_uint16]),
-        ("avr_twi_irq_msg", number, [ctypes.c_uint8, ctypes.c_uint8, ctypes.c_uint8]),
-    ):
-        function = getattr(library, name)
-        function.restype, function.argtypes = result, arguments
-    return library
-
-
-_SILENT = _LOGGER(lambda avr, level, text: None)  # kept for ever: the library keeps the pointer
 
 
 class Simavr:
@@ -110,11 +58,11 @@ class Simavr:
 
     def missing(self) -> str | None:
         """What is not installed here; None if it can run."""
-        return None if _library() is not None else "install libsimavr (Debian: apt-get install libsimavr2)"
+        return None if installed_library() is not None else "install libsimavr (Debian: apt-get install libsimavr2)"
 
     def version(self) -> str | None:
         """The version of the library's interface, all that it tells of itself; None if it is not installed."""
-        return None if _library() is None else _version()
+        return None if installed_library() is None else _version()
 
     def serves(self, mcu: str) -> bool:
         """Whether it knows the microcontroller."""
@@ -122,7 +70,7 @@ class Simavr:
 
     def run(self, job: Job) -> PinTrace:
         """Run a program in this process."""
-        library = _library()
+        library = installed_library()
         if library is None:
             raise MissingToolError("libsimavr is not installed", fix=self.missing())
         return _Run(library, job).run()
@@ -139,14 +87,14 @@ class _Run(Bench):
         self._console: list[ConsoleByte] = []
         self._outside: dict[str, tuple[int, int]] = {}  # port -> bits driven from outside, their levels
         self._irqs: dict[tuple[str, int], int | None] = {}
-        library.avr_global_logger_set(ctypes.cast(_SILENT, ctypes.c_void_p))
+        library.avr_global_logger_set(ctypes.cast(SILENT, ctypes.c_void_p))
         self._avr = self._made()
-        self._clock = _TIMER(lambda avr, when, data: 0)  # never fires: it tells the time
+        self._clock = TIMER(lambda avr, when, data: 0)  # never fires: it tells the time
         library.avr_cycle_timer_register(self._avr, _FAR, self._clock, None)
         self._waking = False
         self._ended_at: int | None = None
         self._called, self._instant = False, 0  # whether C calls now, and at which cycle if that was asked, else 0
-        self._alarm = _TIMER(self._woken)
+        self._alarm = TIMER(self._woken)
         self._fast_external_interrupts()
         self._painted(job.stack_room)
         self._watch_ports()
@@ -158,7 +106,7 @@ class _Run(Bench):
 
     def _made(self) -> int:
         job, library = self._job, self._library
-        firmware = _Firmware()
+        firmware = Firmware()
         if library.elf_read_firmware(job.elf.encode("utf-8", "surrogateescape"), ctypes.byref(firmware)):
             raise VerificationError(f"simavr cannot read '{job.elf}'", fix="compile the program again")
         firmware.frequency, firmware.vcc, firmware.avcc, firmware.aref = job.clock_hz, *([job.supply_mv] * 3)
@@ -208,7 +156,7 @@ class _Run(Bench):
                 if outermost:
                     self._called, self._instant = False, 0
 
-        function = _NOTIFY(notified)
+        function = NOTIFY(notified)
         self._kept.append(function)
         self._library.avr_irq_register_notify(irq, function, None)
 
@@ -365,28 +313,10 @@ class _Run(Bench):
 
     # ---- the run
 
-    def _run_in_a_row(self) -> int:
-        """Let the library run some instructions at once; for how many cycles.
-
-        How many cycles it may run stands in `avr_t` (run_cycle_limit) behind those that are left (run_cycle_count) and the
-        clock (cycle). Versions have these at different places: they are looked for while the first instructions run, and where
-        they are not found at one place only, nothing is changed.
-        """
-        head = (ctypes.c_uint64 * _HEAD_WORDS).from_address(self._avr)
-        found = set(range(_HEAD_WORDS - 2))
-        for _ in range(_LOOKS):
-            self._library.avr_run(self._avr)
-            now = self.cycle
-            found = {at for at in found if head[at] == now and head[at + 1] <= 1 and head[at + 2] == 1}
-        if len(found) != 1 or self._failed:
-            return 1
-        head[found.pop() + 2] = _IN_A_ROW
-        return _IN_A_ROW
-
     def run(self) -> PinTrace:
         """Run until the horizon."""
         self.connect(self._job.devices)
-        longest = self._run_in_a_row() + _LONGEST
+        longest = run_in_a_row(self._library, self._avr, lambda: self.cycle) + _LONGEST
         end = round(self._job.horizon_us * self._job.clock_hz / 1e6)
         run = ctypes.cast(self._library.avr_run, ctypes.c_void_p)
         c_library = ctypes.CDLL(None)
