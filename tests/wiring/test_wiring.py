@@ -121,6 +121,26 @@ def test_the_project_has_the_sketch_and_its_libraries(made: Made, tmp_path: Path
     assert {part["component"] for part in document["result"]["not_drawn"]} == {"HIH4030 1", "HIH4030 2", "VCC1"}
 
 
+def test_what_a_signal_goes_through_is_drawn_with_its_value(
+    made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A pin table names what is on the way by a reference or a value alone."""
+    table = tmp_path / "table.csv"
+    rows = ["D3,LED,Lamp,anode,R1", "D5,Pushbutton,Knob,,R_pull; 4k7", "D6,LED,Two,anode,220 ohm", "D9,Servo,Arm,pulse,C1"]
+    table.write_text("\n".join(["pin,part,title,connector,through", *rows]) + "\n")
+    out = made(BLINK, table)
+    code, document = handed(capsys, str(out), "--as", "wokwi", "-o", str(tmp_path / "wokwi"))
+    assert code == 0
+    assert [part["component"] for part in document["result"]["not_drawn"]] == ["C1"]  # Wokwi has no capacitor
+    resistors = [p for p in read_diagram(tmp_path / "wokwi" / "diagram.json").parts if p.kind == "wokwi-resistor"]
+    assert {p.identity: p.attributes.get("value") for p in resistors} == {
+        "R1": None, "R_pull": None, "4k7": "4700", "220 ohm": "220",
+    }  # fmt: skip
+    assert pin_map(tmp_path / "wokwi" / "diagram.json") == {
+        ("D3", "Lamp"): ("R1",), ("D5", "Knob"): ("R_pull", "4k7"), ("D6", "Two"): ("220 ohm",), ("D9", "Arm"): (),
+    }  # fmt: skip
+
+
 def test_the_table_and_the_picture_are_files(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     program, drawing = ROBOT
     out = made(program, drawing)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -24,6 +25,7 @@ _WORD = re.compile(r"[^\W_]+")
 _LONGEST = 4
 _LONGEST_PHRASE = 40
 _LONGEST_TEXT = 400  # letters: a title is short, whatever a damaged file says
+_OHMS = re.compile(r"\d+(?:[.,]\d+)?\s*(?:[kKM]\d*\s*(?:[oO]hms?|[\u03a9\u2126R])?|[oO]hms?|[\u03a9\u2126R]\d*)")
 _NUMBERED = re.compile(r"(?:pin|leg|connector|p\$|p|contact)?[ _-]?\d+", re.IGNORECASE)
 
 
@@ -111,6 +113,17 @@ def connector_kind(name: str, known: PartNames) -> str:
         if word in known.names[kind]:
             return kind
     return "unknown" if word in known.names["idle"] or _NUMBERED.fullmatch(word) else "signal"
+
+
+def passive_named(text: str, known: PartNames) -> str:
+    """What a passive part is that is told by a reference or a value alone (`R1`, `C_filter`, `220 ohm`), or an empty text."""
+    if _OHMS.fullmatch(text.strip()):
+        return "Resistor"
+    letters = re.match(r"[a-z]+", text.strip().lower())
+    word = letters[0] if letters is not None else ""
+    return (
+        next((means for means, called in known.symbols.items() if any(fnmatchcase(word, c) for c in called)), "") if word else ""
+    )
 
 
 def name_direction(name: str, known: PartNames, chip: bool = False) -> str | None:

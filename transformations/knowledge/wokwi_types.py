@@ -25,6 +25,7 @@ from robosmi.verify.tables import DataTable
 TOOL = "wokwi"
 _OWN = "chip-"
 _DIGITS = re.compile(r"\[(\d)-(\d)\]")
+_VALUED = re.compile(r"(\d{1,9}(?:[.,]\d{1,6})?)\s*([kKMR]?)(\d{0,3})\s*(?:ohms?|Ohms?|[\u03a9\u2126])?")
 _POWERED = ("supply", "ground")
 
 
@@ -65,6 +66,7 @@ class _Entry:
     pins: tuple[tuple[str, str], ...]
     order: tuple[tuple[str, ...], ...]
     returns: tuple[str, ...]
+    takes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def wokwi_board(name: str, project: Path | None = None) -> WokwiBoard | None:
@@ -123,12 +125,35 @@ def wokwi_part(
             powered = {pin: part.connectors[pin].kind for pin in _of_kind(part, _POWERED)}
             return WokwiPart(
                 entry.kind,
-                entry.attributes,
+                {**entry.attributes, **_taken(component, entry)},
                 _pins(component, connected, part, entry),
                 powered,
                 dict.fromkeys(entry.returns, "GND"),
             )
     return None
+
+
+def _taken(component: hardware.Component, entry: _Entry) -> dict[str, str]:
+    """Attributes whose value is that of the component, as a number: ohms of a resistor."""
+    own = {p.name.lower(): p.value for p in component.properties}
+    own.setdefault("title", component.title)
+    values = {
+        key: next((v for name in names if (v := plain_number(own.get(name, "")))), "") for key, names in entry.takes.items()
+    }
+    return {key: value for key, value in values.items() if value}
+
+
+def plain_number(text: str) -> str:
+    """A value with its prefix and unit as a plain number, or an empty text.
+
+    >>> plain_number("220"), plain_number("4k7"), plain_number("10 kOhm"), plain_number("R1")
+    ('220', '4700', '10000', '')
+    """
+    found = _VALUED.fullmatch(text.strip())
+    if found is None:
+        return ""
+    number = float(f"{found[1].replace(',', '.')}{'.' + found[3] if found[3] and '.' not in found[1] else ''}")
+    return f"{number * {'k': 1e3, 'K': 1e3, 'M': 1e6}.get(found[2], 1):.12g}"
 
 
 def _pins(component: hardware.Component, connected: Collection[hardware.Connector], part: Part, entry: _Entry) -> dict[str, str]:
@@ -206,6 +231,7 @@ def _entries(path: Path, changed: int) -> tuple[_Entry, ...]:  # `changed` keys 
 def _entry(table: DataTable) -> _Entry:
     attributes = table.table("attrs") if "attrs" in table.values else None
     pins = table.table("pins") if "pins" in table.values else None
+    takes = table.table("takes") if "takes" in table.values else None
     order = table.values.get("order", [])
     if not isinstance(order, list) or not all(isinstance(pins, list) for pins in order):
         raise table.error("order", "must be a list of lists of pins")
@@ -216,6 +242,7 @@ def _entry(table: DataTable) -> _Entry:
         forbidden=Phrases((word, 0) for word in table.texts("not", ())),
         pins=tuple(pair for pin in pins.values for pair in _told(pin, pins.texts(pin))) if pins is not None else (),
         returns=table.texts("returns", ()),
+        takes={key: takes.texts(key) for key in takes.values} if takes is not None else {},
         order=tuple(tuple(map(str, pins)) for pins in order),
     )
 

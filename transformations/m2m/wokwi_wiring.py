@@ -75,7 +75,8 @@ class _Wiring:
 
     def _draw(self, component: hardware.Component) -> None:
         connected = [c for c in component.connectors if c.net is not None]
-        if component.role is hardware.Role.Decoration or not connected or joins_by_bus_only(component):
+        joins = component.role is hardware.Role.Passive and joins_by_bus_only(component)
+        if component.role is hardware.Role.Decoration or not connected or joins:
             return
         if component.role is hardware.Role.Board:
             self._list(component, "it is a board of its own")

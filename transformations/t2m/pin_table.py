@@ -26,7 +26,7 @@ from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
 from robosmi.transformations.knowledge.part import GIVEN, ROLES, Part
-from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names
+from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names, passive_named
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
@@ -221,6 +221,7 @@ class _Table:
                 passives[beyond] = hardware.Component(
                     elementId=str(2 + len(self.rows) + len(passives)),
                     title=title,
+                    partTitle=passive_named(title, self.names),
                     role=hardware.Role.Passive,
                     roleEvidence="the signal goes through it, as the table says",
                     connectors=[near, far],

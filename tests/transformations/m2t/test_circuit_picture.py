@@ -28,7 +28,12 @@ DRAWINGS = [
     *SKETCHES,
     *sorted(p for p in READERS.rglob("*.*") if p.stem in ("robot", "unknown")),
     *sorted(SHARED.rglob("*.fz*")),
-    *sorted(Path(os.environ["ROBOSMI_DRAWINGS"]).rglob("diagram.json") if "ROBOSMI_DRAWINGS" in os.environ else ()),
+    *(
+        path
+        for folder in filter(None, [os.environ.get("ROBOSMI_DRAWINGS")])
+        for path in sorted(Path(folder).rglob("*.*"))
+        if path.suffix in (".json", ".sch", ".kicad_sch", ".net", ".fz", ".fzz")
+    ),
 ]
 """All drawings at hand; those of a folder that ROBOSMI_DRAWINGS names, too."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
