@@ -47,6 +47,7 @@ bench: $(VENV)/.ready
 	$(BIN)/python tests/bench/bench.py
 	$(BIN)/python tests/bench/c_source.py
 	$(BIN)/python tests/bench/recommend.py
+	$(BIN)/python -m tests.bench.drawings
 	$(BIN)/python tests/bench/xmi.py
 	$(BIN)/python tests/bench/rules.py
 	$(BIN)/python tests/bench/query.py
