@@ -95,7 +95,7 @@ def _role(component: hardware.Component) -> dict[str, Any]:
         "subject": str(component.title),
         "options": [
             {"value": role.name, "score": 0.0, "why": ""}
-            for role in hardware.Role
+            for role in hardware.Role.eLiterals
             if role not in (hardware.Role.Unknown, hardware.Role.Board)
         ],
         "chosen": hardware.Role.Input.name,
