@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import sexpdata
@@ -121,7 +122,7 @@ def main() -> int:
             assert len(circuit.components) == PARTS + 1, title
             assert sum(len(net.connectors) for net in circuit.nets) >= PARTS, title
             data = path.read_bytes()
-            (best, median), bare = measured(lambda r=read, p=path: r(p), 7), measured(lambda f=parse, d=data: f(d), 7)[0]
+            (best, median), bare = measured(partial(read, path), 7), measured(partial(parse, data), 7)[0]
             good &= best <= BOUND
             print(f"{title:30}{best * 1000:8.0f}ms{median * 1000:8.0f}ms{BOUND * 1000:8.0f}ms   {best / bare:.1f} x a bare parse")
     return 0 if good else 1

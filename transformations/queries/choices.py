@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
+from robosmi.transformations.knowledge.part import ROLES
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 
 NO_LIBRARY = "none"
@@ -94,9 +95,9 @@ def _role(component: hardware.Component) -> dict[str, Any]:
         "kind": "role",
         "subject": str(component.title),
         "options": [
-            {"value": role.name, "score": 0.0, "why": ""}
-            for role in hardware.Role.eLiterals
-            if role not in (hardware.Role.Unknown, hardware.Role.Board)
+            {"value": role, "score": 0.0, "why": ""}
+            for role in ROLES
+            if role not in ("Unknown", "Board")
         ],
         "chosen": hardware.Role.Input.name,
         "by": migration.ChosenBy.defaultValue.name,
