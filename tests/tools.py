@@ -15,6 +15,7 @@ from robosmi.plugins import content
 from robosmi.verify.simulation import Engine
 
 KNOWN_PLACES = {
+    "axe-core": Path(__file__).parents[1] / ".npm" / "node_modules" / "axe-core" / "axe.min.js",
     "arduino-core-avr": Path("/usr/share/arduino/hardware/arduino/avr/cores/arduino/Arduino.h"),
     "gcc-32-bits": Path("/usr/lib32/libc.so"),
     "sarif-multitool": Path(__file__).parents[1]

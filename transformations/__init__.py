@@ -41,6 +41,8 @@ _CONTENT = {
     ("chain", "plan"): "chains.migrate:plan_migration",
     ("chain", "choose"): "chains.choose:choose",
     ("chain", "generate"): "chains.generate:generate",
+    ("chain", "page"): "chains.page:PlanPage",
+    ("chain", "report_page"): "chains.page:report_page",
     ("chain", "check"): "chains.check:check",
     ("chain", "simulate"): "chains.simulate:simulate",
     ("chain", "verify"): "chains.verify:verify",

@@ -9,6 +9,8 @@ EXAMPLES = {
     "migrate": "robosmi migrate robot.c --hardware robot.fzz -o out --bind leftQTI=D10",
     "generate": "robosmi generate out/models/plan.xmi -o out",
     "choose": "robosmi choose out port:leftServo=D9",
+    "open": "robosmi open out",
+    "report": "robosmi report out -o report.html",
     "wiring": "robosmi wiring out --as csv -o wiring.csv",
     "undo": "robosmi undo out",
     "check": "robosmi check robot.fzz --fail-on warning",

@@ -42,6 +42,8 @@ COMMANDS = {
     "recommend": "which library drives which component",
     "migrate": "move a program to the board of a drawing",
     "choose": "make a choice of a migration's plan, and the sketch again",
+    "open": "decide and check on a page in the browser",
+    "report": "the page of a migration as one file, to read and to print",
     "generate": "make the sketch again from a stored plan",
     "wiring": "hand the wiring of a migration back: for another tool, as a table or as a picture",
     "undo": "put an output folder back as it was before the last run",
@@ -206,6 +208,8 @@ def _run(parsed: argparse.Namespace) -> int:
         _print_json(report.to_json())
     elif text := terminal_text(report, verbose=parsed.verbose, colour=takes_colour(sys.stdout)):
         streams.say(text)
+    if report.then is not None:
+        report.then()
     return code
 
 

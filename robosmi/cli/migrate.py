@@ -64,6 +64,9 @@ def configure(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--yes", action="store_true", help="ask nothing")
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
     parser.add_argument("--verify", action="store_true", help="compare the sketch with the original at the end")
+    parser.add_argument(
+        "--open", action="store_true", help="go on with the page of the plan in the browser, as robosmi open does"
+    )
 
 
 def run(arguments: argparse.Namespace) -> Report:
@@ -85,7 +88,12 @@ def run(arguments: argparse.Namespace) -> Report:
         answers.offer(first if first.is_dir() else first.parent)
     if done.verification is not None and (code := done.verification[1]):
         report.ok, report.failure_code = False, code
-    return filled(report, done, project.severity, project.accept)
+    filled(report, done, project.severity, project.accept)
+    if arguments.open and not arguments.dry_run:
+        from robosmi.cli.open import serve  # a server is wanted only here
+
+        serve(report, arguments.output, browser=not arguments.json)
+    return report
 
 
 def filled(report: Report, made: GeneratedReport, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -26,6 +26,7 @@ class Report:
         ok: whether the command did what it was asked to.
         failure_code: the exit code when it did not.
         lines: text for a terminal.
+        then: what goes on once the report is printed, such as a page that is served; None for nothing.
     """
 
     command: str
@@ -36,6 +37,7 @@ class Report:
     ok: bool = True
     failure_code: int = 1
     lines: list[str] = field(default_factory=list)
+    then: Callable[[], None] | None = None
     timings: dict[str, float] = field(default_factory=dict)
     started: float = field(default_factory=time.perf_counter)
 

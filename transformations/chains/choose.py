@@ -125,7 +125,7 @@ def choose(
         chosen = {}
         for name, value in answers.items():
             choice = the_choice(models.plan, name)
-            decide(models.plan, choice, value.strip(), why.strip())
+            decide(models.plan, choice, value.strip(), " ".join("".join(c if c.isprintable() else " " for c in why).split()))
             chosen[choice.id] = value.strip()
         settle(models.plan, models.files)
         renew_findings(models.plan)

@@ -1,0 +1,63 @@
+"""`robosmi open OUT`: the plan of a migration as a page in the browser, to decide and to check on."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import webbrowser
+from pathlib import Path
+
+from robosmi.cli.common import output_folder
+from robosmi.plugins import content
+from robosmi.report import Report
+from robosmi.report.page_server import PageServer
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
+    parser.add_argument("--port", type=int, default=0, metavar="N", help="the port of the page; any that is free if not given")
+    parser.add_argument("--no-browser", action="store_true", help="print the address and open no browser")
+    parser.add_argument("--source", metavar="FILE", type=Path, help="a source of the program, beside which robosmi.toml lies")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Make the page ready; it is served once the report is printed."""
+    report = Report("open")
+    serve(report, arguments.output, arguments.port, browser=not (arguments.no_browser or arguments.json), source=arguments.source)
+    return report
+
+
+def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, source: Path | None = None) -> None:
+    """Let a report go on with a page that is served until Ctrl-C.
+
+    Args:
+        report: gets the address, and goes on with serving.
+        output: the output folder.
+        port: the port, 0 for any that is free.
+        browser: whether to open a browser.
+        source: a source of the program, where its place is not known.
+
+    Raises:
+        SourceError, ModelError: the folder has no plan that can be read.
+        UsageError: the port cannot be used.
+    """
+    page = content("chain", "page")(output, source)
+    page.document(live=True, nonce="")  # whatever is wrong with the plan is said before anything is served
+    server = PageServer(page, port)
+    report.result |= {"url": server.url, "pid": os.getpid()}
+    report.lines += [f"the page of {output}: {server.url}", "Ctrl-C ends it; all that it shows as saved is in the plan"]
+
+    def go_on() -> None:
+        sys.stdout.flush()
+        if browser:
+            webbrowser.open(server.url)
+        try:
+            server.serve_forever()
+        except KeyboardInterrupt:
+            pass
+        finally:
+            server.server_close()
+
+    report.then = go_on

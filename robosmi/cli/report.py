@@ -1,0 +1,30 @@
+"""`robosmi report OUT -o FILE.html`: the page of a migration as one file, to read, to print and to take to the bench."""
+
+from __future__ import annotations
+
+import argparse
+import secrets
+from pathlib import Path
+
+from robosmi.cli.common import check_replaced, output_folder
+from robosmi.model.files import write_atomic
+from robosmi.plugins import content
+from robosmi.report import Report
+
+
+def configure(parser: argparse.ArgumentParser) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
+    parser.add_argument("-o", dest="path", required=True, metavar="FILE.html", type=Path, help="the file")
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+    report = Report("report")
+    text = content("chain", "report_page")(arguments.output, secrets.token_urlsafe(16))
+    check_replaced(arguments.path, b"<!DOCTYPE html>", "page")
+    write_atomic(arguments.path, text.encode("utf-8", "replace"))
+    report.result = {"path": str(arguments.path)}
+    report.artifacts = [{"path": str(arguments.path), "kind": "report"}]
+    report.lines = [f"wrote {arguments.path}"]
+    return report

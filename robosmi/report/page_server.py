@@ -1,0 +1,174 @@
+"""A page on this machine, for one person: served to 127.0.0.1 alone, under a random word that is part of its address.
+
+The standard library's server does. Every request has to name this host, and every change has to come from the page itself; there
+is one page and what is asked of it, and no files. What the page shows and does is given: a `Content`.
+"""
+
+from __future__ import annotations
+
+import json
+import secrets
+import socket
+from collections.abc import Mapping
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from threading import Lock
+from typing import Any, Protocol
+
+from robosmi.errors import RobosmiError, UsageError
+from robosmi.quoting import html
+
+HOST = "127.0.0.1"
+MOST = 64 * 1024
+"""Bytes of a request that the page may send."""
+PATIENCE = 10.0
+"""Seconds that a connection may wait for what it sends."""
+_POLICY = (
+    "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; img-src data:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+
+
+class Content(Protocol):
+    """What a page shows and does."""
+
+    def now(self) -> str:
+        """The state of what is shown, as a word that is another when it has changed."""
+
+    def document(self, *, live: bool, nonce: str) -> str:
+        """The page as HTML."""
+
+    def act(self, what: str, about: Mapping[str, Any]) -> dict[str, Any]:
+        """Do what the page asks for; its answer as JSON values."""
+
+
+class PageServer(ThreadingHTTPServer):
+    """The server of one page.
+
+    Args:
+        content: what it shows and does; asked by one request at a time.
+        port: the port, 0 for any that is free.
+
+    Raises:
+        UsageError: the port is in use, or may not be used.
+    """
+
+    daemon_threads = True
+    allow_reuse_address = True
+
+    def __init__(self, content: Content, port: int = 0) -> None:
+        self.content, self.token, self.turn = content, secrets.token_urlsafe(24), Lock()
+        try:
+            if port and _answers(port):
+                raise OSError("another program listens there")
+            super().__init__((HOST, port), _Handler)
+        except (OSError, OverflowError) as error:
+            fix = "give another --port, or none for any that is free"
+            raise UsageError(f"port {port} cannot be used: {getattr(error, 'strerror', None) or error}", fix=fix) from error
+
+    @property
+    def url(self) -> str:
+        """The address of the page."""
+        return f"http://{HOST}:{self.server_address[1]}/{self.token}/"
+
+    @property
+    def names(self) -> frozenset[str]:
+        """How a request may call this host."""
+        return frozenset(f"{name}:{self.server_address[1]}" for name in (HOST, "localhost"))
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """A browser that goes away in the middle of an answer is no error."""
+
+
+def _answers(port: int) -> bool:
+    """Whether a program listens on a port already: a second one could bind it on some systems."""
+    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
+        probe.settimeout(0.5)
+        return probe.connect_ex((HOST, port)) == 0
+
+
+class _Handler(BaseHTTPRequestHandler):
+    """One connection."""
+
+    server: PageServer
+    protocol_version = "HTTP/1.1"
+    timeout = PATIENCE
+    server_version, sys_version = "robosmi", ""
+
+    def do_GET(self) -> None:
+        """The page, or its state."""
+        path = self._path()
+        if path == "":
+            nonce = secrets.token_urlsafe(16)
+            try:
+                with self.server.turn:
+                    text = self.server.content.document(live=True, nonce=nonce)
+            except RobosmiError as error:
+                self._reply(HTTPStatus.CONFLICT, f"<!DOCTYPE html><title>robosmi</title><p>{html(str(error))}</p>", "text/html")
+            else:
+                self._reply(HTTPStatus.OK, text, "text/html", nonce)
+        elif path == "state":
+            self._json(HTTPStatus.OK, {"plan": self.server.content.now()})
+        elif path is not None:
+            self._json(HTTPStatus.NOT_FOUND, _refused("there is no such page"))
+
+    def do_POST(self) -> None:
+        """Something that the page asks for."""
+        path = self._path()
+        if path is None:
+            return
+        origin, kind = self.headers.get("Origin", ""), self.headers.get("Content-Type", "").partition(";")[0].strip().lower()
+        length = self.headers.get("Content-Length", "")
+        if origin not in {f"http://{name}" for name in self.server.names}:
+            self._json(HTTPStatus.FORBIDDEN, _refused("the request does not come from this page"))
+        elif kind != "application/json" or not length.isdecimal() or int(length) > MOST:
+            self._json(HTTPStatus.BAD_REQUEST, _refused("the request has another form than the page's"))
+        else:
+            try:
+                about = json.loads(self.rfile.read(int(length)))
+            except (ValueError, RecursionError):
+                about = None
+            if not isinstance(about, dict) or path not in ("choose", "undo", "tick"):
+                self._json(HTTPStatus.BAD_REQUEST, _refused("the request has another form than the page's"))
+                return
+            with self.server.turn:
+                answer = self.server.content.act(path, about)
+            self._json(HTTPStatus.OK, answer)
+
+    def _path(self) -> str | None:
+        """What is asked for below the random word; None where the request was refused."""
+        if self.headers.get("Host", "") not in self.server.names:
+            self._json(HTTPStatus.FORBIDDEN, _refused("this server answers to its own name only"))
+            return None
+        word, slash, path = self.path.lstrip("/").partition("/")
+        if not slash or not secrets.compare_digest(word.encode(), self.server.token.encode()):
+            self._json(HTTPStatus.FORBIDDEN, _refused("the address is another one: see what robosmi open has printed"))
+            return None
+        return path
+
+    def _json(self, status: HTTPStatus, value: dict[str, Any]) -> None:
+        self._reply(status, json.dumps(value), "application/json")
+
+    def _reply(self, status: HTTPStatus, text: str, kind: str, nonce: str = "none") -> None:
+        data = text.encode("utf-8", "replace")
+        if status >= HTTPStatus.BAD_REQUEST:
+            self.close_connection = True  # what else was sent is not read
+        self.send_response(status)
+        for name, value in (
+            ("Content-Type", f"{kind}; charset=utf-8"), ("Content-Length", str(len(data))), ("Cache-Control", "no-store"),
+            ("Content-Security-Policy", _POLICY.format(nonce=nonce)), ("X-Content-Type-Options", "nosniff"),
+            ("Referrer-Policy", "no-referrer"), ("X-Frame-Options", "DENY"), ("Cross-Origin-Resource-Policy", "same-origin"),
+            ("Cross-Origin-Opener-Policy", "same-origin"),
+        ):  # fmt: skip
+            self.send_header(name, value)
+        if self.close_connection:
+            self.send_header("Connection", "close")
+        self.end_headers()
+        self.wfile.write(data)
+
+    def log_message(self, format: str, *args: Any) -> None:
+        """Requests are nobody's business: the address is a secret."""
+
+
+def _refused(message: str) -> dict[str, Any]:
+    return {"state": "refused", "message": f"Refused: {message}."}

@@ -1,0 +1,227 @@
+"""The page of an output folder's plan: its sections as HTML, and what a person does on it.
+
+It only edits what `choose`, `undo` and a run of `generate` edit, and reads what lies in the folder. Who may ask for it, and how
+it is served, is `robosmi.report.page_server`'s business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError
+from robosmi.generate import Gen
+from robosmi.generate.manifest import Manifest
+from robosmi.generate.places import Places
+from robosmi.generate.undo import undo
+from robosmi.model.commit import update
+from robosmi.model.files import digest
+from robosmi.model.recovery import at_work
+from robosmi.transformations.chains.choose import STAYS, choose
+from robosmi.transformations.chains.edited_plan import STORED
+from robosmi.transformations.chains.generate import generate
+from robosmi.transformations.chains.models import FOLDER, MigrationModels, load_models
+from robosmi.transformations.m2t import page_code, page_sections
+from robosmi.transformations.m2t.task_list import PICTURE
+from robosmi.transformations.queries.choices import choices
+from robosmi.transformations.queries.plan import open_choices
+from robosmi.transformations.queries.work import Work
+from robosmi.transformations.queries.written_bodies import AS_BYTES, ticks, with_ticks
+
+SECTIONS = {
+    "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Side by side", "wiring": "Wiring",
+    "verdict": "Verdict", "history": "History",
+}  # fmt: skip
+"""The sections in their order, and what they are called."""
+REPORT = "MIGRATION.md"
+_CODE = (".ino", ".h", ".cpp", ".c")
+_POLICY = "default-src 'none'; img-src data:; style-src 'nonce-{nonce}'; script-src 'nonce-{nonce}'; base-uri 'none'"
+_LONGEST = 300
+"""Characters of a value or a reason that a page may send."""
+
+
+class PlanPage:
+    """The page of one output folder.
+
+    Args:
+        output: the folder.
+        source: a source of the program, beside which robosmi.toml lies, where that is not known.
+
+    Attributes:
+        plan: the digest of the plan that the sections were made of.
+        sections: name -> HTML.
+    """
+
+    def __init__(self, output: Path, source: Path | None = None) -> None:
+        self.output, self.source = output, source
+        self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
+        self._templates = Gen(templates=_built_in("page"))
+
+    def now(self) -> str:
+        """The digest of the plan as it is stored now; empty where there is none."""
+        try:
+            return digest(Places(self.output).read(STORED) or b"")
+        except RobosmiError:
+            return ""
+
+    def document(self, *, live: bool, nonce: str) -> str:
+        """The page as a whole.
+
+        Args:
+            live: whether a server answers what is chosen on it.
+            nonce: the word by which its style and script are told from any others.
+
+        Raises:
+            SourceError, ModelError: the plan cannot be read.
+        """
+        if not live or self.plan != self.now():
+            self._make(load_models(self.output / STORED), live=live)
+        return str(
+            self._templates.text(
+                "page.html.j2", live=live, plan=self.plan, head=_head(live, nonce), foot=_script(nonce),
+                sections=[(name, label, self.sections[name]) for name, label in SECTIONS.items()], **self.facts,
+            )
+        )  # fmt: skip
+
+    def act(self, what: str, about: Mapping[str, Any]) -> dict[str, Any]:
+        """Do what a person asks for on the page.
+
+        Args:
+            what: `choose` (id, value, why), `undo` or `tick` (tick, done), each with the digest of the plan that the page shows.
+            about: these values.
+
+        Returns:
+            `state` (saved, stale or refused), `message`, and the page as it now is: `plan`, `sections` that have changed
+            since the page was shown, `open`, `decided`, `progress`, `command` and `diff`.
+        """
+        before, shown = (self.plan, dict(self.sections)), str(about.get("plan", ""))
+        state, message, command, changes = "saved", "", "", ""
+        try:
+            message, command, changes = self._do(what, about, shown)
+        except StoppedError as error:
+            state, message = "stale" if shown != self.now() else "refused", _told(error)
+        except RobosmiError as error:
+            state, message = "refused", _told(error)
+        try:
+            if self.plan != self.now():
+                self._make(load_models(self.output / STORED))
+        except RobosmiError as error:
+            return {"state": "refused", "message": _told(error)}
+        same = before[1] if shown == before[0] else {}
+        return {
+            "state": state, "message": message, "plan": self.plan, "command": command, "diff": changes,
+            "sections": {name: text for name, text in self.sections.items() if same.get(name) != text},
+            **{name: self.facts[name] for name in ("open", "decided", "progress")},
+        }  # fmt: skip
+
+    def _do(self, what: str, about: Mapping[str, Any], shown: str) -> tuple[str, str, str]:
+        """Do it; what is said of it, the command for the same, and the diff."""
+        if what == "choose":
+            identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))
+            if not identity or max(map(len, (identity, value, why))) > _LONGEST:
+                raise UsageError("this is no choice", fix="load the page again")
+            done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown)
+            self._make(done.models)
+            alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
+            where = f"in the plan and in {done.project}" if done.project is not None else alone
+            return f"Saved: {identity} = {value}; {where}.", done.command, done.diff
+        with at_work(self.output):
+            if self.now() != shown:
+                raise StoppedError("the plan was changed since it was shown; nothing was done", fix="look at it as it is now")
+            if what == "undo":
+                back = undo(self.output)
+                return (
+                    f"Undone: {len(back.restored) + len(back.removed)} files are as they were before.",
+                    f"robosmi undo {self.output}",
+                    "",
+                )
+            if what == "tick":
+                self._tick(str(about.get("tick", "")), done=about.get("done") is True)
+                return "Saved in the plan and in MIGRATION.md.", "", ""
+        raise UsageError(f"the page asks for '{what}', which there is not", fix="load the page again")
+
+    def _tick(self, key: str, *, done: bool) -> None:
+        """Tick something on the bench's list in the report, and let the plan know."""
+        models = load_models(self.output / STORED)
+        places, name = Places(self.output), f"{models.plan.name}/{REPORT}"
+        text = (places.look(name) or b"").decode("utf-8", AS_BYTES)
+        wanted = tuple(key.split(" ", 1))
+        found = ticks(text)
+        if all(tick.key != wanted for tick in found):
+            raise StoppedError(f"{REPORT} has no such line any more", fix="generate again")
+        ticked = {tick.key for tick in found if tick.done} - {wanted} | ({wanted} if done else set())
+        update(self.output, {name: with_ticks(text, ticked).encode("utf-8", AS_BYTES)}, seen=places.seen)
+        generate(self.output / STORED, self.output)
+
+    def _make(self, models: MigrationModels, *, live: bool = True) -> None:
+        """The sections of a plan as it is stored."""
+        plan, files = models.plan, models.files
+        texts = self._texts(plan.name)
+        picture = (Places(self.output).read(f"{FOLDER}/{PICTURE}") or b"").decode("utf-8", "replace")
+        values: dict[str, dict[str, Any]] = {
+            "works": page_sections.works(plan, files),
+            "decide": page_sections.decide(plan, files, str(self.output)),
+            "write": page_sections.write(plan, texts),
+            "check": page_sections.check(plan, models.notes, models.places),
+            "code": page_code.side_by_side(plan, files, texts),
+            "wiring": page_sections.wiring(plan, models.places),
+            "verdict": page_sections.verdict(plan, picture, models.places),
+            "history": page_sections.history(plan),
+        }
+        self.sections = {
+            name: str(self._templates.text("section.html.j2", name=name, live=live, output=str(self.output), **given))
+            for name, given in values.items()
+        }
+        left, total, work = len(open_choices(plan)), len(choices(plan)), Work(plan)
+        ready = f"{work.working} of {work.calls['total']} calls are ready"
+        self.facts = {
+            "title": f"{plan.name}: moved to {plan.board.title if plan.board is not None else 'its target'}",
+            "open": left, "decided": total - left,
+            "progress": f"{total - left} of {total} choices made, {left} open; {ready}.",
+        }  # fmt: skip
+        self.plan = self.now()
+
+    def _texts(self, name: str) -> dict[str, str]:
+        """The files of the program that was made, as they now stand."""
+        places, listed = Places(self.output), Manifest.load(self.output).files
+        mine = sorted(
+            (n for n in listed if n.startswith(f"{name}/") and n.endswith(_CODE)), key=lambda n: (not n.endswith(".ino"), n)
+        )
+        return {n: data.decode("utf-8", "replace") for n in mine if (data := places.read(n)) is not None}
+
+
+def report_page(output: Path, nonce: str) -> str:
+    """The page of an output folder to be read without a server.
+
+    Raises:
+        SourceError, ModelError: it holds no plan, or one that cannot be read.
+    """
+    if not (output / STORED).is_file():
+        raise SourceError("this folder holds no plan", fix="give the OUT of a migration")
+    return PlanPage(output).document(live=False, nonce=nonce)
+
+
+def _told(error: RobosmiError) -> str:
+    return f"Not done: {error.message}{f'. Do: {error.fix}' if error.fix else ''}."
+
+
+def _built_in(name: str) -> dict[str, str]:
+    """The templates of this package alone: none of the folder that the page is about is ever run."""
+    folder = resources.files("robosmi.templates") / name
+    return {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.name.endswith(".j2")}
+
+
+def _head(live: bool, nonce: str) -> str:
+    """The style of the page, and for a file, which no server sends, what a browser may run and load for it."""
+    policy = f'<meta http-equiv="Content-Security-Policy" content="{_POLICY.format(nonce=nonce)}">'
+    return f'{"" if live else policy}<style nonce="{nonce}">\n{_text("page.css")}</style>'
+
+
+def _script(nonce: str) -> str:
+    return f'<script nonce="{nonce}">\n{_text("page.js")}</script>'
+
+
+def _text(name: str) -> str:
+    return (resources.files("robosmi.templates") / "page" / name).read_text(encoding="utf-8")

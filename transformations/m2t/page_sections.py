@@ -1,0 +1,221 @@
+"""What the page of a plan shows, section by section: what works, what to decide, to write and to check, the wiring, the history.
+
+Values for templates, made of the same queries as the report and the terminal. The program beside its sketch is
+`page_code`'s; the page is put together, and asked for, in `chains.page`.
+"""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from robosmi.diagnostics import Finding
+from robosmi.metamodels import migration
+from robosmi.query import Q
+from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.transformations.m2t.first_screen import first_screen, task_place
+from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, by_severity
+from robosmi.transformations.queries.answers import answer
+from robosmi.transformations.queries.choices import Choice, choices, choices_json
+from robosmi.transformations.queries.plan import said
+from robosmi.transformations.queries.source_lines import line_of
+from robosmi.transformations.queries.verdicts import constructs, verdict_counts
+from robosmi.transformations.queries.work import Work
+from robosmi.transformations.queries.written_bodies import task_key
+
+CHUNK = 50
+"""Rows that a browser lays out together; those that are not in sight wait."""
+SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
+
+
+def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
+    """How much works, and how many constructs have each verdict."""
+    screen = first_screen(plan, sources)
+    counts = verdict_counts(constructs(plan, sources))
+    return {
+        "works": screen.works, "needs": screen.needs, "shortages": list(screen.shortages),
+        "totals": [(each.title, each.total) for each in (screen.decide, screen.write, screen.check)],
+        "verdicts": [(name.replace("_", " "), count) for name, count in counts.items() if name != "total" and count],
+    }  # fmt: skip
+
+
+def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
+    """Each choice with its answers: the open ones first."""
+    told = {each["id"]: each for each in choices_json(plan)}
+    shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
+    roles = [told[identity] for identity in told if identity.startswith("role:")]
+    return {
+        "open": [one for one in shown if one["open"]], "made": [one for one in shown if not one["open"]],
+        "roles": [{"subject": role["subject"], "why": role["why"]} for role in roles],
+    }  # fmt: skip
+
+
+def _choice(
+    plan: migration.MigrationPlan, one: Choice, told: Mapping[str, Any], sources: Mapping[str, bytes], output: str
+) -> dict[str, Any]:
+    decision, how = one.decision, answer(plan, one.decision)
+    pins = {c.name: c for c in plan.connections}
+    port = isinstance(decision, migration.PortBinding)
+    libraries = {} if port else {c.name: c for c in decision.candidates}  # type: ignore[attr-defined]
+    options = [
+        {
+            "value": option["value"], "score": f"{option['score']:.2f}" if option["score"] else "", "why": option["why"],
+            "chosen": option["value"] == told["chosen"], "plain": not option["score"],
+            "title": _on(pins[option["value"]]) if option["value"] in pins else "",
+            "facts": _facts(libraries[option["value"]]) if option["value"] in libraries else "",
+        }
+        for option in told["options"]
+    ]  # fmt: skip
+    return {
+        "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told["chosen"] or "",
+        "by": WHO[told["by"]], "at": told["at"] or "", "why": told["why"], "table": how.table,
+        "title": f"Which pin is the port '{one.subject}' on?" if port else f"Which library drives '{one.subject}'?",
+        "what": decision.what if isinstance(decision, migration.PortBinding) else "",
+        "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
+        "ranked": [option for option in options if not option["plain"]],
+        "others": [option for option in options if option["plain"]],
+        "command": f"robosmi choose {output} {one.id}={'PIN' if port else 'LIBRARY'}",
+    }  # fmt: skip
+
+
+def _on(connection: migration.Connection) -> str:
+    """Where a connection sits in the drawing: the pin, and what is on it."""
+    pin = connection.pin.label if connection.pin is not None else "no pin"
+    component = connection.component
+    if component is None:
+        return str(pin)
+    wires = ", ".join(str(c.name) for c in connection.connectors)
+    return f"{pin}: {wires} of {component.title}{f' ({component.partTitle})' if component.partTitle else ''}"
+
+
+def _facts(library: Any) -> str:
+    """What the dialog of the paper says of a library (figure 5): version, header, where it runs, what it needs and takes."""
+    facts = [
+        f"version {library.version}" if library.version else "",
+        f"<{next(iter(library.headers), '')}>" if library.headers else "",
+        f"for {', '.join(library.architectures)}" if library.architectures else "",
+        f"needs {', '.join(library.depends)}" if library.depends else "",
+        f"takes {', '.join([*library.timers, *library.pins])}" if library.timers or library.pins else "",
+        "installed" if library.installed else "",
+    ]
+    return "; ".join(fact for fact in facts if fact)
+
+
+def write(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> dict[str, Any]:
+    """What is to be written, the smallest first, each with what is known of the source's function and the stub that waits."""
+    return {"tasks": [_body(plan, task, texts) for task in Work(plan).write]}
+
+
+def _body(plan: migration.MigrationPlan, task: migration.PlanTask, texts: Mapping[str, str]) -> dict[str, Any]:
+    use = next((e for e in task.elements if isinstance(e, migration.AdapterUse)), None)
+    known = []
+    if use is not None:
+        known.append(f"{use.signature};")
+        if use.function is not None:
+            known += [f"declared in {use.function.header.name}"] if use.function.header is not None else []
+            known += ["it waits until it is done"] if use.function.blocking else []
+            known += ["it starts code on another core"] if use.function.startsCog else []
+        known += [str(note) for note in use.notes]
+    stubs = (_stub(text, str(use.name)) for text in texts.values()) if use is not None else ()
+    return {
+        "message": str(task.message), "place": task_place(plan, task), "effort": str(task.effort), "fix": str(task.fix),
+        "rule": str(task.rule), "done": bool(task.done), "known": known, "stub": next(filter(None, stubs), []),
+    }  # fmt: skip
+
+
+def _stub(text: str, name: str) -> list[str]:
+    """The lines of the placeholder of a function in a generated text, with the comments above it; none where there is none."""
+    lines = text.split("\n")
+    at = next((n for n, line in enumerate(lines) if f"{name}(" in line and line.rstrip().endswith("{")), None)
+    if at is None:
+        return []
+    end = next((n for n in range(at, len(lines)) if lines[n].startswith("}")), at)
+    while at and lines[at - 1].startswith("//"):
+        at -= 1
+    return lines[at : end + 1] if any("TODO" in line for line in lines[at : end + 1]) else []
+
+
+def check(plan: migration.MigrationPlan, notes: Sequence[Finding], places: dict[str, str]) -> dict[str, Any]:
+    """The findings by severity, the worst first, and what is to be seen on the bench, component by component."""
+    found = [f for f in said(Q(by_severity(plan.findings)), places) if f.rule not in VERDICT_RULES]
+    groups = []
+    for level, title in SEVERITIES.items():
+        mine = [finding_row(f) for f in (*notes, *found) if f.severity.name == level]
+        if mine:
+            groups.append({"title": title, "level": level, "total": len(mine), "chunks": chunked(mine)})
+    bench = [
+        {
+            "message": str(t.message),
+            "rule": str(t.rule),
+            "key": tick_of(t),
+            "done": bool(t.done),
+        }
+        for t in Work(plan).check
+    ]
+    return {"groups": groups, "bench": bench}
+
+
+def tick_of(task: migration.PlanTask) -> str:
+    """By what the page calls a line of the bench's list, which is what the report's ticks are told by."""
+    return " ".join(task_key(str(task.rule), str(task.message)))
+
+
+def finding_row(finding: Finding) -> tuple[str, str, str, str]:
+    """A finding as it is shown: rule, message, place, what to do."""
+    place = finding.location
+    where = f"{place.path.rpartition('/')[2]}{f':{place.line}' if place.line else ''}" if place is not None else ""
+    return finding.rule, finding.message, where, finding.fix or ""
+
+
+def chunked(rows: Sequence[Any]) -> list[Sequence[Any]]:
+    """Rows in runs that are laid out together."""
+    return [rows[at : at + CHUNK] for at in range(0, len(rows), CHUNK)]
+
+
+def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, Any]:
+    """The wiring as a picture with what is wrong marked, and as a table."""
+    ports: dict[str, list[str]] = {}
+    for binding in plan.portBindings:
+        if binding.pin is not None:
+            ports.setdefault(binding.pin.label, []).append(str(binding.name))
+    wrong = [f for f in said(Q(plan.findings), places) if f.rule.startswith("RS2")]
+    rows = [
+        (
+            c.pin.label if c.pin is not None else "", str(c.component.title) if c.component is not None else "",
+            ", ".join(str(wire.name) for wire in c.connectors), str(c.name),
+            ", ".join(ports.get(c.pin.label, [])) if c.pin is not None else "",
+        )
+        for c in plan.connections
+    ]  # fmt: skip
+    drawn = {c.pin.label for c in plan.connections if c.pin is not None}
+    rows += [(label, "", "", "", ", ".join(names)) for label, names in ports.items() if label not in drawn]
+    picture = svg(plan.circuit, wrong, ports).partition("?>")[2] if plan.circuit is not None else ""
+    return {"rows": rows, "picture": _image(picture) if picture else ""}
+
+
+def _image(picture: str) -> str:
+    return f"data:image/svg+xml;base64,{base64.b64encode(picture.encode()).decode()}"
+
+
+def verdict(plan: migration.MigrationPlan, picture: str, places: dict[str, str]) -> dict[str, Any]:
+    """What comparing the sketch with the original has shown, if that was done."""
+    told = [finding_row(f) for f in said(Q(plan.findings), places) if f.rule in VERDICT_RULES]
+    return {"told": told, "picture": _image(picture) if picture and told else ""}
+
+
+def history(plan: migration.MigrationPlan) -> dict[str, Any]:
+    """Who chose what, when and why: those of persons in the order of time, then the others."""
+    made = [(c, c.decision) for c in choices(plan) if not c.decision.open]
+    rows = [
+        (
+            str(d.chosenAt).replace("T", " ").replace("Z", " UTC"),
+            WHO[d.chosenBy.name],
+            c.subject,
+            str(d.choice),
+            "; ".join(d.evidence),
+        )
+        for c, d in made
+    ]
+    return {"rows": sorted(rows, key=lambda row: (row[0] == "", row[0])), "tool": str(plan.toolVersion),
+            "inputs": [(str(i.kind), str(i.origin), str(i.digest)[:12]) for i in plan.inputs]}  # fmt: skip
