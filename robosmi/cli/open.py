@@ -52,7 +52,7 @@ def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, 
     def go_on() -> None:
         sys.stdout.flush()
         if browser:
-            webbrowser.open(server.url)
+            webbrowser.open_new_tab(server.url)
         try:
             server.serve_forever()
         except KeyboardInterrupt:

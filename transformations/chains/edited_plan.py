@@ -29,7 +29,8 @@ def beside_choices(plan: bytes) -> str:
         return ""
     for decision in root.iter(*_DECISIONS):
         for name in _CHOSEN:
-            decision.attrib.pop(name, None)
+            if name in decision.attrib:
+                del decision.attrib[name]
             for child in decision.findall(name):
                 decision.remove(child)
     for element in root.iter():

@@ -7,10 +7,10 @@ it is served, is `robosmi.report.page_server`'s business.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from robosmi import inputs, templates
 from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError
 from robosmi.generate import Gen
 from robosmi.generate.manifest import Manifest
@@ -57,7 +57,7 @@ class PlanPage:
     def __init__(self, output: Path, source: Path | None = None) -> None:
         self.output, self.source = output, source
         self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
-        self._templates = Gen(templates=_built_in("page"))
+        self._templates = Gen(templates=_built_in())
 
     def now(self) -> str:
         """The digest of the plan as it is stored now; empty where there is none."""
@@ -207,10 +207,9 @@ def _told(error: RobosmiError) -> str:
     return f"Not done: {error.message}{f'. Do: {error.fix}' if error.fix else ''}."
 
 
-def _built_in(name: str) -> dict[str, str]:
+def _built_in() -> dict[str, str]:
     """The templates of this package alone: none of the folder that the page is about is ever run."""
-    folder = resources.files("robosmi.templates") / name
-    return {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.name.endswith(".j2")}
+    return {name: _text(name) for name in ("page.html.j2", "section.html.j2")}
 
 
 def _head(live: bool, nonce: str) -> str:
@@ -224,4 +223,4 @@ def _script(nonce: str) -> str:
 
 
 def _text(name: str) -> str:
-    return (resources.files("robosmi.templates") / "page" / name).read_text(encoding="utf-8")
+    return inputs.read_text(Path(templates.__file__).parent / "page" / name, inputs.DATA)

@@ -9,11 +9,12 @@ from collections.abc import Iterator
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
-from robosmi.metamodels import ccode, migration, platform
+from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model import EmfModel
 from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
+from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.validate import EVL, Fail
 
@@ -168,6 +169,23 @@ def _is_given(b: migration.PortBinding, call: ccode.Call, position: int) -> bool
 def _timers(use: migration.AdapterUse) -> set[str]:
     """The timers that the adapter of a use takes, with all that it needs."""
     return {str(t) for piece in closure([use.adapter] if use.adapter is not None else []) for t in piece.timers}
+
+
+@bindings.constraint(
+    id="RS727", severity=Severity.warning, advice="see whether another connection is meant",
+    guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
+)  # fmt: skip
+def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> Any:
+    """A port that a person binds is on a component of the kind that its functions expect; what is only driven is not read."""
+    connection = b.connection
+    assert connection is not None
+    assert connection.component is not None
+    title, kinds = connection.component.title, kinds_of(connection)
+    if b.role and kinds and b.role not in kinds:
+        return Fail(f"the {named(b)} is bound to '{title}' ({', '.join(sorted(kinds))}), and its functions expect: {b.role}")
+    reads = b.origin != "convention" and b.signal is not migration.Signal.write and connection.signal is migration.Signal.write
+    silent = reads and connection.component.role is hardware.Role.Output
+    return not silent or Fail(f"the program reads the {named(b)}, and '{title}' there tells nothing")
 
 
 def _on_one_wire(adapter: platform.Adapter) -> bool:
