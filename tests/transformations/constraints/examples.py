@@ -125,6 +125,19 @@ def ranged(*signals: migration.Signal) -> migration.MigrationPlan:
     return made
 
 
+def expecting(role: str, title: str) -> migration.MigrationPlan:
+    """A plan whose port a person binds to a component of that title, and whose functions expect a kind of component."""
+
+    def binding(plan: migration.MigrationPlan) -> list[migration.PortBinding]:
+        part = hardware.Component(elementId="1", title=title, role=hardware.Role.Output)
+        connection = migration.Connection(name="x", component=part, pin=pins(plan)[0], signal=migration.Signal.write)
+        plan.connections.append(connection)
+        bound_to = {"connection": connection, "pin": pins(plan)[0], "choice": "x", "signal": migration.Signal.write}
+        return [migration.PortBinding(name="n", role=role, chosenBy=migration.ChosenBy.person, **bound_to)]
+
+    return a_plan(portBindings=binding)
+
+
 def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
     """A plan with `dac_ctr` on a pin whose PWM is of a timer, if it has any, beside an adapter that takes a timer."""
     made = a_plan(portBindings=lambda p: [migration.PortBinding(name="n", sourcePin=4)])
@@ -253,6 +266,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS705": (lambda: confident(0.5), lambda: confident(1.5)),
     "RS706": (lambda: confident(1.0), lambda: confident(0.0, True)),
     "RS707": (lambda: with_library(own_library), lambda: with_library(lambda p: platform.Library(name="Foreign"))),
+    "RS727": (lambda: expecting("servo", "Servo1"), lambda: expecting("servo", "LED1")),
     "RS708": (lambda: edited((0, 5), (5, 9)), lambda: edited((0, 5), (4, 9))),
     "RS711": (lambda: at(3, 9), lambda: at(9, 3)),
     "RS712": (lambda: calling(1), lambda: calling(2)),
