@@ -29,6 +29,7 @@ CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
 FOUNDATION = (
     "errors",
     "diagnostics",
+    "foreign_code",
     "user_folders",
     "resources",
     "plugins",

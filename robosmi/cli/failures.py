@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import os
 
-from robosmi import plugins
+from robosmi import foreign_code, plugins
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, RobosmiError, SourceError
+from robosmi.errors import InternalError, RobosmiError, RuleError, SourceError
+from robosmi.foreign_code import END
 from robosmi.inputs import fix_of
 
 
-def as_error(error: Exception | SystemExit) -> RobosmiError:
+def as_error(error: BaseException) -> RobosmiError:
     """The error to report for whatever a command ended with.
 
     Args:
@@ -27,6 +28,8 @@ def as_error(error: Exception | SystemExit) -> RobosmiError:
     if isinstance(error, MemoryError):
         return SourceError("there is not enough memory for this input", fix="give a smaller input, or more memory")
     if isinstance(error, RecursionError):
+        if (found := foreign_code.endless(error)) is not None:
+            return RuleError(f"the function '{found[0]}' calls itself without end", location=found[1], fix=END)
         return SourceError("the input is nested too deeply to be read", fix="look for brackets or elements within each other")
     if (missing := plugins.unloadable(error)) is not None:
         return missing
@@ -34,6 +37,8 @@ def as_error(error: Exception | SystemExit) -> RobosmiError:
         return _unwritable_text(error)
     if (raised := plugins.raised_by(error)) is not None:
         return raised
+    if not isinstance(error, (Exception, SystemExit)) and (place := foreign_code.innermost(error)) is not None:
+        return RuleError(f"{type(error).__name__}: {error}", location=place, fix="let this code raise an Exception, or nothing")
     return InternalError(
         f"{type(error).__name__}: {error}",
         fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",

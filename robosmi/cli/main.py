@@ -161,7 +161,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         streams.let_go(sys.stdout)
         return 0
-    except Exception as error:
+    except SystemExit:  # of --help and --version
+        raise
+    except BaseException as error:  # a person's rule may raise what is no Exception
         if os.environ.get("ROBOSMI_DEBUG") and not isinstance(error, RobosmiError):
             raise
         return _failed(as_error(error), name, as_json, started, sarif)

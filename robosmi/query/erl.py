@@ -13,6 +13,7 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any, TypeVar
 
+from robosmi import foreign_code
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError
 from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
@@ -190,6 +191,9 @@ def failed(
     place = _place(error, function)
     if isinstance(error, RobosmiError):
         return RuleError(f"{what} fails{about}: {error.message}", location=place, fix=error.fix or _CORRECT)
+    if isinstance(error, RecursionError) and (found := foreign_code.endless(error)) is not None:
+        said = f"{what} fails{about}: the function '{found[0]}' calls itself without end"
+        return RuleError(said, location=found[1], fix=foreign_code.END)
     said = f"{what} fails{about}: {type(error).__name__}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
     if is_own(str(getattr(inspect.unwrap(owner or function), "__module__", ""))) and not world:
