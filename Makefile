@@ -68,6 +68,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.quoting
 	$(BIN)/python -m tests.fuzz.history
 	$(BIN)/python -m tests.fuzz.edits
+	$(BIN)/python -m tests.fuzz.two_views
 	$(BIN)/python -m tests.fuzz.valid_c
 	$(BIN)/python -m tests.fuzz.widths
 	$(BIN)/python -m tests.fuzz.growth

@@ -23,7 +23,7 @@ def add_option(parser: argparse.ArgumentParser) -> None:
 
 def asked_for(words: Sequence[str]) -> Path | None:
     """The file that the words of a command line name, also where they are wrong otherwise."""
-    for word, following in zip(words, [*words[1:], ""], strict=True):
+    for word, following in zip(words, [*words[1:], ""], strict=False):
         if word == "--":
             return None
         if word == OPTION and following:

@@ -32,7 +32,8 @@ class Raw(str):
 
 
 class Chop(str):
-    """No text; takes characters off the end of what was printed before it."""
+    """An empty text among the pieces of an output: when the pieces are joined, `taken` characters are removed from the end of
+    what was printed before it (EGL's `out.chop`)."""
 
     __slots__ = ("taken",)
     taken: int

@@ -28,7 +28,8 @@ from robosmi.model.pyecore_internals import (
 )
 
 Entry = tuple[Any, str, Any, Any, Any]
-"""Class of the values that go in bare, key of the slot, feature, how to put other values in, what that needs to know."""
+"""How one feature is set: the class of the values that are stored without a holder (or None); the key of the feature's slot; the
+feature; the function that stores any other value (or None: pyecore's setter); what that function needs to know of the feature."""
 
 
 class Plan(dict[str, Entry]):
@@ -59,7 +60,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
     slots = element.__dict__
     bare_class = plan.bare.get
     for name, value in features.items():
-        if value.__class__ is bare_class(name):  # two of three: places and names
+        if value.__class__ is bare_class(name):  # two of three values in models of code: numbers of lines and columns, and names
             slots[name] = value
             continue
         if value is None:
@@ -115,7 +116,7 @@ class _Known:
         self.back_key = key_of(self.back) if self.back is not None else ""
 
     def takes(self, value: Any) -> bool:
-        """Whether a value of a class that was not met before is of the kind, and no proxy."""
+        """Whether the feature accepts a value whose class is not in `classes` yet; proxies are left to pyecore's setter."""
         cls = value.__class__
         if cls is EProxy or not isinstance(value, self.kind):
             return False

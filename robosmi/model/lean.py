@@ -1,4 +1,4 @@
-"""Elements without ballast: how values lie inside a pyecore EObject, and how to put them there without its setters.
+"""Compact elements: how feature values are stored inside a pyecore EObject, and how to store them without its setters.
 
 pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are attributes whose
 plain values lie bare in the element until somebody changes them, holders with what all share in their class, and descriptors
@@ -59,7 +59,7 @@ _new = object.__new__
 _NOTHING: Any = object()
 
 REFUSAL = "_refusal"
-"""Where an element that nobody can change has what makes the error, of the element and a feature's name."""
+"""Key in the `__dict__` of a read-only element: a function of it and a feature's name that makes the error of a change."""
 BARE = frozenset([int, str, bool, float, EEnumLiteral])
 """Classes of the values that lie bare in an element, by their exact class."""
 
@@ -237,7 +237,7 @@ def is_prepared(cls: type) -> bool:
 
 
 def prepare(cls: Any) -> None:
-    """Make a class ready for elements without ballast: what pyecore would put into each is found in the class."""
+    """Make a class ready for compact elements: what pyecore would put into each is found in the class."""
     if is_prepared(cls):
         return
     for name, value in LAZY.items():

@@ -69,7 +69,7 @@ class Element(_Base):
     if not TYPE_CHECKING:
 
         def __new__(cls, /, *args: Any, **features: Any) -> Any:
-            """As pyecore's, without its process-wide set of all instances and without ballast (`lean`)."""
+            """As pyecore's, without its process-wide set of all instances and without empty containers (`lean`)."""
             if not is_prepared(cls):
                 prepare(cls)
             return object.__new__(cls)

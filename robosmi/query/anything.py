@@ -65,7 +65,7 @@ def as_integer(value: Any) -> int:
     """The Integer that the value's text is; of a single other character its code.
 
     Raises:
-        OperandError: it is none.
+        OperandError: the text is not an Integer.
     """
     text = _text(value, "asInteger")
     number = _parsed(text)
@@ -80,7 +80,7 @@ def as_long(value: Any) -> Long:
     """The Long that the value's text is.
 
     Raises:
-        OperandError: it is none.
+        OperandError: the text is not a Long.
     """
     text = _text(value, "asLong")
     if not re.fullmatch(r"[+-]?[0-9]+", text) or wrapped(int(text), long=True) != int(text):
@@ -97,7 +97,7 @@ def as_real(value: Any) -> float:
     """The Real that the value's text is (EOL asReal, asFloat, asDouble), in Python's precision.
 
     Raises:
-        OperandError: it is none.
+        OperandError: the text is not a Real.
     """
     text = _text(value, "asReal").strip()
     if _REAL.fullmatch(text) is None:
@@ -114,7 +114,7 @@ def as_unicode(value: Any) -> str:
     """The character whose code the value's text is, in hexadecimal digits.
 
     Raises:
-        OperandError: it is none.
+        OperandError: the text is not a hexadecimal number.
     """
     text = _text(value, "asUnicode")
     if not re.fullmatch(r"[0-9a-fA-F]{1,8}", text):

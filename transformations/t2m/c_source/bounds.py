@@ -35,7 +35,7 @@ _PREFIX = re.compile(rb"[;{}]")
 
 
 def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
-    """Edits that take out what nests too deep; none for all but made-up programs.
+    """Edits that remove what is nested deeper than a parser's stack allows; an empty list for programs that people write.
 
     Args:
         path: of the file, for the error.

@@ -99,7 +99,7 @@ class Call:
         return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
 
     def own_includes(self) -> list[Edit]:
-        """Edits that take out all includes of a text that comes to include itself without end; none for all but made-up ones."""
+        """Edits that remove all `#include` directives of a text that includes itself without end; an empty list otherwise."""
         if self.names is not None or not self._headers().itself:
             return []
         tokens = self._source.tokens

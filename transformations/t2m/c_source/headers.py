@@ -118,7 +118,13 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
 
 
 class _Content(NamedTuple):
-    """What matters of a header: its text where it must be another, what it includes, whether it can be read only once."""
+    """What is kept of a header that was read.
+
+    Attributes:
+        text: the changed text that replaces the file's own, or None where that is read as it is.
+        included: the names in its `#include` directives.
+        guarded: whether an include guard or `#pragma once` keeps it from being read twice.
+    """
 
     text: bytes | None
     included: tuple[bytes, ...]
