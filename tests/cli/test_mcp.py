@@ -254,11 +254,11 @@ def test_a_decision_is_made_and_opened_again(commands: Commands, root: Path) -> 
         (port,) = [choice for choice in made["result"]["plan"]["choices"] if choice["kind"] == "port"]
         chosen = await call("choose", out="out", answers={port["id"]: "none"}, why="the lamp is gone")
         assert (chosen["ok"], chosen["exit_code"]) == (True, 0), chosen
-        (port,) = list(chosen["result"]["choices"])
+        (port,) = chosen["result"]["choices"]
         assert port["chosen"] == "none"
         assert "the lamp is gone" in port["why"]
         opened = await call("choose", out="out", answers={port["id"]: ""})
-        (port,) = list(opened["result"]["choices"])
+        (port,) = opened["result"]["choices"]
         assert port["chosen"] is None
 
     ask(commands, talk)
