@@ -50,8 +50,8 @@ class BrokenPlugin:
 class Registry:
     """Named content by kind, and folders of data.
 
-    Kinds are `program reader`, `drawing reader`, `driver`, `generator`, `chain`, `constraints`, `query`, `ranker` and
-    `model migration`.
+    Kinds are `program reader`, `drawing reader`, `driver`, `generator`, `chain`, `constraints`, `query`, `ranker`,
+    `model migration` and `view`: what a notebook shows of the elements of a class, named `NAMESPACE#CLASS`.
 
     Attributes:
         entries: kind -> name -> `module:attribute`.

@@ -59,6 +59,8 @@ _CONTENT = {
     ("wiring form", "csv"): "chains.wiring:csv",
     ("wiring form", "svg"): "chains.wiring:picture",
     ("wiring form", "wokwi"): "chains.wiring:wokwi",
+    ("view", "http://robosmi.org/hardware/1#Circuit"): "m2t.notebook_views:circuit_html",
+    ("view", "http://robosmi.org/migration/2#MigrationPlan"): "m2t.notebook_views:plan_html",
     ("engine", "simavr"): "verification.engines.simavr:Simavr",
     ("engine", "avr8js"): "verification.engines.avr8js:Avr8js",
     ("device", "answering_line"): "verification.devices.serial_line:AnsweringLine",

@@ -229,10 +229,12 @@ class Model(ABC):
 
     def _repr_html_(self) -> str:
         from robosmi.model.html_table import html_table  # for notebooks only
+        from robosmi.model.show import tree_html
         from robosmi.quoting import html_attribute
 
         counted = Counter(name_of(type_of(element)) for element in self.all_contents())
-        return f"<p>{html_attribute(repr(self))}</p>{html_table(('type', 'elements'), counted.most_common())}"
+        tops = [element for element in self.all_contents() if element.eContainer() is None]
+        return f"<p>{html_attribute(repr(self))}</p>{html_table(('type', 'elements'), counted.most_common())}{tree_html(tops)}"
 
 
 class TypeHandle:

@@ -98,10 +98,48 @@ def metamodel_html(metamodel: Any) -> str:
 
 
 def element_html(element: Any) -> str:
-    """The features of an element that say something, as HTML."""
+    """An element as HTML: what is registered for its class (kind `view`), else its features and what it contains.
+
+    Args:
+        element: of a model of any technology.
+    """
+    eclass: Any = getattr(element, "eClass", None)
+    package = getattr(eclass, "ePackage", None)
+    if package is not None:
+        from robosmi.plugins import registry
+
+        name = f"{package.nsURI}#{eclass.name}"
+        if name in registry().entries.get("view", {}):
+            return str(registry().get("view", name)(element))
     values = ((name, plain(getattr(element, name))) for name in features_of(element))
     said = [x for x in values if x[1] not in (None, "", [])]
-    return f"<p>{html_attribute(label(element))}</p>{html_table(('feature', 'value'), said)}"
+    return f"<p>{html_attribute(label(element))}</p>{html_table(('feature', 'value'), said)}{tree_html(contents_of(element))}"
+
+
+def tree_html(tops: Iterable[Any], limit: int = 200) -> str:
+    """Elements with all that they contain, as a tree whose branches open and close; cut after a number of elements.
+
+    Args:
+        tops: the elements.
+        limit: the number of elements that are shown; the last line says how many are left out.
+    """
+    lines: list[str] = []
+    left, closing = 0, "</ul></details></li>"
+    pending: list[Any] = list(reversed(list(tops)))
+    while pending:
+        element = pending.pop()
+        if element is closing:
+            lines.append(closing)
+        elif len(lines) >= limit * 2:
+            left += 1
+            pending.extend(reversed(contents_of(element)))
+        elif inner := contents_of(element):
+            lines.append(f"<li><details><summary>{html_attribute(label(element))} ({len(inner)})</summary><ul>")
+            pending.extend([closing, *reversed(inner)])
+        else:
+            lines.append(f"<li>{html_attribute(label(element))}</li>")
+    more = f"<p>... and {left} more</p>" if left else ""
+    return f"<ul>{''.join(lines)}</ul>{more}" if lines else ""
 
 
 def items_html(items: Sequence[Any], limit: int = 50) -> str:

@@ -19,6 +19,7 @@ from robosmi.model.versions import read_current
 from robosmi.plugins import registry
 from robosmi.project import project_of
 from robosmi.query import root_of
+from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
@@ -31,7 +32,7 @@ class Checked:
     """What was checked, and what was found."""
 
     models: list[dict[str, Any]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=Findings)
 
     @property
     def result(self) -> dict[str, Any]:

@@ -47,6 +47,11 @@ class MigrationModels:
     places: dict[str, str] = field(default_factory=dict)
     notes: list[Finding] = field(default_factory=list)
 
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import element_html  # for notebooks only
+
+        return element_html(self.plan)
+
     def to_files(self) -> dict[str, bytes]:
         """Everything that is stored, path relative to the models' folder -> bytes; the plan's digests are brought up to date.
 

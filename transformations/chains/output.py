@@ -30,6 +30,7 @@ from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History
+from robosmi.report.notebook import Findings
 from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.edited_plan import STORED, beside_choices, only_choices_differ
@@ -82,11 +83,20 @@ class Generated:
     @property
     def findings(self) -> list[Finding]:
         """The plan's findings, and those of this run alone."""
-        return [*said(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes]
+        return Findings([*said(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
 
     def tasks(self) -> list[Finding]:
         """The plan's tasks."""
-        return said(Q(self.models.plan.tasks), self.models.places)
+        return Findings(said(Q(self.models.plan.tasks), self.models.places))
+
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import element_html  # for notebooks only
+        from robosmi.report.notebook import findings_html, quoted
+
+        made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
+        done = "made" if self.written else "to be made"
+        view = f"{element_html(self.models.plan)}{findings_html(self.findings)}"
+        return f"{view}<details><summary>{len(self.contents)} files {done}</summary><ul>{made}</ul></details>"
 
     def result(self) -> dict[str, Any]:
         """The contract's result."""

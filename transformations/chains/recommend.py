@@ -35,6 +35,18 @@ class Recommendations:
         """The contract's result."""
         return {"recommendations": [answer.to_json() for answer in self.answers]}
 
+    def _repr_html_(self) -> str:
+        from robosmi.report.notebook import bar, quoted, table  # for notebooks only
+
+        rows = []
+        for query, answer in zip(self.queries, self.answers, strict=True):
+            best = max((c.score for c in answer.candidates), default=0.0)
+            shown = answer.candidates[: 5 if answer.decision != "none" else 0]
+            named = [f"{quoted(c.library)}{bar(c.score / best if best > 0 else 0)}{quoted('; '.join(c.reasons))}" for c in shown]
+            decided = f"{quoted(answer.decision)}{bar(answer.confidence)}{quoted('; '.join(answer.reasons))}"
+            rows.append([f"{quoted(query.label or query.title)}<br/>{quoted(query.title)}", decided, "<br/>".join(named)])
+        return table(("component", "needs a library", "libraries, best first"), rows)
+
     def lines(self) -> list[str]:
         """What a person reads: the decision with its reason, and where a library is of use the best five, each with a reason."""
         lines: list[str] = []

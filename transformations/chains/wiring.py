@@ -26,7 +26,7 @@ from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.m2t.wokwi_project import project_files
-from robosmi.transformations.queries.plan import said
+from robosmi.transformations.queries.plan import ports_by_pin, said
 
 FORM = "wiring form"
 """The registry's kind of forms: functions of `(models, OUT, path)` that give `Handed`."""
@@ -153,13 +153,8 @@ def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
     plan = models.plan
     if plan.circuit is None:
         raise _no_drawing()
-    ports: dict[str, list[str]] = {}
-    for binding in plan.portBindings:
-        pin = binding.pin or (binding.connection.pin if binding.connection is not None else None)
-        if pin is not None:
-            ports.setdefault(pin.label, []).append(binding.name)
     wrong = [f for f in said(Q(plan.findings), models.places) if f.rule.startswith("RS2")]
-    return Handed({"": svg(plan.circuit, wrong, ports).encode()}, {"": "picture"})
+    return Handed({"": svg(plan.circuit, wrong, ports_by_pin(plan)).encode()}, {"": "picture"})
 
 
 def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection]:

@@ -199,6 +199,16 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
     }
 
 
+def ports_by_pin(plan: migration.MigrationPlan) -> dict[str, list[str]]:
+    """The label of a pin of the target's board -> the names of the ports of the source that are bound to it."""
+    found: dict[str, list[str]] = {}
+    for binding in plan.portBindings:
+        pin = binding.pin or (binding.connection.pin if binding.connection is not None else None)
+        if pin is not None:
+            found.setdefault(str(pin.label), []).append(str(binding.name))
+    return found
+
+
 def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding]:
     """Plan tasks or findings as the report's values.
 

@@ -1,0 +1,62 @@
+"""What a notebook shows of circuits and plans: the wiring as a picture, decisions and what is left as tables.
+
+Findings, tables and pictures as such are `robosmi.report.notebook`'s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from robosmi.metamodels import hardware, migration
+from robosmi.report.notebook import bar, picture, quoted, table
+from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.transformations.queries.plan import call_sites, open_choices, ports_by_pin
+
+
+def circuit_html(circuit: hardware.Circuit) -> str:
+    """The wiring of a circuit as a picture, and its components as a table."""
+    rows = [
+        [quoted(c.title or f"#{c.elementId}"), quoted(c.partTitle or c.partId or ""), quoted(c.role.name)]
+        for c in circuit.components
+        if c.role is not hardware.Role.Decoration
+    ]
+    drawn = picture(svg(circuit), f"the wiring of {circuit.name}")
+    listed = table(("component", "part", "role"), rows)
+    return f"<p><b>{quoted(circuit.name)}</b></p>{drawn}<details><summary>{len(rows)} components</summary>{listed}</details>"
+
+
+def plan_html(plan: migration.MigrationPlan) -> str:
+    """What a plan decides: calls with bodies, ports and libraries with who chose and why, what is left."""
+    return "".join(_parts(plan))
+
+
+def _parts(plan: migration.MigrationPlan) -> Iterator[str]:
+    calls, left = call_sites(plan), len(open_choices(plan))
+    board = plan.board.title or plan.board.name if plan.board is not None else "no board"
+    share = calls["with_body"] / calls["total"] if calls["total"] else 1.0
+    yield f"<p><b>{quoted(plan.name)}</b> for {quoted(board)}: {calls['with_body']} of {calls['total']} calls have a body</p>"
+    yield f"{bar(share)}<p>{left} choice{'s' * (left != 1)} open, {len(plan.tasks)} tasks, {len(plan.findings)} findings</p>"
+    if plan.circuit is not None:
+        yield picture(svg(plan.circuit, (), ports_by_pin(plan)), f"the wiring of {plan.name}")
+    pins = {port: pin for pin, ports in ports_by_pin(plan).items() for port in ports}
+    ports = [
+        [quoted(b.name), quoted(pins.get(str(b.name), "")), *_decision(b), quoted("; ".join(b.evidence))]
+        for b in plan.portBindings
+    ]
+    if ports:
+        yield table(("port", "pin", "bound to", "chosen by", "why"), ports)
+    libraries = [
+        [quoted(c.component.title if c.component is not None else ""), *_decision(c), quoted("; ".join(c.evidence))]
+        for c in plan.libraryChoices
+    ]
+    if libraries:
+        yield table(("component", "library", "chosen by", "why"), libraries)
+    uses = [[quoted(u.signature), quoted(len(u.calls)), quoted(u.status.name)] for u in plan.adapterUses]
+    if uses:
+        yield f"<details><summary>{len(uses)} functions</summary>{table(('function', 'calls', 'status'), uses)}</details>"
+
+
+def _decision(decision: migration.Decision) -> list[str]:
+    """What was chosen, and by whom."""
+    chosen = "<i>open</i>" if decision.open else quoted(decision.choice or "none")
+    return [chosen, "" if decision.open else quoted(decision.chosenBy.name)]
