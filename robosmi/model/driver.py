@@ -228,13 +228,13 @@ class Model(ABC):
         return f"<{type(self).__name__} {self.name}{place}>"
 
     def _repr_html_(self) -> str:
-        from robosmi.model.html_table import html_table  # for notebooks only
-        from robosmi.model.show import tree_html
+        from robosmi.model.html_table import html_table, tree_html  # for notebooks only
         from robosmi.quoting import html_attribute
 
         counted = Counter(name_of(type_of(element)) for element in self.all_contents())
         tops = [element for element in self.all_contents() if element.eContainer() is None]
-        return f"<p>{html_attribute(repr(self))}</p>{html_table(('type', 'elements'), counted.most_common())}{tree_html(tops)}"
+        table = html_table(("type", "elements"), counted.most_common())
+        return f"<p>{html_attribute(repr(self))}</p>{table}{tree_html(tops, label, contents_of)}"
 
 
 class TypeHandle:
@@ -358,3 +358,17 @@ def _walk(root: ModelElement) -> Iterator[Any]:
         element = stack.pop()
         yield element
         stack.extend(reversed(element._contents()))
+
+
+LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
+"""The features that tell one element from another, the best first."""
+
+
+def label(element: Any) -> str:
+    """An element in a few words: its type, and what it is called."""
+    kind = name_of(type_of(element))
+    known = set(features_of(element))
+    for feature in LABELS:
+        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
+            return f"{kind} {value}"
+    return kind

@@ -11,22 +11,9 @@ from typing import Any
 
 from pyecore.ecore import EEnumLiteral
 
-from robosmi.model.driver import Model, contents_of, features_of, is_element, name_of, type_of
-from robosmi.model.html_table import html_table
+from robosmi.model.driver import Model, contents_of, features_of, is_element, label, name_of, type_of
+from robosmi.model.html_table import html_table, tree_html
 from robosmi.quoting import html_attribute, terminal
-
-LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
-"""The features that tell one element from another, the best first."""
-
-
-def label(element: Any) -> str:
-    """An element in a few words: its type, and what it is called."""
-    kind = name_of(type_of(element))
-    known = set(features_of(element))
-    for feature in LABELS:
-        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
-            return f"{kind} {value}"
-    return kind
 
 
 def tree(root: Any, limit: int = 200) -> str:
@@ -113,33 +100,8 @@ def element_html(element: Any) -> str:
             return str(registry().get("view", name)(element))
     values = ((name, plain(getattr(element, name))) for name in features_of(element))
     said = [x for x in values if x[1] not in (None, "", [])]
-    return f"<p>{html_attribute(label(element))}</p>{html_table(('feature', 'value'), said)}{tree_html(contents_of(element))}"
-
-
-def tree_html(tops: Iterable[Any], limit: int = 200) -> str:
-    """Elements with all that they contain, as a tree whose branches open and close; cut after a number of elements.
-
-    Args:
-        tops: the elements.
-        limit: the number of elements that are shown; the last line says how many are left out.
-    """
-    lines: list[str] = []
-    left, closing = 0, "</ul></details></li>"
-    pending: list[Any] = list(reversed(list(tops)))
-    while pending:
-        element = pending.pop()
-        if element is closing:
-            lines.append(closing)
-        elif len(lines) >= limit * 2:
-            left += 1
-            pending.extend(reversed(contents_of(element)))
-        elif inner := contents_of(element):
-            lines.append(f"<li><details><summary>{html_attribute(label(element))} ({len(inner)})</summary><ul>")
-            pending.extend([closing, *reversed(inner)])
-        else:
-            lines.append(f"<li>{html_attribute(label(element))}</li>")
-    more = f"<p>... and {left} more</p>" if left else ""
-    return f"<ul>{''.join(lines)}</ul>{more}" if lines else ""
+    table, inner = html_table(("feature", "value"), said), tree_html(contents_of(element), label, contents_of)
+    return f"<p>{html_attribute(label(element))}</p>{table}{inner}"
 
 
 def items_html(items: Sequence[Any], limit: int = 50) -> str:

@@ -1,4 +1,4 @@
-"""The notebook of the line follower runs, and shows models, plans, findings, rankings and wirings as trees, tables and pictures."""
+"""The notebook of the line follower runs, and shows models, plans, findings, rankings and wirings as people want to see them."""
 
 from __future__ import annotations
 
