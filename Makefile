@@ -56,6 +56,7 @@ bench: $(VENV)/.ready
 
 evaluate: $(VENV)/.ready
 	$(BIN)/python -m tests.recommend.paper_ranks
+	$(BIN)/python -m tests.recommend.drawn_parts
 	$(BIN)/python -m tests.recommend.evaluate --seconds
 
 fuzz: $(VENV)/.ready

@@ -13,7 +13,9 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.metamodels import hardware
+from robosmi.errors import RobosmiError
+from robosmi.metamodels import hardware as hw
+from robosmi.transformations.chains.hardware import hardware
 
 Pad = tuple[str, str]
 """A part by its reference, and its connector or pad."""
@@ -37,7 +39,7 @@ def drawings(tool: str) -> Rows:
 
 
 def told_and_meant(
-    circuit: hardware.Circuit, on_board: Mapping[Pad, frozenset[Pad]], reference: Callable[[str], str] = str
+    circuit: hw.Circuit, on_board: Mapping[Pad, frozenset[Pad]], reference: Callable[[str], str] = str
 ) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
     """(part, pin, other part, its connector) for each pin of a board: what a reader tells, and what the made board means.
 
@@ -46,14 +48,14 @@ def told_and_meant(
         on_board: for each pad of the made board all that are on its net.
         reference: the board's name of a part, of its title in the drawing.
     """
-    nets: dict[int, hardware.Net] = {id(connector): net for net in circuit.nets for connector in net.connectors}
+    nets: dict[int, hw.Net] = {id(connector): net for net in circuit.nets for connector in net.connectors}
     owners = {id(connector): reference(part.title) for part in circuit.components for connector in part.connectors}
     known = {part for part, _ in on_board}
     told: set[tuple[str, ...]] = set()
     meant: set[tuple[str, ...]] = set()
     for component in circuit.components:
         name = reference(component.title)
-        if component.role is not hardware.Role.Board or name not in known:
+        if component.role is not hw.Role.Board or name not in known:
             continue
         for connector in component.connectors:
             if not connector.pin:
@@ -81,3 +83,22 @@ def check_figures(tool: str, suffix: str, judged: Callable[[Path], tuple[set[tup
     assert counts["meant"] > 0
     assert counts["right"] >= 0.99 * counts["told"], wrong
     assert counts["right"] >= 0.99 * counts["meant"], wrong
+
+
+def check_all_read(tool: str) -> None:
+    """Hold that every drawing at hand is analysed, with the board that its row says it has or without one; print the counts."""
+    counts: Counter[str] = Counter()
+    refused = []
+    for row, path in drawings(tool):
+        try:
+            made = hardware(path)
+        except RobosmiError as error:
+            refused.append(str(error))
+            continue
+        assert made.circuit.tool == tool
+        what = "with a board" if made.result["boards"] else "without a board"
+        counts[f"{row['board']} {what}"] += 1
+        counts["parts"] += len(made.circuit.components)
+        counts["nets"] += len(made.circuit.nets)
+    print(f"{tool}: read {dict(counts)}, refused {len(refused)}")
+    assert refused == []
