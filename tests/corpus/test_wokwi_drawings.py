@@ -17,6 +17,7 @@ from pathlib import Path
 import networkx as nx
 import pytest
 
+from robosmi.errors import SourceError
 from robosmi.transformations.chains.hardware import hardware
 
 TABLE = Path(__file__).parent / "drawings" / "wokwi.csv"
@@ -139,3 +140,23 @@ def test_the_pins_are_those_of_the_sketches_but_for_the_faults_of_others() -> No
             wrong.append(f"{row['repository']} {row['path']}: {sorted(told ^ meant)}")
     assert counts["right"] >= 0.99 * counts["told"], wrong
     assert counts["right"] >= 0.99 * counts["meant"], wrong
+
+
+def test_every_diagram_is_read_and_of_others_the_damage_is_named() -> None:
+    """Of boards that nobody knows, too: their parts and nets are read."""
+    folder = os.environ.get("ROBOSMI_DRAWINGS")
+    if not folder:
+        pytest.skip("ROBOSMI_DRAWINGS does not name a folder with the drawings")
+    counts: Counter[str] = Counter()
+    for path in sorted(Path(folder).rglob("diagram.json")):
+        try:
+            made = hardware(path)
+        except SourceError as error:
+            if "not valid JSON" not in str(error) or error.location is None or not error.location.line:
+                raise
+            counts["damaged"] += 1
+            continue
+        counts["of a board that is known" if made.board_models else "of another board"] += 1
+        counts["parts"] += len(made.circuit.components)
+    print(f"Wokwi: {dict(counts)}")
+    assert counts["damaged"] <= 0.01 * (counts["of a board that is known"] + counts["of another board"])
