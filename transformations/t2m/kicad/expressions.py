@@ -11,12 +11,27 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any
+from typing import Protocol, TypeAlias, TypeGuard
 
 import sexpdata
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+
+
+class Named(Protocol):
+    """A name, which stands without quotes (`sexpdata.Symbol`)."""
+
+    def value(self) -> str:
+        """The name as text."""
+        ...
+
+
+SExpression: TypeAlias = "Listed | Named | str | int | float | bool | None"
+"""A list, a name, a text or a number."""
+
+Listed: TypeAlias = "list[SExpression]"
+"""A list with what is in it."""
 
 MOST_LEVELS = 100
 """Lists inside lists; KiCad writes about a dozen."""
@@ -100,7 +115,7 @@ class Expressions:
         """The lists in a list of the two outer layers, in the file's order."""
         return iter(self._members.get(listed.start, ()))
 
-    def parsed(self, listed: Expression) -> list[Any]:
+    def parsed(self, listed: Expression) -> Listed:
         """A list as Python's, names and texts as texts, numbers as numbers.
 
         Raises:
@@ -138,7 +153,7 @@ class Expressions:
         return found[1].strip('"') if found is not None else ""
 
 
-def word(value: Any) -> str:
+def word(value: SExpression) -> str:
     """A name, a text or a number as text; nothing for a list."""
     if isinstance(value, sexpdata.Symbol):
         return str(value.value())
@@ -147,28 +162,33 @@ def word(value: Any) -> str:
     return str(value)
 
 
-def head(value: Any) -> str:
+def head(value: SExpression) -> str:
     """The first word of a list; nothing for what is none."""
     return word(value[0]) if isinstance(value, list) and value else ""
 
 
-def child(found: list[Any], name: str) -> list[Any] | None:
+def is_listed(value: SExpression, name: str) -> TypeGuard[Listed]:
+    """Whether it is a list that begins with a word."""
+    return head(value) == name and isinstance(value, list)
+
+
+def child(found: Listed, name: str) -> Listed | None:
     """The first list in a list that begins with a word."""
-    return next((entry for entry in found if head(entry) == name), None)
+    return next((entry for entry in found if is_listed(entry, name)), None)
 
 
-def children(found: list[Any], name: str) -> Iterator[list[Any]]:
+def children(found: Listed, name: str) -> Iterator[Listed]:
     """The lists in a list that begin with a word."""
-    return (entry for entry in found if head(entry) == name)
+    return (entry for entry in found if is_listed(entry, name))
 
 
-def told(found: list[Any], name: str) -> str:
+def told(found: Listed, name: str) -> str:
     """The word behind the first word of the first list of that name."""
     entry = child(found, name)
     return word(entry[1]) if entry is not None and len(entry) > 1 else ""
 
 
-def numbers(found: list[Any], name: str, count: int) -> tuple[float, ...]:
+def numbers(found: Listed, name: str, count: int) -> tuple[float, ...]:
     """The numbers in the first list of that name, zero where there is none."""
     entry = child(found, name) or []
     values = [float(value) for value in entry[1:] if isinstance(value, int | float) and not isinstance(value, bool)]

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import TypeGuard
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.kicad.expressions import (
     Expression,
     Expressions,
+    Listed,
+    SExpression,
     child,
     children,
     head,
@@ -62,7 +64,7 @@ class _Modern:
             cause = f"it is no KiCad schematic: it begins with '{listed.root.head}'"
             raise SourceError(cause, location=Location(listed.path, 1), fix="give the .kicad_sch file")
         self.sheet = Sheet(listed.path)
-        readers: dict[str, Callable[[list[Any], int], None]] = {
+        readers: dict[str, Callable[[Listed, int], None]] = {
             "wire": self._wire, "bus": self._bus, "bus_entry": self._entry, "bus_alias": self._alias,
             "junction": self._junction, "symbol": self._symbol, "sheet": self._sheet,
             "symbol_instances": self._instances, "uuid": self._uuid, "version": self._version,
@@ -78,34 +80,34 @@ class _Modern:
             elif (reader := readers.get(entry.head)) is not None:
                 reader(listed.parsed(entry), listed.line(entry.start))
 
-    def _uuid(self, found: list[Any], line: int) -> None:
+    def _uuid(self, found: Listed, line: int) -> None:
         self.sheet.uuid = word(found[1]) if len(found) > 1 else ""
 
-    def _version(self, found: list[Any], line: int) -> None:
+    def _version(self, found: Listed, line: int) -> None:
         self.sheet.version = word(found[1]) if len(found) > 1 else ""
         self.sheet.by_value = self.sheet.version.isdigit() and int(self.sheet.version) >= _VALUES
 
-    def _wire(self, found: list[Any], line: int) -> None:
+    def _wire(self, found: Listed, line: int) -> None:
         self.sheet.wires += _lines(found)
 
-    def _bus(self, found: list[Any], line: int) -> None:
+    def _bus(self, found: Listed, line: int) -> None:
         self.sheet.buses += _lines(found)
 
-    def _entry(self, found: list[Any], line: int) -> None:
+    def _entry(self, found: Listed, line: int) -> None:
         (x, y), (width, height) = numbers(found, "at", 2), numbers(found, "size", 2)
         self.sheet.entries.append(Wire(_point(x, y), _point(x + width, y + height)))
 
-    def _alias(self, found: list[Any], line: int) -> None:
+    def _alias(self, found: Listed, line: int) -> None:
         if len(found) > 1:
             self.sheet.aliases[word(found[1])] = [word(member) for member in (child(found, "members") or [])[1:]]
 
-    def _junction(self, found: list[Any], line: int) -> None:
+    def _junction(self, found: Listed, line: int) -> None:
         self.sheet.junctions.append(_at(found))
 
-    def _label(self, found: list[Any], line: int) -> None:
+    def _label(self, found: Listed, line: int) -> None:
         self.sheet.labels.append(Label(_LABELS[head(found)], word(found[1]) if len(found) > 1 else "", _at(found)))
 
-    def _symbol(self, found: list[Any], line: int) -> None:
+    def _symbol(self, found: Listed, line: int) -> None:
         identity = told(found, "lib_id")
         angle = round(numbers(found, "at", 3)[2]) % 360
         references, units = {}, {}
@@ -123,13 +125,13 @@ class _Modern:
             )
         )  # fmt: skip
 
-    def _sheet(self, found: list[Any], line: int) -> None:
+    def _sheet(self, found: Listed, line: int) -> None:
         named = {key.replace(" ", "").lower(): value for key, value in _properties(found).items()}
         pins = tuple(Label(UPWARD, word(pin[1]), _at(pin)) for pin in children(found, "pin") if len(pin) > 1)
         name, file = named.get("sheetname", ""), named.get("sheetfile", "")
         self.sheet.sheets.append(SubSheet(told(found, "uuid"), name, file, pins, line))
 
-    def _instances(self, found: list[Any], line: int) -> None:
+    def _instances(self, found: Listed, line: int) -> None:
         for path in children(found, "path"):
             self.sheet.instances[word(path[1])] = (told(path, "reference"), _whole(told(path, "unit")))
 
@@ -151,13 +153,13 @@ class _Modern:
             )
 
 
-def _lines(found: list[Any]) -> list[Wire]:
+def _lines(found: Listed) -> list[Wire]:
     """The line of a wire or of a bus; none where it has not two ends."""
     ends = [_point(entry[1], entry[2]) for entry in children(child(found, "pts") or [], "xy") if len(entry) > 2]
     return [Wire(ends[0], ends[1])] if len(ends) == 2 else []
 
 
-def _pins(found: list[Any]) -> list[LibraryPin]:
+def _pins(found: Listed) -> list[LibraryPin]:
     pins = []
     for part in children(found, "symbol"):
         numbered = _UNIT.search(word(part[1]) if len(part) > 1 else "")
@@ -186,20 +188,20 @@ def _matrix(angle: int, mirror: str) -> tuple[int, int, int, int]:
     return a, b, c, d
 
 
-def _properties(found: list[Any]) -> dict[str, str]:
+def _properties(found: Listed) -> dict[str, str]:
     return {word(entry[1]): word(entry[2]) for entry in children(found, "property") if len(entry) > 2}
 
 
-def _at(found: list[Any]) -> Point:
+def _at(found: Listed) -> Point:
     x, y = numbers(found, "at", 2)
     return _point(x, y)
 
 
-def _point(x: Any, y: Any) -> Point:
+def _point(x: SExpression, y: SExpression) -> Point:
     return Point(round(float(x) * _STEPS), round(float(y) * _STEPS)) if _number(x) and _number(y) else Point(0, 0)
 
 
-def _number(value: Any) -> bool:
+def _number(value: SExpression) -> TypeGuard[int | float]:
     return isinstance(value, int | float) and abs(value) < 1e9
 
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
-from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, child, children, told, word
+from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, told, word
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_PARTS = 50_000
@@ -117,7 +115,7 @@ class _Netlist:
         return End(part.identity, pin)
 
 
-def _identity(part: list[Any]) -> tuple[str, tuple[str, ...]]:
+def _identity(part: Listed) -> tuple[str, tuple[str, ...]]:
     """KiCad's id of a component with those of its sheets, and the names of these sheets."""
     sheets = child(part, "sheetpath") or []
     names = tuple(name for name in told(sheets, "names").split("/") if name)

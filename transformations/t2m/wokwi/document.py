@@ -14,7 +14,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import NamedTuple, TypeAlias
 
 from robosmi.data_text import json_at
 from robosmi.diagnostics import Location
@@ -28,6 +28,17 @@ _FIX = "open the project in Wokwi and copy its diagram.json again"
 _TELLING = re.compile(r'"(?:parts|connections)"\s*:\s*\[')
 _EDITOR = re.compile(r'"editor"\s*:\s*"wokwi"|"type"\s*:\s*"(?:wokwi|board|chip)-|"\$serialMonitor:')
 _SPACE = re.compile(r"[ \t\r\n]*")
+
+
+Json: TypeAlias = "dict[str, Json] | list[Json] | str | int | float | bool | None"
+"""What JSON can say."""
+
+
+class _Entry(NamedTuple):
+    """An entry of a list, with its place in the text."""
+
+    value: Json
+    place: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +117,7 @@ class _Reading:
     def diagram(self, digest: str) -> Diagram:
         made = Diagram(str(self.path), digest)
         seen: dict[str, int] = {}
-        for key, value, start in self._members():
+        for key, value, entries, start in self._members():
             if key in seen and key in ("parts", "connections"):
                 raise self._error(
                     f"'{key}' stands twice, in lines {seen[key]} and {self._line(start)}", start, "keep one of them"
@@ -115,15 +126,15 @@ class _Reading:
             if key == "version":
                 made.version = _text(value)
             elif key == "parts":
-                self._parts(made, value, start)
+                self._parts(made, self._listed(key, entries, start))
             elif key == "connections":
-                self._connections(made, value, start)
+                self._connections(made, self._listed(key, entries, start))
         if "parts" not in seen:
             raise self._error("it is no Wokwi diagram: it has no list of parts", 0, _FIX)
         return made
 
-    def _parts(self, made: Diagram, entries: Any, start: int) -> None:
-        for number, (entry, place) in enumerate(self._listed("parts", entries, start), 1):
+    def _parts(self, made: Diagram, entries: list[_Entry]) -> None:
+        for number, (entry, place) in enumerate(entries, 1):
             line = self._line(place)
             if not isinstance(entry, dict):
                 made.left_out.append((f"entry {number} of the parts is no part", line))
@@ -136,19 +147,25 @@ class _Reading:
             listed = attributes.items() if isinstance(attributes, dict) else ()
             made.parts.append(DiagramPart(identity, kind, {key: _text(value) for key, value in listed}, line))
 
-    def _connections(self, made: Diagram, entries: Any, start: int) -> None:
-        for number, (entry, place) in enumerate(self._listed("connections", entries, start), 1):
+    def _connections(self, made: Diagram, entries: list[_Entry]) -> None:
+        for number, (entry, place) in enumerate(entries, 1):
             line = self._line(place)
-            if not isinstance(entry, list) or len(entry) < 2 or not all(isinstance(end, str) for end in entry[:2]):
+            if not (
+                isinstance(entry, list)
+                and len(entry) > 1
+                and isinstance(one := entry[0], str)
+                and isinstance(other := entry[1], str)
+            ):
                 made.left_out.append((f"entry {number} of the connections is no connection", line))
                 continue
-            color = entry[2] if len(entry) > 2 and isinstance(entry[2], str) else ""
-            made.connections.append(Connection(number, (entry[0], entry[1]), color, line))
+            third = entry[2] if len(entry) > 2 else ""
+            color = third if isinstance(third, str) else ""
+            made.connections.append(Connection(number, (one, other), color, line))
 
     # ---- JSON
 
-    def _members(self) -> Iterator[tuple[str, Any, int]]:
-        """Key, value and the value's place of each member of the outermost object; of the two lists only their places."""
+    def _members(self) -> Iterator[tuple[str, Json, list[_Entry] | None, int]]:
+        """Key, value, entries and the value's place of each member of the outermost object; entries of the two lists alone."""
         place = self._expect("{", self._skip(0))
         if self._at("}", place):
             return
@@ -159,25 +176,25 @@ class _Reading:
             start = self._skip(self._expect(":", place))
             if key in ("parts", "connections") and self._at("[", start):
                 items, end = self._items(start)
-                yield key, items, start
+                yield key, None, items, start
             else:
                 value, end = self._value(start)
-                yield key, value, start
+                yield key, value, None, start
             end = self._skip(end)
             if self._at("}", end):
                 self._end(end + 1)
                 return
             place = self._expect(",", end)
 
-    def _items(self, start: int) -> tuple[list[tuple[Any, int]], int]:
+    def _items(self, start: int) -> tuple[list[_Entry], int]:
         """The items of a list with their places, and the place behind the list."""
-        items: list[tuple[Any, int]] = []
+        items: list[_Entry] = []
         place = self._skip(start + 1)
         if self._at("]", place):
             return items, place + 1
         while True:
             value, end = self._value(place)
-            items.append((value, place))
+            items.append(_Entry(value, place))
             if len(items) > MOST_PARTS:
                 cause = f"it has more than {MOST_PARTS:,} parts or connections"
                 raise self._error(cause, place, "check that it is the diagram you meant")
@@ -186,12 +203,12 @@ class _Reading:
                 return items, end + 1
             place = self._skip(self._expect(",", end))
 
-    def _listed(self, key: str, entries: Any, start: int) -> list[tuple[Any, int]]:
-        if not isinstance(entries, list):
+    def _listed(self, key: str, entries: list[_Entry] | None, start: int) -> list[_Entry]:
+        if entries is None:
             raise self._error(f"'{key}' is no list", start, _FIX)
         return entries
 
-    def _value(self, place: int) -> tuple[Any, int]:
+    def _value(self, place: int) -> tuple[Json, int]:
         place = self._skip(place)
         try:
             return json_at(self.text, place)
