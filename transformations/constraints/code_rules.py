@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-from robosmi.transformations.constraints import code_characters, code_cores, code_formats, code_ports, code_ranges, code_widths
+from robosmi.transformations.constraints import (
+    code_characters,
+    code_cores,
+    code_formats,
+    code_memory,
+    code_ports,
+    code_ranges,
+    code_widths,
+)
 from robosmi.transformations.constraints.code_move import move_findings, moved
 
 __all__ = ["MODULES", "move_findings", "moved"]
 
-MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges)
+MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges, code_memory)
 """Where they are."""

@@ -1,7 +1,7 @@
 """The variables of a plan's program that take data memory as long as it runs, and what is done with them where they are named.
 
 A compiler keeps what changes and is read; numbers that never change it puts into the code, what nothing reads it leaves out.
-How many bytes a type takes is `target_sizes`' business.
+How many bytes a type takes is `type_sizes`' business.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
-from robosmi.transformations.queries.target_sizes import TargetSizes
+from robosmi.transformations.queries.type_sizes import TypeSizes
 
 _COUNTS = ("++", "--")
 
@@ -28,7 +28,7 @@ class Share:
 
 
 def lasting_variables(
-    plan: migration.MigrationPlan, live: Sequence[Any], sizes: TargetSizes, ignored: Set[int]
+    plan: migration.MigrationPlan, live: Sequence[Any], sizes: TypeSizes, ignored: Set[int]
 ) -> tuple[list[Share], list[str]]:
     """The variables that take memory, and the names of those whose size the models do not tell.
 

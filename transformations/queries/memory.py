@@ -20,7 +20,7 @@ from robosmi.transformations.queries.memory_texts import bytes_of_initial_values
 from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, setup_statements
 from robosmi.transformations.queries.stack_depth import depth
-from robosmi.transformations.queries.target_sizes import TargetSizes
+from robosmi.transformations.queries.type_sizes import on_target
 
 _LISTED = 5
 """So many of the largest variables are named."""
@@ -84,7 +84,7 @@ def memory(plan: migration.MigrationPlan) -> Memory:
         plan: the plan, complete.
     """
     live = live_elements(plan)
-    sizes = TargetSizes(plan)
+    sizes = on_target(plan)
     ignored = {id(each) for use in plan.adapterUses for each in _ignored_arguments(use)}
     ignored |= {id(call) for use in plan.adapterUses if use.adapter is None for call in use.calls}
     chip = plan.board.microcontroller if plan.board is not None else None

@@ -12,7 +12,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.transformations.queries.lasting_variables import is_ignored, lasting, way
-from robosmi.transformations.queries.target_sizes import TargetSizes, text_of, unescaped
+from robosmi.transformations.queries.type_sizes import TypeSizes, text_of, unescaped
 
 _COPIED = 3
 """Initial values of local arrays with more bytes are copied from data memory; fewer are in the code."""
@@ -42,7 +42,7 @@ def _elsewhere(literal: ccode.StringLiteral, ignored: Set[int]) -> bool:
     return isinstance(container, ccode.SizeOf) or is_ignored(literal, ignored)
 
 
-def bytes_of_initial_values(plan: migration.MigrationPlan, live: Sequence[Any], sizes: TargetSizes) -> int:
+def bytes_of_initial_values(plan: migration.MigrationPlan, live: Sequence[Any], sizes: TypeSizes) -> int:
     """Bytes of what local arrays begin with, which are copied from data memory each time."""
     others = {id(each) for each in lasting(plan, live)}
     total = 0

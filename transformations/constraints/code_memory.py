@@ -1,0 +1,161 @@
+"""Constraints on the memory of a program that the target has less of, or lays out otherwise: heap, and members of structures.
+
+How much memory a program takes is no constraint: it is told with what the board has (`queries.memory`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
+from robosmi.transformations.queries.cores import reached
+from robosmi.transformations.queries.expression_type import ARITHMETIC
+from robosmi.transformations.queries.initialisers import record_of
+from robosmi.transformations.queries.type_sizes import on_source, on_target
+from robosmi.validate import Fail
+
+SMALL = 65536
+"""Bytes of memory below which a heap that only grows is soon at its end."""
+TAKING = frozenset(["malloc", "calloc", "realloc", "strdup"])
+_GIVING = frozenset(["free", "realloc"])
+_COPYING = frozenset(["memcpy", "memmove", "memcmp", "fread", "fwrite", "read", "write"])
+"""Functions of the standard library that take memory as bytes, besides those of the platform."""
+
+
+def _small() -> int:
+    """The target's memory where it is small; 0 where it is not, or is not known."""
+    board = the_move().plan.board if move() is not None else None
+    chip = board.microcontroller if board is not None else None
+    return int(chip.ramBytes) if chip is not None and chip.ramBytes < SMALL else 0
+
+
+taking = moved.context(ccode.Call, guard=lambda call: call.calleeName in TAKING and move() is not None and bool(_small()))
+units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None and the_move().plan.source is not None)
+
+
+@taking.constraint(
+    id="RS332", severity=Severity.warning, location=place,
+    advice="take the memory once, before the loop, or declare an array; give it back with free() each time round otherwise",
+)  # fmt: skip
+def IsTakenOnce(call: ccode.Call) -> Any:
+    """Memory that is taken from the heap each time round a loop is given back there."""
+    loop = _grows(call, ())
+    if loop is None:
+        return True
+    return Fail(
+        f"{call.calleeName} takes memory from the heap each time round the loop of line {loop.line}, which gives none back; "
+        f"the target has {_small()} bytes of RAM"
+    )
+
+
+def _grows(element: Any, above: tuple[int, ...]) -> ccode.Loop | None:
+    """The loop each round of which carries the element out, and in which nothing is given back."""
+    function = ancestor_of_kind(element, ccode.Function)
+    loop = ancestor_of_kind(element, ccode.Loop)
+    if loop is not None:
+        return None if _gives_back([loop.body]) else loop
+    if function is None or id(function) in above or _gives_back([function.body]):
+        return None
+    return next((found for each in function.calls if (found := _grows(each, (*above, id(function)))) is not None), None)
+
+
+def _gives_back(bodies: list[Any]) -> bool:
+    return any(isinstance(each, ccode.Call) and each.calleeName in _GIVING for each in reached(bodies))
+
+
+@units.constraint(
+    id="RS333", severity=Severity.warning, location=place,
+    advice="write and read the members one by one, or give the structure the members that fill the gaps",
+)  # fmt: skip
+def KeepsItsLayout(unit: ccode.SourceUnit) -> Any:
+    """No structure that the target lays out otherwise is taken as bytes: by its size, or through a pointer."""
+    m = the_move()
+    found = {
+        id(each): (each, record) for each in m.view(unit).of_kind(ccode.Expression) if (record := _as_bytes(each)) is not None
+    }
+    sizes = {id(record): said for _, record in found.values() if (said := _sizes(record))}
+    some = [each for each, record in found.values() if id(record) in sizes]
+    if not some:
+        return True
+    told = dict.fromkeys(sizes[id(record)] for _, record in found.values() if id(record) in sizes)
+    return together(f"what takes structures as bytes finds others on the target: {'; '.join(told)}", some)
+
+
+def _sizes(record: ccode.Record) -> str:
+    """The sizes of a structure on both platforms in words; empty where they are the same or not known."""
+    plan = the_move().plan
+    here, there = on_source(plan), on_target(plan)
+    before, after = here.record(record) if here is not None else None, there.record(record)
+    if before is None or after is None or before == after:
+        return ""
+    return f"{_name(record)} has {after} bytes, not {before}"
+
+
+def _name(record: ccode.Record) -> str:
+    if record.name:
+        return f"'{record.name}'"
+    unit = ancestor_of_kind(record, ccode.SourceUnit)
+    declared = unit.declarations if unit is not None else ()
+    named = (d for d in declared if isinstance(d, ccode.Typedef) and d.startOffset <= record.startOffset < d.endOffset)
+    return next((f"'{d.name}'" for d in named), f"the structure of line {record.line}")
+
+
+def _as_bytes(expression: Any) -> ccode.Record | None:
+    """The structure that an expression takes as bytes: its size for what copies memory, or a pointer to it as one to numbers."""
+    if isinstance(expression, ccode.SizeOf):
+        return _measured(expression) if _copies(expression) else None
+    if isinstance(expression, ccode.Cast) and expression.target is not None and expression.target.pointerDepth == 1:
+        base = str(expression.target.canonical or "").replace("*", "").split()
+        if base and set(base) - {"const", "volatile"} <= ARITHMETIC:
+            return _pointed_at(expression.operand)
+    return None
+
+
+def _measured(size: ccode.SizeOf) -> ccode.Record | None:
+    if size.measured is None:
+        return _record_of_value(size.operand)
+    return record_of(size.measured) or record_of(ccode.TypeUse(declaration=_declared(str(size.measured.spelling or ""))))
+
+
+def _declared(spelling: str) -> ccode.Declaration | None:
+    """The structure, or the name of one, that a type is called by."""
+    name = spelling.removeprefix("struct ").removeprefix("union ").strip()
+    declared = (d for unit in the_move().program.units for d in unit.declarations)
+    return next((d for d in declared if isinstance(d, (ccode.Record, ccode.Typedef)) and d.name == name), None)
+
+
+def _record_of_value(expression: Any) -> ccode.Record | None:
+    if isinstance(expression, ccode.NameReference):
+        declared = getattr(expression.target, "valueType", None)
+        return record_of(declared) if declared is not None and not declared.pointerDepth else None
+    if isinstance(expression, ccode.Unary) and expression.operator == "*":
+        return _pointed_at(expression.operand)
+    return None
+
+
+def _pointed_at(expression: Any) -> ccode.Record | None:
+    """The structure that a pointer points to, as far as its declaration tells."""
+    if isinstance(expression, ccode.Unary) and expression.operator == "&":
+        inner = expression.operand
+        return _record_of_value(inner.array if isinstance(inner, ccode.Index) else inner)
+    declared = getattr(expression.target, "valueType", None) if isinstance(expression, ccode.NameReference) else None
+    if declared is None:
+        return None
+    if declared.pointerDepth == 1:
+        return record_of(ccode.TypeUse(declaration=declared.declaration))
+    return record_of(declared) if declared.arrayDims and not declared.pointerDepth else None
+
+
+def _copies(size: ccode.SizeOf) -> bool:
+    """Whether a size is an argument of a function that takes memory as bytes, alone or times a number."""
+    element: Any = size
+    parent: Any = element.eContainer()
+    while isinstance(parent, (ccode.Cast, ccode.Binary)) and getattr(parent, "operator", "*") == "*":
+        parent = parent.eContainer()
+    if not isinstance(parent, ccode.Call):
+        return False
+    served = {id(call) for use in the_move().plan.adapterUses for call in use.calls}
+    return parent.calleeName in _COPYING or id(parent) in served

@@ -1,0 +1,137 @@
+"""How many bytes declared types take on the source and on the target, and what a text says.
+
+Sizes follow from the platforms' models: widths of int, long, double and pointers, types that keep the width of the source. On a
+processor that reads bytes, members of structures lie behind each other without gaps. What expressions take is not asked here.
+"""
+
+from __future__ import annotations
+
+import re
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.queries.initialisers import record_of
+from robosmi.transformations.queries.plan import platform_of
+
+_DIMENSION = re.compile(r"\[([^\[\]]*)\]")
+_QUALIFIERS = re.compile(r"\b(?:const|volatile|register|restrict|extern|static|struct|union|enum|_Bool)\b")
+_ESCAPE = re.compile(r"\\(?:x[0-9A-Fa-f]+|[0-7]{1,3}|.)", re.DOTALL)
+_TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
+_OCTET = 8
+_READS_WORDS = 32
+"""A processor whose int has so many bits reads words, and puts values at multiples of their size."""
+_FIXED = {
+    "char": 1, "signed char": 1, "unsigned char": 1, "bool": 1, "short": 2, "unsigned short": 2, "short int": 2, "float": 4,
+    "long long": 8, "unsigned long long": 8, "long long int": 8,
+}  # fmt: skip
+"""Bytes of the types that are the same on all the platforms that there are."""
+
+
+class TypeSizes:
+    """Sizes on a platform.
+
+    Args:
+        model: the platform.
+        integer: bytes of an int, where it is written otherwise than the platform has it; 0 for the platform's own.
+        aligned: bytes that the processor reads at once: members lie at multiples of their size up to so many; 1 for no gaps.
+    """
+
+    def __init__(self, model: platform.Platform, integer: int = 0, aligned: int = 1) -> None:
+        self.pointer = int(model.pointerBits) // _OCTET
+        self.aligned = aligned
+        self._integer = int(model.intBits) // _OCTET
+        whole, long, double = integer or self._integer, int(model.longBits) // _OCTET, int(model.doubleBits) // _OCTET
+        self._bytes = {
+            **_FIXED, "int": whole, "unsigned int": whole, "long": long, "unsigned long": long, "long int": long,
+            "double": double, "long double": double,
+        }  # fmt: skip
+
+    def of(self, use: ccode.TypeUse | None) -> int | None:
+        """The bytes of a variable of a type; None where the model does not tell."""
+        if use is None:
+            return None
+        count = 1
+        canonical = str(use.canonical or use.spelling or "")
+        for size in _DIMENSION.findall(canonical):
+            if not size.strip().isdecimal():
+                return None
+            count *= int(size)
+        one = self.element(use)
+        return None if one is None else count * one
+
+    def element(self, use: ccode.TypeUse) -> int | None:
+        """The bytes of one element of an array, of anything else as it is."""
+        if use.pointerDepth or "(*" in str(use.spelling or ""):
+            return self.pointer
+        record = record_of(use)
+        if record is not None:
+            return self.record(record)
+        if isinstance(use.declaration, ccode.Enumeration):
+            return self._integer
+        base = " ".join(_QUALIFIERS.sub(" ", _DIMENSION.sub("", str(use.canonical or ""))).split())
+        if base.endswith("*"):
+            return self.pointer
+        known = self._bytes.get(base)
+        if known is not None:
+            return known
+        return int(use.bits) // _OCTET or None
+
+    def record(self, record: ccode.Record) -> int | None:
+        """The bytes of a structure or a union; bit-fields share bytes, or what is read at once."""
+        bits, most, widest = 0, 0, 1
+        for each in record.fields:
+            whole = self.of(each.valueType)
+            if whole is None:
+                return None
+            step = self.alignment(each.valueType)
+            widest = max(widest, step)
+            if each.bitWidth:
+                size, unit = int(each.bitWidth), step * _OCTET
+                bits = bits if step == 1 or bits % unit + size <= unit else _up(bits, unit)
+            else:
+                bits, size = _up(bits, step * _OCTET), whole * _OCTET
+            bits += size
+            most = max(most, size)
+        union = record.recordKind is ccode.RecordKind.unionType
+        return _up(most if union else bits, widest * _OCTET) // _OCTET
+
+    def alignment(self, use: ccode.TypeUse | None) -> int:
+        """At multiples of how many bytes a value of a type lies."""
+        if use is None or self.aligned == 1:
+            return 1
+        record = record_of(use) if not use.pointerDepth else None
+        if record is not None:
+            return max((self.alignment(each.valueType) for each in record.fields), default=1)
+        return min(self.element(use) or 1, self.aligned)
+
+
+def on_target(plan: migration.MigrationPlan) -> TypeSizes:
+    """Sizes on the target of a plan: members lie behind each other, as on a processor that reads bytes."""
+    whole = int(plan.source.intBits) // _OCTET if plan.widths is migration.Widths.fix and plan.source is not None else 0
+    target = platform_of(plan)
+    return TypeSizes(target, whole, 1 if target.intBits < _READS_WORDS else int(target.intBits) // _OCTET)
+
+
+def on_source(plan: migration.MigrationPlan) -> TypeSizes | None:
+    """Sizes on the source of a plan, which reads words; None where it is not known."""
+    return TypeSizes(plan.source, 0, int(plan.source.intBits) // _OCTET) if plan.source is not None else None
+
+
+def _up(bits: int, unit: int) -> int:
+    return -(-bits // unit) * unit
+
+
+def text_of(literal: ccode.StringLiteral) -> str:
+    """What a text says, adjacent ones joined, each character as one; escapes become one character each."""
+    return unescaped(str(literal.text or ""))
+
+
+def unescaped(text: str) -> str:
+    """What texts in quotes say, adjacent ones joined, each character as one."""
+    return "".join(_ESCAPE.sub(lambda found: _character(found[0]), part) for part in _TEXT.findall(text))
+
+
+def _character(escape: str) -> str:
+    code = escape[1:]
+    if code[:1] == "x":
+        return chr(int(code[1:], 16) & 255)
+    return chr(int(code, 8) & 255) if code.isdecimal() else code
