@@ -79,6 +79,9 @@ class Project:
 
 _TABLES = ("migrate", "libraries", "bind", "roles", "servos", "severity", "accept")
 _SERVO = ("neutral", "speeds")
+_SERVOS = re.compile(r"\s*\[\s*servos\s*\]")
+POINTS = 64
+"""So many points may be given of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
 """The least and the most microseconds of a pulse that servos are given here."""
 _MIGRATE = ("hardware", "target", "source_platform")
@@ -185,6 +188,8 @@ def _servo(path: Path, name: str, entry: Any, line: int | None) -> ServoTrim:
         raise wrong(f"neutral = {neutral!r} is no pulse", f"give whole microseconds from {least} to {most}")
     if "speeds" in entry and (not whole or len(speeds) < 2):
         raise wrong("speeds is no list of two [speed, microseconds] or more", "write speeds = [[-100, 1300], [100, 1700]]")
+    if len(speeds) > POINTS:
+        raise wrong(f"speeds has {len(speeds)} points", f"give at most {POINTS}: between two, the pulse is in proportion")
     odd = next((point for point in speeds if not least <= point[1] <= most or abs(point[0]) > 32767), None)
     if odd is not None:
         raise wrong(f"{odd} in speeds has no pulse or speed that can be", f"give whole microseconds from {least} to {most}")
@@ -199,9 +204,15 @@ def _servo(path: Path, name: str, entry: Any, line: int | None) -> ServoTrim:
 
 
 def _line_of(name: str, text: str) -> int | None:
-    """The line in which a table of a servo begins, or None where it is not written as one."""
-    wanted = re.compile(rf"\s*\[\s*servos\s*\.\s*(?:[\"']?{re.escape(name)}[\"']?)\s*\]|\s*[\"']?{re.escape(name)}[\"']?\s*=")
-    return next((number for number, line in enumerate(text.splitlines(), 1) if wanted.match(line)), None)
+    """The line in which a servo's table or entry in [servos] begins, or None where it is not written as one."""
+    called = rf"[\"']?{re.escape(name)}[\"']?"
+    table, entry = re.compile(rf"\s*\[\s*servos\s*\.\s*{called}\s*\]"), re.compile(rf"\s*{called}\s*=")
+    inside = False
+    for number, line in enumerate(text.splitlines(), 1):
+        if table.match(line) or (inside and entry.match(line)):
+            return number
+        inside = bool(_SERVOS.match(line)) or (inside and not line.lstrip().startswith("["))
+    return None
 
 
 def _list_of_tables(path: Path, data: dict[str, Any], name: str) -> list[Any]:

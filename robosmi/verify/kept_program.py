@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import tempfile
+from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -17,7 +20,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.model.commit import update
 from robosmi.verify.compile_report import CompileReport
@@ -29,6 +32,7 @@ from robosmi.verify.toolchain_data import load_toolchains
 FOLDER = "build"
 DATABASE = "compile_commands.json"
 SCHEMA = "robosmi-build/1"
+_QUOTED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 _NO_SOURCE = (".md", ".orig")
 """Endings of files in a sketch's folder that no compiler reads."""
 
@@ -43,6 +47,7 @@ class BuildRecord:
         stand_ins: libraries that were not installed, so that stand-ins are in the program.
         sources: file of the sketch's folder -> SHA-256.
         program: SHA-256 of the `.hex`.
+        outside: path of a file outside of the sketch's folder that its files include -> SHA-256.
         sizes: `flash_bytes`, `flash_limit`, `ram_bytes`, `ram_limit`; empty in a record of an earlier version.
     """
 
@@ -52,12 +57,13 @@ class BuildRecord:
     sources: dict[str, str]
     program: str
     sizes: dict[str, int] = field(default_factory=dict)
+    outside: dict[str, str] = field(default_factory=dict)
 
     def to_bytes(self) -> bytes:
         """The record's file."""
         values = {
             "schema": SCHEMA, "board": self.board, "fits": self.fits, "stand_ins": list(self.stand_ins),
-            "sources": self.sources, "program": self.program, "sizes": self.sizes,
+            "sources": self.sources, "program": self.program, "sizes": self.sizes, "outside": self.outside,
         }  # fmt: skip
         return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
 
@@ -107,14 +113,58 @@ def compile_into(
                 "flash_bytes": report.flash_bytes or 0, "flash_limit": report.flash_limit,
                 "ram_bytes": report.ram_bytes or 0, "ram_limit": report.ram_limit,
             }  # fmt: skip
+            beyond = outside(_named_outside(sketch, sources))
             made = hashlib.sha256(program).hexdigest()
-            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes)
+            record = BuildRecord(report.board, bool(report.fits), stand_ins, sources, made, sizes, beyond)
             contents[_record_name(sketch)] = record.to_bytes()
         if report.elf is not None and report.hex is not None:
             contents |= {report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT), report.hex.name: program}
             report = replace(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
+    _refuse_others(folder, sketch, contents)
     update(folder, contents)
     return replace(report, database=folder / DATABASE)
+
+
+def _refuse_others(folder: Path, sketch: Sketch, contents: Iterable[str]) -> None:
+    """Raise a StoppedError where a file in the folder bears a name of ours and no compile of this sketch has left it."""
+    with suppress(SourceError):  # a damaged record is one of ours
+        if read_record(folder, sketch) is None:
+            for name in contents:
+                path = folder / name
+                if path.exists() and not (name == DATABASE and _is_database(path, sketch)):
+                    raise StoppedError(
+                        "there is a file here that no compile of this sketch has made", location=Location(str(path)),
+                        fix="name another folder with -o, or move the file away",
+                    )  # fmt: skip
+
+
+def _is_database(path: Path, sketch: Sketch) -> bool:
+    """Whether a file is the compilation database that an earlier run left, which had nothing else to leave."""
+    try:
+        entries = json_of(inputs.read_bytes(path, inputs.OUTPUT).decode())
+        places = [(Path(str(each["directory"])) / str(each["file"])).resolve() for each in entries]
+        return any(place.is_relative_to(sketch.folder.resolve()) for place in places)
+    except (OSError, ValueError, KeyError, TypeError):
+        return False
+
+
+def _named_outside(sketch: Sketch, files: Iterable[str]) -> set[str]:
+    """The files outside of the sketch's folder that its own files include by a path, `"../shared.h"` for example."""
+    own = sketch.folder.resolve()
+    named: set[Path] = set()
+    for path in (own / name for name in files):
+        text = inputs.read_text(path, inputs.OUTPUT, "utf-8", "replace")
+        named |= {(path.parent / header).resolve() for header in _QUOTED.findall(text)}
+    return {str(path) for path in named if not path.is_relative_to(own) and path.is_file()}
+
+
+def outside(paths: Iterable[str]) -> dict[str, str]:
+    """The files outside of a sketch's folder that can be read: path -> SHA-256."""
+    found = {}
+    for name in paths:
+        with suppress(OSError):
+            found[name] = hashlib.sha256(inputs.read_bytes(Path(name), inputs.OUTPUT)).hexdigest()
+    return found
 
 
 def digests(sketch: Sketch, kept_in: Path) -> dict[str, str]:
@@ -170,6 +220,7 @@ def record_at(path: Path) -> BuildRecord | None:
             str(data["board"]), bool(data["fits"]), tuple(map(str, data["stand_ins"])),
             {str(name): str(digest) for name, digest in data["sources"].items()}, str(data["program"]),
             {str(name): int(size) for name, size in data.get("sizes", {}).items()},
+            {str(name): str(digest) for name, digest in data.get("outside", {}).items()},
         )  # fmt: skip
     except FileNotFoundError:
         return None

@@ -10,18 +10,22 @@ import hashlib
 import re
 import shlex
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from filelock import FileLock, Timeout
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UploadError, UsageError
 from robosmi.trust import acting
+from robosmi.user_folders import cache_dir
 from robosmi.verify import serial_ports
 from robosmi.verify.boards import Board, BootLoader, find_board, load_boards
-from robosmi.verify.kept_program import BuildRecord, digests, folder_of, kept_hex, read_record
+from robosmi.verify.kept_program import BuildRecord, digests, folder_of, kept_hex, outside, read_record
 from robosmi.verify.sketch import Sketch, find_sketch
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.uploader import Uploader, find_uploader
@@ -110,17 +114,19 @@ def upload_sketch(
         _sendable(sketch, toolchain, record, board, loader, length, unfinished)
         tool = find_uploader(toolchain, project)
         boards = load_boards(toolchain.platform, project)
-        actual = port if dry_run else _awake(port, loader, tool, board, boards)
-        for rate in (baud,) if baud is not None else loader.bauds:
-            command = tool.command(board, loader, actual, rate, kept_hex(folder, sketch))
-            said = None if dry_run else tool.send(command, folder)
-            if said is None:
-                seconds = time.perf_counter() - started
-                return UploadReport(tool.title, tuple(command), length, board.name, actual, not dry_run, seconds)
-            error, again = tool.refused(said, board, actual, boards, command)
-            if not again:
-                break
-        raise error
+        port = _absolute(port)
+        with nullcontext() if dry_run else _alone(port):
+            actual = port if dry_run else _awake(port, loader, tool, board, boards)
+            for rate in (baud,) if baud is not None else loader.bauds:
+                command = tool.command(board, loader, actual, rate, kept_hex(folder, sketch))
+                said = None if dry_run else tool.send(command, folder)
+                if said is None:
+                    seconds = time.perf_counter() - started
+                    return UploadReport(tool.title, tuple(command), length, board.name, actual, not dry_run, seconds)
+                error, again = tool.refused(said, board, actual, boards, command)
+                if not again:
+                    break
+            raise error
 
 
 # ---- what may be sent
@@ -143,12 +149,11 @@ def _kept(sketch: Sketch, folder: Path, named: Path) -> tuple[BuildRecord, bytes
     program = inputs.read_bytes(path, inputs.OUTPUT)
     if hashlib.sha256(program).hexdigest() != record.program:
         raise SourceError("the program is not the one that was compiled last", location=Location(str(path)), fix=fix)
-    now = digests(sketch, folder)
-    changed = sorted(name for name in now.keys() | record.sources.keys() if now.get(name) != record.sources.get(name))
+    now = digests(sketch, folder) | outside(record.outside)
+    before = record.sources | record.outside
+    changed = sorted(name for name in now.keys() | before.keys() if now.get(name) != before.get(name))
     if changed:
-        what = (
-            "was changed" if changed[0] in now and changed[0] in record.sources else "is new" if changed[0] in now else "is gone"
-        )
+        what = "was changed" if changed[0] in now and changed[0] in before else "is new" if changed[0] in now else "is gone"
         more = f", and {len(changed) - 1} more" if len(changed) > 1 else ""
         place = Location(str(sketch.folder / changed[0]))
         raise SourceError(f"the file {what} since the sketch was compiled{more}", location=place, fix=fix)
@@ -232,6 +237,28 @@ def _program_bytes(text: bytes) -> int:
 
 
 # ---- the board
+
+
+def _absolute(port: str) -> str:
+    """A port that is a path from here as one from the root: the tool runs in another folder."""
+    return str(Path(port).absolute()) if not Path(port).is_absolute() and Path(port).exists() else port
+
+
+@contextmanager
+def _alone(port: str) -> Iterator[None]:
+    """Keep other uploads of this person away from a port meanwhile.
+
+    Raises:
+        UploadError: another one is going on there.
+    """
+    name = hashlib.sha256(str(Path(port).resolve()).encode("utf-8", "surrogateescape")).hexdigest()[:16]
+    folder = cache_dir() / "ports"
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        with FileLock(folder / f"{name}.lock", timeout=0):
+            yield
+    except Timeout as error:
+        raise UploadError(f"another upload to '{port}' is going on", fix="wait for its end, or end it") from error
 
 
 def _awake(port: str, loader: BootLoader, tool: Uploader, board: Board, boards: Sequence[Board]) -> str:

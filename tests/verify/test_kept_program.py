@@ -201,3 +201,27 @@ def test_the_folder_of_a_sketch_is_the_output_folder_s_wherever_it_is_named(tmp_
     assert folder_of(tmp_path / "out" / "blink", sketch) == tmp_path / "out" / "blink" / "build"
     (tmp_path / "out" / ".robosmi.json").write_text("{}")
     assert folder_of(tmp_path / "out" / "blink", sketch) == tmp_path / "out" / "build"
+
+
+@pytest.mark.parametrize("name", ["blink.elf", "blink.hex", "compile_commands.json", "blink.build.json"])
+def test_a_file_that_no_compile_has_made_is_not_written_over(name: str, out: Path, tmp_path: Path) -> None:
+    into = tmp_path / "mine"
+    into.mkdir()
+    (into / name).write_text("[]" if name != "blink.build.json" else "notes")
+    outcome = run("compile", out, "-o", into)
+    if name == "blink.build.json":  # a damaged record is one of ours
+        assert outcome.code == 0
+        return
+    assert outcome.code == 5
+    assert "there is a file here that no compile of this sketch has made" in outcome.err
+    assert [path.name for path in into.iterdir()] == [name]
+
+
+def test_what_an_earlier_compile_has_left_is_written_over(out: Path, tmp_path: Path) -> None:
+    sketch = out / "blink" / "blink.ino"
+    text = sketch.read_text()
+    sketch.write_text(text + "\nbroken")
+    assert run("compile", out, "-o", tmp_path / "mine").code == 6
+    sketch.write_text(text)
+    assert run("compile", out, "-o", tmp_path / "mine").code == 0
+    assert run("compile", out, "-o", tmp_path / "mine").code == 0

@@ -23,7 +23,7 @@ from robosmi.errors import MissingToolError, RobosmiError, SourceError, UploadEr
 from robosmi.verify import serial_ports
 from robosmi.verify.boards import load_boards
 from robosmi.verify.kept_program import compile_into
-from robosmi.verify.upload import upload_sketch
+from robosmi.verify.upload import _alone, upload_sketch
 from tests.running import run
 from tests.tools import require_tools
 from tests.verify.boot_loaders import waiting
@@ -272,6 +272,38 @@ def test_a_program_that_is_not_of_the_sketch_as_it_stands(
         upload_sketch(out, "/dev/null")
     assert "compile" in (refused.value.fix or "")
     assert stand_in.asked() == []
+
+
+def test_a_file_beside_the_sketch_s_folder_that_it_includes_is_part_of_the_program(tmp_path: Path, stand_in: StandIn) -> None:
+    require_tools(*TOOLS)
+    out = Path(shutil.copytree(CASES / "blink", tmp_path / "out"))
+    sketch = out / "blink" / "blink.ino"
+    sketch.write_text(f'#include "../shared.h"\n{sketch.read_text()}')
+    (out / "shared.h").write_text("#define SHARED 1\n")
+    assert compile_into(out).fits
+    assert upload_sketch(out, "/dev/null").sent
+    (out / "shared.h").write_text("#define SHARED 2\n")
+    with pytest.raises(SourceError, match="was changed since the sketch was compiled") as refused:
+        upload_sketch(out, "/dev/null")
+    assert str(refused.value.location) == str(out / "shared.h")
+
+
+def test_a_port_that_is_a_path_from_here_is_found(
+    blink: Callable[[str], Path], stand_in: StandIn, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = blink("uno")
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    Path("port").symlink_to("/dev/null")
+    assert upload_sketch(out, "port").port == str(tmp_path / "here" / "port")
+
+
+def test_two_uploads_to_one_port_do_not_meet(blink: Callable[[str], Path], stand_in: StandIn, tmp_path: Path) -> None:
+    out = blink("uno")
+    with _alone("/dev/null"), pytest.raises(UploadError, match="another upload to '/dev/null' is going on"):
+        upload_sketch(out, "/dev/null")
+    assert stand_in.asked() == []
+    assert upload_sketch(out, "/dev/null").sent
 
 
 def test_notes_in_markdown_are_no_part_of_the_program(blink: Callable[[str], Path], stand_in: StandIn) -> None:

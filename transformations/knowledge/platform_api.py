@@ -120,17 +120,22 @@ class ApiIndex:
     def resolve(self, name: str, includes: Iterable[str]) -> ApiEntry | None:
         """The one declaration that a program with these includes means.
 
-        Headers that the includes bring in come first, those included earlier before later ones; then, for a program that forgot
-        the include, any header of the platform before standard ones. An alternative to an included header, which declares
-        functions of the same names, is not meant: then the included header has the name, and nothing is known of it. None for a
-        name that the platform does not know.
+        Headers that the includes bring in come first, those included earlier before later ones; a variable of the platform that a
+        standard header declares, too, is the platform's. Then, for a program that forgot the include, comes any header of the
+        platform before standard ones. An alternative to an included header, which declares functions of the same names, is not
+        meant: then the included header has the name, and nothing is known of it. None for a name that the platform does not know.
         """
         found = self.entries(name)
         if not found:
             return None
         order = {header: i for i, header in enumerate(self.closure(includes))}
         outside = len(order)
-        best = min(found, key=lambda e: (order.get(e.header, outside), self.kind_of(e) != "platform", e.header))
+
+        def rank(entry: ApiEntry) -> tuple[bool, bool, int, bool, str]:
+            foreign, place = self.kind_of(entry) != "platform", order.get(entry.header, outside)
+            return place == outside, foreign and entry.kind == "variable", place, foreign, entry.header
+
+        best = min(found, key=rank)
         if best.header in order or best.kind != "function":
             return best
         meant = next((header for header in order if header in self._alternatives(best.header)), "")

@@ -199,6 +199,17 @@ def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list
     return [(place, place, "int ")]
 
 
+def _define_local(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """A declaration in a function of what is nowhere defined: it becomes a variable that lasts."""
+    changes = _define_extern(element, choice, text)
+    start = text.data.rfind(b"extern", 0, element.startOffset + len(b"extern"))
+    found = re.compile(rb"extern\b").match(text.data, start) if start >= 0 else None
+    outside = found is not None and text.blank(found.end(), int(element.startOffset))
+    if found is not None and (outside or start >= element.startOffset):
+        return [(found.start(), found.end(), "static"), *(each for each in changes if each[2] and each[0] > found.start())]
+    return changes
+
+
 def _define_extern(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     shared = is_header(text.unit)
     found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
@@ -268,6 +279,7 @@ RULES: dict[str, EditRule] = {
     "assign-behind": _assign_behind,
     "take-out": _out,
     "define-extern": _define_extern,
+    "define-local": _define_local,
     "adapter-in-place": _body,
     "adapter-declared": _out,
 }

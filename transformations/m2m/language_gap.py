@@ -24,6 +24,7 @@ from robosmi.transformations.queries.expression_type import (
     of_use,
     type_of,
 )
+from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.signature_text import function_type
 
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
@@ -88,8 +89,10 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     if wanted.arithmetic and isinstance(value.eContainer(), ccode.InitializerList):
         return "" if _fits(value, wanted) else "C++ narrows no value in a list on its own"
     given = type_of(value, functions)
-    if given is None or given.function or given.spelling.replace(" ", "") == wanted.spelling.replace(" ", ""):
+    if given is None or given.function:
         return ""
+    if given.spelling.replace(" ", "") == wanted.spelling.replace(" ", "") and not given.array:
+        return ""  # an array may be constant or changing with what it is in
     if wanted.depth and given.depth:
         return _pointers(given, wanted)
     if wanted.depth and given.arithmetic:
@@ -97,6 +100,22 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     if given.depth and wanted.arithmetic:
         return "a pointer is no number in C++"
     return ""
+
+
+def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Comparisons of a pointer with a number, which are one of numbers in C."""
+    for binary in view.of_kind(ccode.Binary):
+        left, right = binary.left, binary.right
+        if binary.operator not in COMPARISONS or left is None or right is None:
+            continue
+        for value, other in ((left, right), (right, left)):
+            given, kind = type_of(value, functions), type_of(other, functions)
+            plain = isinstance(other, ccode.IntegerLiteral) and not other.value
+            if given is None or kind is None or not given.depth or not kind.arithmetic or plain:
+                continue
+            if not _NULLS.fullmatch(data[other.startOffset : other.endOffset]):
+                rule = "convert" if _primary(value) else "convert-compound"
+                yield Change(value, rule, kind.spelling, "C++ compares no pointer with a number")
 
 
 _LIMITS = {
@@ -244,7 +263,7 @@ def _designated(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
             yield Change(variable, "positional", "", "C++ gives the values of a list in their order")
 
 
-RULES: tuple[Rule, ...] = (_tags, _designated, _enumerations, _conversions, *old_c.RULES, *shared_names.RULES)
+RULES: tuple[Rule, ...] = (_tags, _designated, _enumerations, _conversions, _comparisons, *old_c.RULES, *shared_names.RULES)
 TEXT_RULES = frozenset(
     {
         "empty-parentheses",
@@ -255,6 +274,7 @@ TEXT_RULES = frozenset(
         "return-at-end",
         "declare-only",
         "define-extern",
+        "define-local",
         "share",
         "share-one",
         "zero-value",

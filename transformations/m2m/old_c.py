@@ -62,8 +62,14 @@ def implicit_int(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
             continue
         head = data[element.startOffset : element.endOffset].decode("latin-1")
         found = re.search(rf"\b{re.escape(element.name)}\b", head)
-        if found is not None and _QUALIFIERS.fullmatch(head[: found.start()]) and element.name:
+        if found is not None and _QUALIFIERS.fullmatch(_without_macros(head[: found.start()], view)) and element.name:
             yield Change(element, "implicit-int", str(found.start()), "C++ wants the type int written")
+
+
+def _without_macros(head: str, view: CodeView) -> str:
+    """What stands before a name, without the platform's macros that say where a thing lies."""
+    places = set(view.api.settings["parser"].get("attribute_macros", ()))
+    return re.sub(r"\w+", lambda word: "" if word[0] in places else word[0], head)
 
 
 def missing_returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

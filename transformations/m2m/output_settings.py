@@ -37,8 +37,9 @@ def set_servo_trims(
         servos: title of a component, `#model_index`, role or name of a port, or name of a connection -> what was measured.
 
     Raises:
-        SourceError: a name means no servo, or one of several.
+        SourceError: a name means no servo, one of several, or one that another name means, too.
     """
+    told: dict[int, str] = {}
     for name, trim in servos.items():
         found = _named(name, connections, bindings)
         if len({id(c.component) for c in found}) > 1:
@@ -51,6 +52,10 @@ def set_servo_trims(
             what = "is driven by no pin" if found else f"is no component, role or port here{did_you_mean(name, known)}"
             offered = ", ".join(f"'{each}'" for each in dict.fromkeys(known)) or "none is driven"
             raise SourceError(f"[servos] '{name}' {what}", location=trim.place, fix=f"use one of: {offered}")
+        if other := next((told[id(c)] for c in driven if id(c) in told), ""):
+            what = f"[servos] '{name}' is the servo that '{other}' tells of"
+            raise SourceError(what, location=trim.place, fix="give the values of a servo once, under one of its names")
+        told |= {id(connection): name for connection in driven}
         for connection in driven:
             connection.neutralMicroseconds = trim.neutral
             connection.speeds.clear()

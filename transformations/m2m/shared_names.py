@@ -87,12 +87,15 @@ def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
         else set()
     )
     seen: set[str] = set()
-    for declaration in view.unit.declarations:
-        if not isinstance(declaration, ccode.Variable) or declaration.name in defined or declaration.name in seen:
+    for declaration in view.of_kind(ccode.Variable):
+        if declaration.name in defined or declaration.name in seen:
             continue
         if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
-            seen.add(declaration.name)
-            yield Change(declaration, "define-extern", declaration.name, "the program defines it nowhere")
+            local = not isinstance(declaration.eContainer(), ccode.SourceUnit)
+            if not local:
+                seen.add(declaration.name)
+            rule = "define-local" if local else "define-extern"
+            yield Change(declaration, rule, declaration.name, "the program defines it nowhere")
 
 
 def common(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

@@ -141,6 +141,16 @@ def test_outputs_have_their_level_before_they_drive(target: str, tmp_path: Path)
         ("[servos.left]\nspeeds = [[0, 1500], [99999, 1600]]\n", "[99999, 1600] in speeds has no pulse", 3),
         ("[servos.left]\nspeeds = [[10, 1500], [10, 1600]]\n", "[10, 1600] in speeds does not come behind a lower speed", 3),
         ("[servos.left]\nneutral = 1490\nspeeds = [[0, 1500], [9, 1600]]\n", "neutral is 1490, and speeds has 1500", 3),
+        (
+            f"[servos.left]\nspeeds = {[[speed, 1000 + speed] for speed in range(65)]}\n",
+            "speeds has 65 points",
+            3,
+        ),
+        (
+            '[bind]\nP12 = "D9"\n[servos.left]\nneutral = 1490\n[servos.P12]\nneutral = 1500\n',
+            "'P12' is the servo that 'left' tells of",
+            7,
+        ),
         ("[servos.left]\n", "there is no table with neutral or speeds", 3),
         ("[servos]\nleft = 1500\n", "there is no table with neutral or speeds", 4),
         ("servos = 5\n", "[servos]", None),
