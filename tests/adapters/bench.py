@@ -26,8 +26,12 @@ from robosmi.verify.toolchain import compile_sketch
 ROOT = Path(__file__).parents[2]
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
 NO_PIN = "255"
-NOTHING_TO_DO = {"simpletools.h/ee_config"}
-"""Adapters with empty bodies, as the memory is in the microcontroller and has no pins: no case tells them from broken ones."""
+NOTHING_TO_DO = {
+    "simpletools.h/ee_config",  # the memory is in the microcontroller and has no pins
+    "abdrive360.h/drive_suppress_eeprom",  # nothing of the drive is kept in it
+    "servo360.h/servo360_monitorRun", "servo360.h/servo360_monitorEnd",  # the library as it is shipped leaves its monitor out
+}  # fmt: skip
+"""Adapters with empty bodies, with the reason: no case tells them from broken ones."""
 
 
 @cache

@@ -80,3 +80,18 @@ void loop() {{}}
     told = [int(each) for each in replace(uno, ports=ports).run(program, used, 1600).text.split()]
     assert told[:2] == pytest.approx([0.02 * 2 * 20 * 21 / 2] * 2, abs=1)  # 20 frames, 2 ticks/s faster in each of them
     assert told[4:] == pytest.approx([told[2] + 0.2 * 64] * 2, abs=2)  # 20 ticks/s in each frame: the ramp has ended
+
+
+@proves("abdrive360.h/drive360_ticksPerRev")
+def turns_are_counted_in_other_ticks(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); drive360_ticksPerRev(360); drive_suppress_eeprom(1);
+  servo360_monitorRun(); servo360_monitorEnd();  say(servo360_getUnitsFullCircle(5)); say(servo360_getUnitsFullCircle(6)); }}
+void loop() {{}}
+"""
+    used = [
+        "abdrive360.h/drive360_ticksPerRev", *d("suppress_eeprom"),
+        *(f"servo360.h/servo360_{name}" for name in ("monitorRun", "monitorEnd", "getUnitsFullCircle")),
+    ]  # fmt: skip
+    ports = {**PORTS, "abdrive360.left_encoder": "255", "abdrive360.right_encoder": "255"}
+    assert replace(uno, ports=ports).run(program, used, 700).text.split() == ["360", "360"]

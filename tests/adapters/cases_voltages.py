@@ -61,3 +61,40 @@ void loop() {}
     assert duties("D5", 20_000, 40_000) == pytest.approx(0.5, abs=0.01)
     assert duties("D3", 20_000, 40_000) == pytest.approx(0.5, abs=0.01)
     assert duties("D3", 40_000, 70_000) == pytest.approx(0.66, abs=0.01)
+
+
+SCALED = [f"abvolts.h/da_{name}" for name in ("setupScale", "useScale", "volts", "stop")]
+
+
+@proves(*[f"abvolts.h/da_{name}" for name in ("setupScale", "stop")])
+def outputs_are_measured_and_corrected(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); da_setupScale(); da_volts(0, 2.0); da_volts(1, 2.0); delay(20); da_stop(); delay(20);
+  Serial.print(ee_getByte(63400)); }
+void loop() {}
+"""
+    ports = {"abvolts.channel_0": "A2", "abvolts.channel_1": "A3", "abvolts.output_0": "6", "abvolts.output_1": "5"}
+    read_back = [DeviceUse("voltages", {"pin": f"A{pin}"}, {"points": [[0, mv]]}) for pin, mv in ((2, 4800), (3, 4900))]
+    used = [*SCALED, "simpletools.h/ee_getByte"]
+    trace = replace(uno, ports=ports).run(program, used, 200, read_back)
+    first, second = (float(line.partition("= ")[2]) for line in trace.text.splitlines()[:2])
+    assert [first, second] == pytest.approx([5 / 4.8, 5 / 4.9], abs=0.003)
+    assert trace.text.split()[-1] == str(ord("a"))
+    duties = {pin: next(wave.duty for wave in trace.waves if wave.pin == pin and wave.duty) for pin in ("D5", "D6")}
+    assert [duties["D6"], duties["D5"]] == pytest.approx([2 / 4.8, 2 / 4.9], abs=0.008)
+    assert [trace.levels(pin)[-1][1] for pin in ("D5", "D6")] == ["z", "z"]
+    wrong = replace(uno, ports=ports).run(program, used, 200, [DeviceUse("voltages", {"pin": "A2"}, {"points": [[0, 3000]]})])
+    assert wrong.text.startswith("Error")
+
+
+@proves("abvolts.h/da_useScale")
+def a_correction_that_was_kept_is_used(uno: Uno) -> None:
+    program = """
+void setup() { da_useScale(); da_volts(0, 1.0); delay(10); ee_putStr("abvolts", 8, 63400); ee_putFloat32(1.5, 63408);
+  ee_putFloat32(0.5, 63412); da_useScale(); da_volts(0, 1.0); da_volts(1, 1.0); delay(20); }
+void loop() {}
+"""
+    used = [*SCALED, "simpletools.h/ee_putStr", "simpletools.h/ee_putFloat32"]
+    trace = replace(uno, ports={"abvolts.output_0": "6", "abvolts.output_1": "5"}).run(program, used, 120)
+    duties = {pin: [wave.duty for wave in trace.waves if wave.pin == pin] for pin in ("D5", "D6")}
+    assert [*duties["D6"], *duties["D5"]] == pytest.approx([0.2, 0.3, 0.1], abs=0.01)

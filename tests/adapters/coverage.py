@@ -19,8 +19,7 @@ from tests.adapters.bench import pieces
 from tests.corpus.migrate_corpus import programs
 
 UNSERVED = frozenset({
-    "badgetools.h", "badgewxtools.h", "il3820.h", "oledc.h", "simplegfx.h", "sound.h", "soundimpact.h", "ssd1331.h",
-    "text2speech.h", "vgatext.h", "wavplayer.h", "wifi.h",
+    "badgetools.h", "badgewxtools.h", "il3820.h", "simplegfx.h", "sound.h", "text2speech.h", "vgatext.h", "wavplayer.h", "wifi.h",
 })  # fmt: skip
 """Headers of hardware that an Uno has not."""
 CORES = frozenset({"cog_run", "cog_end", "cog_num", "cogstart", "cognew", "coginit", "cogid", "cogstop", "_start_cog_thread"})

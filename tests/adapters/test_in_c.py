@@ -37,7 +37,7 @@ def test_adapters_in_c_do_what_the_library_documents(name: str) -> None:
 
 def test_every_adapter_in_c_is_proved() -> None:
     proved = {adapter for name in IN_C for adapter in CASES[name][1]}
-    assert {key for key, piece in KNOWN.items() if piece.kind == "adapter"} - proved == NOTHING_TO_DO
+    assert {key for key, piece in KNOWN.items() if piece.kind == "adapter"} - proved == NOTHING_TO_DO & KNOWN.keys()
 
 
 @pytest.mark.parametrize("name", IN_C[::8])

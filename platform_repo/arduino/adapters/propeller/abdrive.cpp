@@ -4,6 +4,9 @@
 // gotoStatus.c, setAcceleration.c, setMaxSpeed.c, setRampStep.c, servoPins.c).
 // The library's cog works in frames of 20 ms. So does the job below: a ramp of 12 ticks/s each frame, the wheel with the smaller change
 // scaled, five frames of rest whenever a wheel comes to a stand, and no pulses at a stand.
+//# task drive_displayInterpolation the drive here has no calibration of the source's EEPROM to show: measure the servos, and put their table into robosmi.toml, [servos]
+//# task drive_calibrationResults the drive here has no calibration of the source's EEPROM to show: measure the servos, and put their table into robosmi.toml, [servos]
+//# task drive_setErrorLimit the drive here runs in open loop, where encoders correct nothing that could be limited: take the call out
 
 //# constant FOR_SPEED
 //#   fidelity: exact

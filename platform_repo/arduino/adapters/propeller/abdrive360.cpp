@@ -276,3 +276,22 @@ inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
   drive360.left_signal = encPinLeft;
   drive360.right_signal = encPinRight;
 }
+
+//# adapter drive360_ticksPerRev
+//#   for: void drive360_ticksPerRev(int units)
+//#   kind: oneToMany
+//#   needs: Drive360 drive_init servo360.h/servo360_setUnitsFullCircle
+//#   fidelity: exact; the library's source calls it drive360_unitsPerRev
+inline void drive360_ticksPerRev(int32_t units) {
+  drive_init();
+  servo360_setUnitsFullCircle(drive360.left, units);
+  servo360_setUnitsFullCircle(drive360.right, units);
+}
+
+//# adapter drive_suppress_eeprom
+//#   for: void drive_suppress_eeprom(int state)
+//#   kind: oneToOne
+//#   fidelity: nothing of EEPROM is read or kept here, whatever it says
+inline void drive_suppress_eeprom(int32_t state) {
+  (void)state;
+}

@@ -41,6 +41,11 @@ inline float ad_volts(int32_t channel) {
   return ad_in(channel) * (5.0f / 4096.0f);
 }
 
+//# helper da_scale
+//#   fidelity: what da_volts multiplies voltages with, per channel
+//#   ram: 8
+static float da_scale[2] = {1.0f, 1.0f};
+
 //# helper da_bits
 //#   ram: 1
 static uint8_t da_bits = 8;
@@ -88,10 +93,70 @@ inline void da_out(int32_t channel, int32_t daVal) {
 //# adapter da_volts
 //#   for: void da_volts(int channel, float daVal)
 //#   kind: semantic
-//#   needs: da_out da_bits
+//#   needs: da_out da_bits da_scale
 //#   fidelity: so many volts in the mean, of the 5 V of this board; no more than 3.3 V, as there
 //#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 inline void da_volts(int32_t channel, float daVal) {
   float most = (float)(1L << da_bits);
-  da_out(channel, (int32_t)constrain(constrain(daVal, 0.0f, 3.3f) * most / 5.0f + 0.5f, 0.0f, most - 1));
+  da_out(channel, (int32_t)constrain(constrain(daVal * da_scale[channel & 1], 0.0f, 3.3f) * most / 5.0f + 0.5f, 0.0f, most - 1));
+}
+
+//# constant _abvolts_EE_start_
+//#   fidelity: exact
+#define _abvolts_EE_start_ 63400L
+
+//# adapter da_setupScale
+//#   for: void da_setupScale(void)
+//#   kind: semantic
+//#   needs: _abvolts_EE_start_ da_pins da_scale ad_volts simpletools.h/ee_putFloat32 simpletools.h/ee_putStr simpletools.h/high simpletools.h/Io simpletools.h/low simpletext.h/print
+//#   fidelity: both outputs are read back 40 times through the first two channels, and the ratio to 3.3 V is kept in EEPROM, as there
+//#   limit: outputs are high at 5 V here, which is the reading of a right circuit; the words that it prints are others than there
+inline void da_setupScale() {
+  float sums[2] = {0, 0};
+  for (uint8_t side = 0; side < 2; side++) high(da_pins[side]);
+  delay(5);
+  for (uint8_t turn = 0; turn < 40; turn++) {
+    for (uint8_t side = 0; side < 2; side++) {
+      float volts = ad_volts(side);
+      if (!turn && (volts < 4.7f || volts > 5.3f)) {
+        print("Error\n");
+        return;
+      }
+      sums[side] += volts;
+    }
+  }
+  ee_putStr("abvolts", 8, _abvolts_EE_start_);
+  for (uint8_t side = 0; side < 2; side++) {
+    da_scale[side] = 5.0f / (sums[side] / 40);
+    ee_putFloat32(da_scale[side], _abvolts_EE_start_ + 8 + 4 * side);
+    low(da_pins[side]);
+    Io(da_pins[side]).drive(false);
+  }
+  print("Ch0 scalar = %f\nCh1 scalar = %f\n\n", da_scale[0], da_scale[1]);
+}
+
+//# adapter da_useScale
+//#   for: void da_useScale(void)
+//#   kind: oneToMany
+//#   needs: _abvolts_EE_start_ da_scale simpletools.h/ee_getFloat32 simpletools.h/ee_getStr
+//#   fidelity: exact: what da_setupScale has kept, nothing without it
+inline void da_useScale() {
+  char mark[8];
+  ee_getStr(mark, 8, _abvolts_EE_start_);
+  if (strncmp(mark, "abvolts", 8)) return;
+  for (uint8_t side = 0; side < 2; side++) da_scale[side] = ee_getFloat32(_abvolts_EE_start_ + 8 + 4 * side);
+}
+
+//# adapter da_stop
+//#   for: void da_stop(void)
+//#   kind: semantic
+//#   needs: da_pins simpletools.h/Io
+//#   fidelity: both pins become inputs, as when the library's cog stops
+inline void da_stop() {
+  for (uint8_t pin : da_pins) {
+    Io io(pin);
+    if (!io.wired()) continue;
+    digitalWrite(pin, LOW);  // the timer lets go of it
+    io.drive(false);
+  }
 }

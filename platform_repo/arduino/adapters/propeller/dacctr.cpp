@@ -42,6 +42,7 @@ inline void dac_end(const dac *da) {
 //# helper dac_started
 //#   needs: dac
 //#   fidelity: what dac_start started, by the number that it gave
+//#   ram: 28
 static dac *dac_started[7][2];
 
 //# adapter dac_setup

@@ -31,6 +31,7 @@
 //#   needs: simpletext.h/text_t
 //#   stack: 60
 //#   fidelity: sentences of up to 82 characters, as the standard has them
+//#   ram: 267
 struct GpsReceiver {
   text_t *line;
   int32_t rx, tx;
@@ -272,6 +273,7 @@ inline void gps_txByte(int32_t txByte) {
 //#   needs: gps_receiver
 //#   setup: gps_receiver.talkers = (char *)memset(gps_talkers, ' ', 64);
 //#   fidelity: exact: a letter for the source of each of the last 64 sentences, the newest first
+//#   ram: 65
 static char gps_talkers[65];
 
 inline char *gps_sources() {

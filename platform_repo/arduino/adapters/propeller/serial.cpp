@@ -18,6 +18,7 @@ typedef text_t serial;
 //# helper HalfLine
 //#   needs: fdserial.h/SerialLine simpletools.h/Io
 //#   fidelity: a line that sends and receives at one pin does not hear itself, and lets go of the pin when it is asked for a byte
+//#   ram: 22
 struct HalfLine : SerialLine {
   HalfLine(int32_t rxpin, int32_t txpin, uint32_t baudrate) : SerialLine(rxpin, txpin, 0, baudrate) {}
   bool shared() const { return receives.wired() && sends.wired() && receives.pin == sends.pin; }

@@ -914,3 +914,15 @@ inline int32_t servo360_unitsAngleToEncoder(int32_t value, int32_t unitsRev) {
 inline int32_t servo360_unitsEncoderToAngle(int32_t value, int32_t unitsRev) {
   return value * unitsRev / S360_UNITS_ENCODER;
 }
+
+//# adapter servo360_monitorRun
+//#   for: void servo360_monitorRun(void)
+//#   kind: oneToOne
+//#   fidelity: exact: the library as it is shipped leaves its monitor out, and does nothing
+inline void servo360_monitorRun() {}
+
+//# adapter servo360_monitorEnd
+//#   for: void servo360_monitorEnd(void)
+//#   kind: oneToOne
+//#   fidelity: exact: the library as it is shipped leaves its monitor out, and does nothing
+inline void servo360_monitorEnd() {}

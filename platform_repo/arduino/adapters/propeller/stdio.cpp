@@ -507,6 +507,7 @@ inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
 //#   include: <stdio.h>
 //#   setup: stdin = stdout = stderr = console_file();
 //#   fidelity: the target's own functions for files read and write the terminal, as stdin, stdout and stderr
+//#   ram: 14
 inline FILE *console_file() {
   static FILE file;
   fdev_setup_stream(

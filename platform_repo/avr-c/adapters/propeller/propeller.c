@@ -14,6 +14,7 @@
 
 //# helper register_job
 //#   fidelity: what keeps the pins in step with OUTA and DIRA, where a program has these
+//#   ram: 2
 static void (*register_job)(void);
 
 //# helper clock_us
@@ -147,6 +148,7 @@ static inline void waitpne(uint32_t state, uint32_t mask) {
 //#   needs: simpletools.h/Io port register_job clock_us
 //#   fidelity: a program writes what it asks for as a number; bits that were changed reach their pins when the next register, the counter or
 //#   fidelity: the levels are asked for, at the latest with the next overflow of Timer0
+//#   ram: 16
 typedef struct {
   volatile uint32_t asked;
   uint32_t done;

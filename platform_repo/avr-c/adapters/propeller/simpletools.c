@@ -667,6 +667,7 @@ static inline void square_wave_stop(void) {
 
 //# helper pwm_channels
 //#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
+//#   ram: 22
 typedef struct {
   uint8_t pin, mask;
   volatile uint8_t *out;
@@ -678,6 +679,7 @@ static volatile PwmChannel pwm_channels[2];
 
 //# helper pwm_cycle
 //#   fidelity: microseconds of the cycle, 0 while there is none
+//#   ram: 4
 static volatile uint32_t pwm_cycle = 0;
 
 //# helper pwm_end_pulses
@@ -800,6 +802,7 @@ static inline void pwm_stop(void) {
 //# helper duty_rows
 //#   mcu: atmega328p
 //#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+//#   ram: 42
 typedef struct {
   uint8_t number, timer;
   volatile uint8_t *control;
@@ -815,6 +818,7 @@ static const DutyRow duty_rows[] = {
 //# helper duty_rows
 //#   mcu: atmega2560
 //#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+//#   ram: 42
 typedef struct {
   uint8_t number, timer;
   volatile uint8_t *control;
@@ -830,6 +834,7 @@ static const DutyRow duty_rows[] = {
 //# helper duty_rows
 //#   mcu: atmega32u4
 //#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+//#   ram: 42
 typedef struct {
   uint8_t number, timer;
   volatile uint8_t *control;
@@ -871,10 +876,12 @@ static inline void put_duty(Io io, uint8_t duty) {
 
 //# helper dac_pins
 //#   fidelity: the pin of each channel of dac_ctr
+//#   ram: 8
 static int32_t dac_pins[2] = {-1, -1};
 
 //# helper dac_bits
 //#   fidelity: resolution of dac_ctr
+//#   ram: 1
 static uint8_t dac_bits = 8;
 
 //# helper end_dac
@@ -995,6 +1002,7 @@ static inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32
 
 //# helper i2c_buses
 //#   needs: simplei2c.h/i2c
+//#   ram: 2
 static i2c i2c_buses[2];
 
 //# adapter i2c_newbus

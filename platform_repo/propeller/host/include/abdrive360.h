@@ -60,4 +60,5 @@ void drive_setMaxSpeed(int speed);
 void drive_setRampStep(int stepsize);
 void drive_rampStep(int left, int right);
 void drive_ramp(int left, int right);
+void drive360_ticksPerRev(int units);
 #endif

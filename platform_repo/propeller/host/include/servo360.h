@@ -93,4 +93,6 @@ int servo360_getAngleFixedOrigin(int pin);
 int servo360_unitsAngleToEncoder(int value, int unitsRev);
 int servo360_unitsEncoderToAngle(int value, int unitsRev);
 int servo360_findServoIndex(int pin);
+void servo360_monitorRun(void);
+void servo360_monitorEnd(void);
 #endif

@@ -157,3 +157,5 @@ void drive_encoderPins(int encPinLeft, int encPinRight) {
   keep_pins('e', encPinLeft, encPinRight, 8);
   left_encoder = encPinLeft, right_encoder = encPinRight;
 }
+
+void drive360_ticksPerRev(int units) { drive360_unitsPerRev(units); }  /* what the header declares; the source has the other name */

@@ -433,3 +433,6 @@ ASK(getAngleCtrlSpeedMax, to_units(servo, servo->control_limit))
 TELL(setRampStep, servo->ramp_step = value)
 TELL(setAngleOffset, servo->offset = to_steps(servo, value))
 TELL(setAngleCalc, servo->calculated = to_steps(servo, value))
+
+void servo360_monitorRun(void) {}  /* left out of the library as it is shipped */
+void servo360_monitorEnd(void) {}

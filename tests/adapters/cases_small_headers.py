@@ -1,0 +1,56 @@
+"""soundimpact.h, colormath.h and stacktest.h. Semantics of the libraries' sources (Simple-Libraries 1cc167c10)."""
+
+from __future__ import annotations
+
+from robosmi.verify.simulation import DeviceUse
+from tests.adapters.bench import Uno, proves
+from tests.adapters.cases_cogs import cogs
+
+SOUNDS = [f"soundimpact.h/soundImpact_{name}" for name in ("run", "end", "getCount")]
+
+
+@proves(*SOUNDS)
+def sounds_are_counted_until_the_end(uno: Uno) -> None:
+    program = """
+void say(int32_t number) { Serial.print(number); Serial.print(' '); }
+void setup() { Serial.begin(115200); delay(20); int32_t *process = soundImpact_run(7); delay(30); say(soundImpact_getCount());
+  say(soundImpact_getCount()); delay(30); say(soundImpact_getCount()); soundImpact_end(process); soundImpact_end(process);
+  delay(30); say(soundImpact_getCount()); soundImpact_end((int32_t *)0); process = soundImpact_run(7); delay(20);
+  say(soundImpact_getCount()); }
+void loop() {}
+"""
+    points = [[0, 0], *([at + part, 1 - 2 * part] for at in (10, 25, 30, 40, 60, 90, 120) for part in (0, 0.5))]
+    levels = [[at, int(level == 1)] for at, level in points]
+    trace = uno.run(program, SOUNDS, 160, [DeviceUse("levels", {"pin": "D7"}, {"points": levels})])
+    assert trace.text.split() == ["3", "0", "1", "0", "1"]
+
+
+@proves("colormath.h/remapColor888to565")
+def colours_lose_their_lowest_bits(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); Serial.print(remapColor888to565(0xFF0000), HEX); Serial.print(' ');
+  Serial.print(remapColor888to565(0x12345678), HEX); }
+void loop() {}
+"""
+    expected = 0x34 >> 3 << 11 | 0x56 >> 2 << 5 | 0x78 >> 3
+    assert uno.run(program, ["colormath.h/remapColor888to565"], 20).text == f"F800 {expected:X}"
+
+
+STACKS = [f"stacktest.h/{name}" for name in ("cog_runStackTest", "cog_endStackTest", "cogstart_stackTest", "cogstop_stackTest")]
+
+
+@proves(*STACKS)
+def cogs_tell_how_much_stack_they_used(uno: Uno) -> None:
+    program = """
+static int32_t memory[64]; volatile uint8_t sum;
+void little(void *) { for (;;) delay(1); }
+void much(void *par) { volatile uint8_t room[100]; for (uint8_t at = 0; at < 100; at++) room[at] = at;
+  sum = room[50] + (par != 0); for (;;) delay(1); }
+void setup() { Serial.begin(115200); int32_t *cog = cog_runStackTest(little, 50); delay(5); int32_t small = cog_endStackTest(cog);
+  cog = cog_runStackTest(much, 50); delay(5); int32_t large = cog_endStackTest(cog); Serial.print(small > 3 && small < 20);
+  Serial.print(large - small >= 24 && large - small < 32); Serial.print(cog_endStackTest(cog));
+  int32_t number = cogstart_stackTest(much, memory, memory, sizeof memory); delay(5); Serial.print(number); Serial.print(sum);
+  Serial.print(cogstop_stackTest(number, memory) == large); Serial.print(cogstop_stackTest(9, memory)); }
+void loop() {}
+"""
+    assert cogs(uno, program, STACKS, slots=1) == "11" + "0" + "1" + "51" + "1" + "0"
