@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -98,3 +99,18 @@ def test_a_program_that_crashes_is_an_error_that_is_told_with_its_time(blink: Pa
     (found,) = outcome.document["findings"]
     assert (found["rule"], found["severity"]) == ("RS854", "error")
     assert found["message"].startswith("the program crashed on the simulator at 5")
+
+
+def test_what_a_program_does_is_told_in_words(tmp_path: Path) -> None:
+    folder = tmp_path / "words"
+    folder.mkdir()
+    (folder / "words.ino").write_text(
+        'void setup() { Serial.begin(115200); Serial.print("\\x01here\\x1b[2J\\n"); pinMode(9, OUTPUT); }\n'
+        "void loop() { digitalWrite(9, HIGH); delayMicroseconds(1400); digitalWrite(9, LOW); delay(18); }\n"
+    )
+    text = run("simulate", folder, "--engine", "simavr", "--seconds", "1").out
+    assert "  \\x01here\\x1b[2J\n" in text
+    assert "\x1b[2J" not in text
+    assert re.search(r"D9 +\d+ events, at the end pulses of 14\d\d us", text)
+    (folder / "words.ino").write_text("void setup() {}\nvoid loop() {}\n")
+    assert "it prints nothing and drives no pin" in run("simulate", folder, "--engine", "simavr", "--seconds", "1").out

@@ -19,8 +19,9 @@ from robosmi.model.files import write_atomic
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
-from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.verify.activity import activity
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.scenario import Scenario, read_scenario
@@ -71,7 +72,7 @@ class Simulated:
         """The contract's part of the document."""
         trace = self.trace
         if trace is None:
-            return {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0}
+            return {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0, "device_events": []}
         events = _events(trace)
         return {
             "engine": trace.engine,
@@ -80,6 +81,10 @@ class Simulated:
             "console": trace.text,
             "events": events[:MOST_EVENTS],
             "events_total": len(events),
+            "device_events": [
+                {"t_us": round(e.at_us, 3), "device": e.device, "what": e.what, "value": e.value}
+                for e in trace.device_events[:MOST_EVENTS]
+            ],
         }
 
     def lines(self) -> list[str]:
@@ -94,21 +99,36 @@ class Simulated:
         if trace.state != "running":
             lines.append("  the program stopped itself" if trace.state == "done" else "  the program crashed")
         if trace.text:
-            lines += ["", "console:", *(f"  {line}" for line in trace.text.splitlines())]
+            lines += ["", "console:", *(f"  {_shown(line)}" for line in trace.text.splitlines())]
         titles = {port.target: port.title for port in self.ports if port.target}
         changes = Counter(e["pin"] for e in _events(trace))
         if changes:
             lines += ["", "pins:"]
         for pin, count in changes.items():
-            waves = [wave for wave in trace.waves if wave.pin == pin]
-            last = f", at the end {waves[-1].hz:g} Hz, {100 * waves[-1].duty:g} %" if waves else _last_level(trace, pin)
-            lines.append(f"  {pin:4} {count:6} events{last}{f'  ({titles[pin]})' if pin in titles else ''}")
+            many = f"{count:6} event{'s' * (count != 1)}, at the end {activity(trace, pin)[-1]}"
+            lines.append(f"  {pin:4} {many}{f'  ({titles[pin]})' if pin in titles else ''}")
+        told = _told_by_devices(trace, self.ports)
+        lines += ["", "devices:", *told] if told else []
+        if not trace.text and not changes:
+            lines.append("  it prints nothing and drives no pin")
         return lines
 
 
-def _last_level(trace: PinTrace, pin: str) -> str:
-    level = trace.levels(pin)[-1][1]
-    return f", at the end {'high' if level == 1 else 'low'}" if level in (0, 1) else ""
+def _shown(line: str) -> str:
+    """A line with characters that move a terminal's cursor, or do worse, as escapes."""
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode("ascii") for each in line)
+
+
+def _told_by_devices(trace: PinTrace, ports: list[BoundPort]) -> list[str]:
+    """What each device noted last, and how often: a line for each kind of note."""
+    devices = devices_at(ports, target=True)
+    last = {(event.device, event.what): event for event in trace.device_events}
+    many = Counter((event.device, event.what) for event in trace.device_events)
+    lines = []
+    for (number, what), event in last.items():
+        title = ports[devices[number].ports[0]].title if number < len(devices) else f"device {number}"
+        lines.append(f"  {title}: {many[number, what]} x {what}, the last {event.value} at {event.at_us / 1000:.1f} ms")
+    return lines
 
 
 def _events(trace: PinTrace) -> list[dict[str, Any]]:

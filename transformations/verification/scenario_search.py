@@ -117,7 +117,8 @@ class _Search:
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
             return places
-        if places <= self.seen | self.only_racy and not self._worth_another(places):
+        first = not found.scenarios and not found.racy  # which is kept though it reaches nothing: the verdict says why
+        if not first and places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
         runs = run_varied(self.program, self.ports, scenario, run, until_racy=True)
         if runs.racy_channels:
@@ -172,8 +173,8 @@ class _Search:
 
 
 def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
-    """Signals in which one input shows one value all the time; a text comes once, when the program has begun."""
-    return {each.name: {each.setting: ((_TEXT_MS if isinstance(value, str) else 0.0, value),)}}
+    """Signals in which one input shows one value all the time; what happens once comes when the program has begun."""
+    return {each.name: {each.setting: ((_TEXT_MS if each.happens else 0.0, value),)}}
 
 
 def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Points]]:
@@ -200,13 +201,20 @@ def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float)
 
 @dataclass(frozen=True)
 class _Input:
-    """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device."""
+    """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device.
+
+    With `happens` a value is something that happens at an instant, such as a text that is sent.
+    """
 
     name: str
     setting: str
     values: tuple[Any, ...]
     hold_ms: float
     device: str
+
+    @property
+    def happens(self) -> bool:
+        return bool(device_facts().get(self.device, {}).get("happens", False))
 
 
 def _inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool) -> list[_Input]:
@@ -230,7 +238,7 @@ def _random_signals(inputs: Sequence[_Input], horizon: float, chance: random.Ran
     chance.shuffle(slots)
     signals: dict[str, dict[str, Points]] = {}
     for each in chosen:
-        begin = [(0.0, chance.choice(each.values))] if each.name != CONSOLE and chance.random() < 0.5 else []
+        begin = [(0.0, chance.choice(each.values))] if not each.happens and chance.random() < 0.5 else []
         wanted = chance.randint(1, 5)
         at = 0.0
         points: list[tuple[float, Any]] = list(begin)
