@@ -29,6 +29,7 @@ CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
 FOUNDATION = (
     "errors",
     "diagnostics",
+    "doing",
     "foreign_code",
     "user_folders",
     "resources",

@@ -22,6 +22,8 @@ def run(arguments: argparse.Namespace) -> Report:
     for tool in found:
         state = f"{tool.version or 'found'}" if tool.found else "missing"
         report.lines.append(f"{tool.name:{width}}  {state:12}  {tool.needed_for}")
+        if not tool.found and tool.gives:
+            report.lines.append(f"{'':{width}}  gives: {tool.gives}")
         if not tool.found and tool.fix:
             report.lines.append(f"{'':{width}}  do: {tool.fix}")
     return report

@@ -21,6 +21,7 @@ from typing import Any, NoReturn
 from robosmi.cli import sarif_file, streams
 from robosmi.cli.examples import EXAMPLES
 from robosmi.cli.failures import as_error
+from robosmi.cli.progress import progress
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import (
     CompileError,
@@ -201,7 +202,8 @@ def _run(parsed: argparse.Namespace) -> int:
     from robosmi.report import takes_colour, terminal_text
 
     sarif_file.check_file(parsed.sarif)
-    report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
+    with progress():
+        report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
     report.findings += broken_findings()
     code = int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
     if parsed.sarif is not None:

@@ -1,12 +1,19 @@
-"""Progress on the terminal: which step is being done, once a command takes longer than a moment. Never in a pipe."""
+"""Progress on the terminal: what is being done, once a command takes longer than a moment. Never in a pipe.
+
+That is the step of a chain, or what is said within it (`robosmi.doing`), as which scenario is run.
+"""
 
 from __future__ import annotations
 
+import shutil
 import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
+
+from robosmi.doing import heard_by
+from robosmi.quoting import terminal
 
 if TYPE_CHECKING:  # a command that uses no chain does not wait for chains
     from robosmi.chain.run import Progress
@@ -18,7 +25,10 @@ QUIET = 1.0
 
 @contextmanager
 def progress() -> Iterator[Progress | None]:
-    """What a chain is told to report to, None where standard error is no terminal; the line is wiped at the end."""
+    """What a chain is told to report to, None where standard error is no terminal; the line is wiped at the end.
+
+    What is said in between is shown, too (see `robosmi.doing`). Within another one, this one is heard.
+    """
     if not sys.stderr.isatty():
         yield None
         return
@@ -27,7 +37,8 @@ def progress() -> Iterator[Progress | None]:
     timer.daemon = True
     timer.start()
     try:
-        yield shown.told
+        with heard_by(shown.said):
+            yield shown.told
     finally:
         timer.cancel()
         shown.end()
@@ -55,9 +66,16 @@ class _Line:
             self.step = step.name if result is None else ""
             self.show()
 
+    def said(self, what: str) -> None:
+        """Something is being done now, within a step or without one."""
+        with self.lock:
+            self.step = what
+            self.show()
+
     def show(self) -> None:
         """Write the step over what the line had."""
-        text = f"{self.step} ..." if self.step else ""
+        width = max(20, shutil.get_terminal_size().columns) - 5  # a line that is broken in two cannot be wiped
+        text = f"{terminal(self.step)[:width]} ..." if self.step else ""
         if self.visible and text != self.written:
             sys.stderr.write(f"\r\x1b[K{text}")
             sys.stderr.flush()

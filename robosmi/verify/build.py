@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.doing import doing
 from robosmi.errors import MissingToolError
 from robosmi.verify import archives, compile_commands, messages
 from robosmi.verify.boards import Board
@@ -142,6 +143,7 @@ class Build:
     def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:
         """Compile files side by side: the objects, what was said, and whether one failed."""
         into.mkdir(exist_ok=True)
+        doing(f"compile {len(sources)} file{'s' * (len(sources) != 1)} of the {use}")
         objects = [into / f"{number}-{source.name}.o" for number, source in enumerate(sources)]
 
         def one(source: Path, target: Path) -> tuple[str, bool]:

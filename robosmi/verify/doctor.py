@@ -32,8 +32,20 @@ PACKAGES = {
     "jinja2": ("jinja2.sandbox", "generating text"),
     "networkx": ("networkx", "connector mapping"),
     "filelock": ("filelock:FileLock", "writing into output folders"),
+    "sexpdata": ("sexpdata", "reading drawings"),
+    "tomlkit": ("tomlkit", "keeping choices in robosmi.toml"),
 }
 """The Python packages that are needed: distribution name -> what of it must be loaded for it to work, what for."""
+
+
+OPTIONAL = {
+    "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: assistants use the commands as tools, held to one folder"),
+    "SQLAlchemy": ("sqlalchemy", "a shared history", "database", "a history of library choices in a database that a team shares"),
+}
+"""Python packages of an extra: distribution name -> what of it is loaded, what for, the extra, what it gives."""
+_SIMULATION = "simulate runs the migrated program, and verify compares what it does; one simulator is enough"
+_ORIGINALS = "verify runs the original, and so compares the migrated program with it"
+_UPLOAD = "upload puts a compiled sketch on its board"
 
 
 @dataclass(frozen=True)
@@ -46,6 +58,7 @@ class ToolStatus:
         found: its path, or None if it is missing.
         version: its version; None if it is missing, `unknown` if it does not tell.
         fix: how to get it, or None if it is there.
+        gives: what can be done with it that cannot be done without it.
     """
 
     name: str
@@ -53,6 +66,7 @@ class ToolStatus:
     found: str | None
     version: str | None
     fix: str | None
+    gives: str = ""
 
     def to_json(self) -> dict[str, str | None]:
         """The contract's form."""
@@ -62,6 +76,7 @@ class ToolStatus:
             "found": self.found,
             "version": self.version,
             "fix": self.fix,
+            "gives": self.gives,
         }
 
 
@@ -83,7 +98,8 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
             result.append(_core(toolchain))
         result += _uploaders(load_toolchains(project), project)
         result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
-    return [*result, *map(_engine, engine_names()), *_plugins()]
+    optional = (_optional(name, *facts) for name, facts in OPTIONAL.items())
+    return [*result, *map(_engine, engine_names()), *optional, *_plugins()]
 
 
 def _plugins() -> Iterator[ToolStatus]:
@@ -99,7 +115,7 @@ def _plugins() -> Iterator[ToolStatus]:
 def _engine(name: str) -> ToolStatus:
     engine: Engine = content("engine", name)()
     advice = engine.missing()
-    return ToolStatus(name, "simulation", name if advice is None else None, engine.version(), advice)
+    return ToolStatus(name, "simulation", name if advice is None else None, engine.version(), advice, _SIMULATION)
 
 
 def _host_compiler(model: HostModel) -> ToolStatus:
@@ -107,7 +123,7 @@ def _host_compiler(model: HostModel) -> ToolStatus:
     path = shutil.which(model.compiler.text("command"))
     version = None if advice or path is None else compiler_version(path)
     name = f"{model.compiler.text('command')} {model.compiler.texts('machine')[0]}"
-    return ToolStatus(name, f"running originals ({model.title})", None if advice else path, version, advice)
+    return ToolStatus(name, f"running originals ({model.title})", None if advice else path, version, advice, _ORIGINALS)
 
 
 def _package(name: str, module: str, needed_for: str) -> ToolStatus:
@@ -128,6 +144,17 @@ def _package(name: str, module: str, needed_for: str) -> ToolStatus:
     except (Exception, SystemExit) as error:
         return ToolStatus(name, f"{needed_for}; it cannot be loaded: {error}", None, found.version, fix)
     return ToolStatus(name, needed_for, str(found.locate_file("")), found.version, None)
+
+
+def _optional(name: str, module: str, needed_for: str, extra: str, gives: str) -> ToolStatus:
+    """The package of an extra; what is there and cannot be loaded is missing."""
+    fix = f"pip install 'robosmi[{extra}]'"
+    try:
+        found = metadata.distribution(name)
+        importlib.import_module(module)
+    except (Exception, SystemExit):
+        return ToolStatus(name, needed_for, None, None, fix, gives)
+    return ToolStatus(name, needed_for, str(found.locate_file("")), found.version, None, gives)
 
 
 def _requirement(name: str) -> str:
@@ -156,7 +183,7 @@ def _programs(toolchain: Toolchain) -> Iterator[ToolStatus]:
         path = find_tool(entry, toolchain)
         version = tool_version(path, entry.version, env) if path else None
         fix = None if path else install_fix(toolchain, [entry.package])
-        yield ToolStatus(entry.command, toolchain.needed_for, path, version, fix)
+        yield ToolStatus(entry.command, toolchain.needed_for, path, version, fix, toolchain.gives)
 
 
 def _uploaders(toolchains: Iterable[Toolchain], project: Path | None) -> Iterator[ToolStatus]:
@@ -166,7 +193,7 @@ def _uploaders(toolchains: Iterable[Toolchain], project: Path | None) -> Iterato
         found = find_program(data)
         version = tool_version(found[0], data.texts("version"), env) if found else None
         fix = None if found else install_fix(toolchain, [data.text("package")])
-        yield ToolStatus(data.text("command"), "upload", found[0] if found else None, version, fix)
+        yield ToolStatus(data.text("command"), "upload", found[0] if found else None, version, fix, _UPLOAD)
 
 
 def _core(toolchain: Toolchain) -> ToolStatus:
@@ -174,7 +201,8 @@ def _core(toolchain: Toolchain) -> ToolStatus:
     try:
         core = find_core(toolchain)
     except MissingToolError as error:
-        return ToolStatus(name, toolchain.needed_for, None, None, error.fix)
+        return ToolStatus(name, toolchain.needed_for, None, None, error.fix, toolchain.gives)
     if core is None:
-        return ToolStatus(name, toolchain.needed_for, None, None, install_fix(toolchain, toolchain.core.texts("packages")))
-    return ToolStatus(name, toolchain.needed_for, str(core), core_version(toolchain, core), None)
+        fix = install_fix(toolchain, toolchain.core.texts("packages"))
+        return ToolStatus(name, toolchain.needed_for, None, None, fix, toolchain.gives)
+    return ToolStatus(name, toolchain.needed_for, str(core), core_version(toolchain, core), None, toolchain.gives)

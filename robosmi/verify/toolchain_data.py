@@ -45,6 +45,8 @@ class Toolchain:
 
     Attributes:
         platform: the folder of the repository it lies in.
+        needed_for: the commands that need it.
+        gives: what its tools make possible; a text for people.
         uploader: name of the file (see `uploader`) that says how programs get on boards; empty where none does.
         tools: by key.
         sketch, core, flags, link, size, messages, libraries, environment, database: the tables of that name.
@@ -57,6 +59,7 @@ class Toolchain:
     architecture: str
     default_board: str
     needed_for: str
+    gives: str
     install: str
     uploader: str
     tools: Mapping[str, ToolEntry]
@@ -119,6 +122,7 @@ def load_toolchain(path: Path) -> Toolchain:
         architecture=table.text("architecture"),
         default_board=table.text("default_board"),
         needed_for=table.text("needed_for"),
+        gives=table.text("gives", ""),
         install=table.text("install"),
         uploader=table.text("uploader", ""),
         tools=entries,

@@ -226,10 +226,12 @@ def test_doctor_says_of_every_tool_whether_it_is_there(monkeypatch: pytest.Monke
     outcome = run("doctor", "--json")
     assert outcome.code == 0
     tools = {tool["name"]: tool for tool in outcome.result["tools"]}
-    assert all(set(tool) >= {"name", "needed_for", "found", "version", "fix"} for tool in tools.values())
+    assert all(set(tool) >= {"name", "needed_for", "found", "version", "fix", "gives"} for tool in tools.values())
     assert tools["pyecore"]["found"]
     assert tools["avr-g++"]["found"] is None
     assert tools["avr-g++"]["fix"]
+    assert [name for name, tool in tools.items() if not tool["found"] and not tool["gives"]] == []
+    assert "gives: upload puts a compiled sketch on its board" in run("doctor").out
 
 
 @pytest.mark.parametrize("command", COMMANDS)

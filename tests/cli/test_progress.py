@@ -10,6 +10,9 @@ import pytest
 
 from robosmi.chain import Chain
 from robosmi.cli import progress as module
+from robosmi.cli.main import main
+from robosmi.doing import doing
+from robosmi.report import Report
 
 
 class Terminal(io.StringIO):
@@ -70,3 +73,40 @@ def test_an_error_leaves_no_line_behind(monkeypatch: pytest.MonkeyPatch) -> None
     with pytest.raises(ZeroDivisionError), module.progress() as told:
         chain.start(progress=told).value("one")
     assert terminal.getvalue() == "\r\x1b[Kdivide ...\r\x1b[K"
+
+
+def test_what_is_said_within_a_command_is_shown_in_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    monkeypatch.setattr(module, "QUIET", 0.02)
+    monkeypatch.setenv("COLUMNS", "40")
+    with module.progress():
+        time.sleep(0.1)
+        doing("run scenario 3 of 12")
+        doing(f"read \x1b[31m{'x' * 100}")
+        with module.progress():
+            time.sleep(0.1)
+            doing("within")
+    first, second, third = [line for line in terminal.getvalue().split("\r\x1b[K") if line]
+    assert first == "run scenario 3 of 12 ..."
+    assert len(second) <= 40
+    assert "\x1b" not in second
+    assert third == "within ..."
+    assert terminal.getvalue().endswith("\r\x1b[K")
+
+
+def test_what_nobody_hears_is_said_all_the_same() -> None:
+    doing("nothing listens")
+
+
+def test_every_command_has_a_line_of_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    heard: list[str] = []
+
+    def slow(arguments: object) -> Report:
+        doing("something long")
+        return Report("explain")
+
+    monkeypatch.setattr("robosmi.cli.explain.run", slow)
+    monkeypatch.setattr(module._Line, "said", lambda line, what: heard.append(what))
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    assert main(["explain"]) == 0
+    assert heard == ["something long"]

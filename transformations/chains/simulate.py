@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
+from robosmi.doing import doing
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import platform
 from robosmi.model.files import write_atomic
@@ -180,6 +181,7 @@ def simulate(
         stored = models.plan.board if models is not None else None
         board = stored if stored is not None and stored.name == report.board else load_board(report.board)
         devices = played(ports if models is not None else _bare(board, asked), asked, target=True)
+        doing(f"simulate {horizon_us / 1e6:g} s")
         trace = run_job(job(report.elf, report.hex, board, horizon_us, devices), engine)
     if vcd is not None:
         try:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
+from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
 from robosmi.metamodels import ccode, migration
 from robosmi.model.files import write_atomic
@@ -144,6 +145,7 @@ def verify(
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
         (folder / "source").mkdir()
+        doing("compile the original")
         try:
             program = _original(models, plan_file.parent, folder / "source")
         except VerificationError as error:
@@ -155,7 +157,9 @@ def verify(
         )
         if verdict.racy and not made.new and not any(not runs.racy_channels for _, runs in cases):
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
+        doing(f"run the migrated program in {len(cases)} scenario{'s' * (len(cases) != 1)}")
         traces = side.run([scenario for scenario, _ in cases])
+        doing("compare what both do")
         for (scenario, runs), trace in zip(cases, traces, strict=True):
             if not side.shows_console:
                 runs.channels.pop(CONSOLE_CHANNEL, None)
@@ -270,7 +274,8 @@ def _cases(
     """The scenarios with their runs of the source: the given ones alone, else stored and generated ones."""
     listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
     cases: list[Case] = []
-    for scenario in listed:
+    for number, scenario in enumerate(listed, 1):
+        doing(f"run the original in scenario {number} of {len(listed)}, again and again")
         nominal = run_source(program, ports, scenario, LIMIT_S)
         cases.append((scenario, run_varied(program, ports, scenario, nominal, LIMIT_S)))
     made = _Made()

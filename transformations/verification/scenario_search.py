@@ -14,6 +14,7 @@ from itertools import pairwise
 from time import monotonic
 from typing import Any
 
+from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
@@ -108,6 +109,7 @@ class _Search:
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
         found = self.found
+        doing(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
         if found.tried and monotonic() >= self.until:
             return frozenset()
         found.tried += 1
