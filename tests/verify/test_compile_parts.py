@@ -116,7 +116,7 @@ def test_doctor_names_what_is_missing_and_how_to_get_it(tmp_path: Path, monkeypa
         "found": None,
         "version": None,
         "fix": "sudo apt install gcc-avr",
-        "gives": "compile says whether sketches build and fit the board; upload, simulate and verify rest on that",
+        "gives": "compile says whether C programs build and fit the board; upload, simulate and verify rest on that",
     }
     assert by_name["networkx"]["version"]
     assert by_name["networkx"]["fix"] is None
