@@ -1,0 +1,195 @@
+"""The server of the page: it answers its own page on this machine and nobody else, and nothing beyond the folder is touched."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import pytest
+
+import robosmi
+from robosmi.errors import UsageError
+from robosmi.report.page_server import MOST, PageServer
+from robosmi.transformations.chains.page import PlanPage
+from tests.running import run, tree
+
+PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
+
+
+@pytest.fixture
+def out(tmp_path: Path) -> Path:
+    """A migration of a small program."""
+    (tmp_path / "blink").mkdir()
+    (tmp_path / "blink" / "blink.c").write_text(PROGRAM)
+    robosmi.migrate([tmp_path / "blink" / "blink.c"], tmp_path / "blink" / "out")
+    return tmp_path / "blink" / "out"
+
+
+@pytest.fixture
+def server(out: Path) -> Iterator[PageServer]:
+    """Its page, served."""
+    made = PageServer(PlanPage(out))
+    Thread(target=made.serve_forever, kwargs={"poll_interval": 0.02}, daemon=True).start()
+    yield made
+    made.shutdown()
+    made.server_close()
+
+
+def asked(
+    server: PageServer, path: str, body: bytes | None = None, headers: Mapping[str, str] | None = None, method: str = ""
+) -> tuple[int, dict[str, str], bytes]:
+    """The answer to one request; it comes from the page itself unless the headers say otherwise."""
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_address[1], timeout=20)
+    own = {"Origin": server.url.rpartition(f"/{server.token}")[0], "Content-Type": "application/json"} if body is not None else {}
+    connection.request(method or ("POST" if body is not None else "GET"), path, body, {**own, **(headers or {})})
+    reply = connection.getresponse()
+    text = reply.read()
+    connection.close()
+    return reply.status, {name.lower(): value for name, value in reply.getheaders()}, text
+
+
+def test_the_page_is_sent_with_a_policy_and_holds_no_address_of_another_host(server: PageServer) -> None:
+    status, headers, text = asked(server, f"/{server.token}/")
+    assert status == 200
+    policy = headers["content-security-policy"]
+    assert policy.startswith("default-src 'none'; script-src 'nonce-")
+    assert "unsafe" not in policy
+    assert policy.partition("nonce-")[2].partition("'")[0].encode() in text
+    assert (headers["x-content-type-options"], headers["referrer-policy"]) == ("nosniff", "no-referrer")
+    assert b"http://" not in text.replace(b"http://www.w3.org/", b"")
+    assert b"https://" not in text
+
+
+@pytest.mark.parametrize("path", ["/", "/state", "/x/", "/{token}", "//{token}x/", "/../{token}/"])
+def test_without_the_word_in_the_address_there_is_nothing(path: str, server: PageServer) -> None:
+    assert asked(server, path.format(token=server.token))[0] == 403
+
+
+@pytest.mark.parametrize("path", ["choose", "../blink.c", "models/plan.xmi", "%2e%2e/blink.c", "page.js"])
+def test_no_file_is_served(path: str, server: PageServer) -> None:
+    status, _, text = asked(server, f"/{server.token}/{path}")
+    assert status == 404
+    assert b"simpletools" not in text
+
+
+@pytest.mark.parametrize("host", ["evil.example", "127.0.0.1", "127.0.0.1:1", "evil.example:{port}", ""])
+def test_a_request_to_another_host_is_refused(host: str, server: PageServer) -> None:
+    headers = {"Host": host.format(port=server.server_address[1])}
+    assert asked(server, f"/{server.token}/", headers=headers)[0] == 403
+    assert asked(server, f"/{server.token}/state", headers=headers)[0] == 403
+    assert asked(server, f"/{server.token}/undo", b"{}", headers)[0] == 403
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "null", "", "https://127.0.0.1:{port}", "http://127.0.0.1:1"])
+def test_a_change_that_comes_from_elsewhere_is_refused(origin: str, server: PageServer, out: Path) -> None:
+    before = tree(out)
+    body = json.dumps({"id": "port:eye", "value": "D4", "plan": server.content.now()}).encode()
+    headers = {"Origin": origin.format(port=server.server_address[1])}
+    assert asked(server, f"/{server.token}/choose", body, headers)[0] == 403
+    assert tree(out) == before
+
+
+@pytest.mark.parametrize(
+    ("body", "headers"),
+    [
+        (b"no json", {}),
+        (b"[1]", {}),
+        (b"[" * 40_000, {}),
+        (b"{}", {"Content-Type": "text/plain"}),
+        (b"{}", {"Content-Type": "application/x-www-form-urlencoded"}),
+        (b"{}", {"Content-Length": "-1"}),
+        (b"x" * (MOST + 1), {}),
+    ],
+)
+def test_a_request_of_another_form_is_refused(body: bytes, headers: dict[str, str], server: PageServer, out: Path) -> None:
+    before = tree(out)
+    assert asked(server, f"/{server.token}/choose", body, headers)[0] == 400
+    assert tree(out) == before
+
+
+@pytest.mark.parametrize(
+    "about",
+    [
+        {"id": "port:eye", "value": "D99"},
+        {"id": "port:nose", "value": "D4"},
+        {"id": "port:eye", "value": "D4" * 1000},
+        {"id": "port:eye", "value": "../../x"},
+        {"id": ["port:eye"], "value": {"a": 1}},
+        {},
+    ],
+)
+def test_what_cannot_be_chosen_is_refused_with_a_reason(about: dict[str, Any], server: PageServer, out: Path) -> None:
+    before = tree(out.parent)
+    asked(server, f"/{server.token}/")
+    body = json.dumps({**about, "plan": server.content.now()}).encode()
+    status, _, text = asked(server, f"/{server.token}/choose", body)
+    answer = json.loads(text)
+    assert (status, answer["state"]) == (200, "refused")
+    assert answer["message"].startswith("Not done: ")
+    assert tree(out.parent) == before
+
+
+@pytest.mark.parametrize("method", ["PUT", "DELETE", "OPTIONS", "PATCH"])
+def test_there_are_no_other_methods(method: str, server: PageServer) -> None:
+    assert asked(server, f"/{server.token}/", method=method)[0] == 501
+
+
+def test_a_choice_changes_the_folder_and_the_project_file_and_nothing_else(server: PageServer, out: Path) -> None:
+    beside = {name: data for name, data in tree(out.parent).items() if not name.startswith("out/")}
+    body = json.dumps({"id": "port:eye", "value": "D4", "plan": server.content.now()}).encode()
+    answer = json.loads(asked(server, f"/{server.token}/choose", body)[2])
+    assert answer["state"] == "saved", answer["message"]
+    after = {name: data for name, data in tree(out.parent).items() if not name.startswith("out/")}
+    assert set(after) - set(beside) == {"robosmi.toml"}
+    assert {name: after[name] for name in beside} == beside
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_a_link_in_the_folder_leads_to_no_text_from_elsewhere(out: Path, tmp_path: Path) -> None:
+    (tmp_path / "secret").write_text("the secret")
+    sketch = out / "blink" / "blink.ino"
+    sketch.unlink()
+    sketch.symlink_to(tmp_path / "secret")
+    outcome = run("report", out, "-o", tmp_path / "report.html")
+    assert outcome.code == 3
+    assert not (tmp_path / "report.html").exists()
+
+
+def test_templates_in_the_folder_are_not_run(out: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (out / "templates" / "page").mkdir(parents=True)
+    for name in ("page.html.j2", "section.html.j2"):
+        (out / "templates" / "page" / name).write_text("taken over")
+        (out / "templates" / name).write_text("taken over")
+    monkeypatch.chdir(out)
+    assert "taken over" not in PlanPage(out).document(live=True, nonce="n")
+
+
+def test_a_port_in_use_is_said(server: PageServer, out: Path) -> None:
+    with pytest.raises(UsageError, match="cannot be used"):
+        PageServer(PlanPage(out), server.server_address[1])
+
+
+def test_a_damaged_plan_is_said_on_the_page(server: PageServer, out: Path) -> None:
+    (out / "models" / "plan.xmi").write_text("no plan")
+    status, _, text = asked(server, f"/{server.token}/")
+    assert status == 409
+    assert b"plan.xmi" in text
+    body = json.dumps({"id": "port:eye", "value": "D4", "plan": "x"}).encode()
+    assert json.loads(asked(server, f"/{server.token}/choose", body)[2])["state"] in ("stale", "refused")
+
+
+def test_two_requests_at_once_are_done_one_after_the_other(server: PageServer, out: Path) -> None:
+    body = json.dumps({"id": "port:eye", "value": "D4", "plan": server.content.now()}).encode()
+    states: list[str] = []
+    ask = lambda: states.append(json.loads(asked(server, f"/{server.token}/choose", body)[2])["state"])  # noqa: E731
+    threads = [Thread(target=ask) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(states) == ["saved", "stale", "stale"]
