@@ -11,9 +11,11 @@ import pytest
 import robosmi
 from robosmi.errors import StoppedError, UsageError
 from robosmi.generate.undo import undo
+from robosmi.metamodels import migration
 from robosmi.model.files import digest
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.choose import choose
+from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.queries.choices import choices_json
 from tests.running import run, tree
 
@@ -34,9 +36,7 @@ def out(program: Path, tmp_path: Path) -> Path:
 
 def chosen(out: Path, name: str) -> Any:
     """A choice of the plan in an output folder."""
-    from robosmi.transformations.chains.models import load_models
-
-    return next(c for c in choices_json(load_models(out / "models" / "plan.xmi").plan) if c["id"] == name)
+    return next(c for c in choices_json(plan_in(out)) if c["id"] == name)
 
 
 def test_a_choice_is_in_the_plan_in_the_project_file_and_in_the_sketch(out: Path, program: Path) -> None:
@@ -210,3 +210,32 @@ def test_a_dry_run_chooses_nothing(out: Path, program: Path) -> None:
     outcome = run("choose", out, "leftQTI=D10", "--dry-run", "--json")
     assert "leftQTI  = HIH40302ReadP1;" in outcome.result["diff"]
     assert (tree(program.parent), tree(out)) == before
+
+
+def test_a_role_is_chosen_by_migrating_again_as_before(tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    folder.mkdir()
+    (folder / "robot.c").write_text('#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n')
+    (folder / "parts.csv").write_text("pin;part;title\nD3;Gizmo;thing\n")
+    robosmi.migrate([folder / "robot.c"], folder / "out", hardware=folder / "parts.csv", target="nano")
+    (role,) = [c for c in choices_json(plan_in(folder / "out")) if c["kind"] == "role"]
+    assert (role["subject"], role["chosen"], role["by"]) == ("thing", "Input", "defaultValue")
+    before = tree(folder)
+    choose(folder / "out", {role["id"]: "Output"})
+    assert '[roles]\nthing = "Output"' in (folder / "robosmi.toml").read_text()
+    plan = plan_in(folder / "out")
+    assert plan.targetDescription is not None
+    assert (plan.connections[0].signal.name, plan.targetDescription.name) == ("write", "nano")
+    (after,) = [c for c in choices_json(plan) if c["kind"] == "role"]
+    assert (after["chosen"], after["by"], after["options"]) == ("Output", "person", role["options"])
+    undo(folder / "out")
+    assert tree(folder) == before
+    shutil.move(folder / "out", tmp_path / "moved")
+    outcome = run("choose", tmp_path / "moved", f"{role['id']}=Output")
+    assert outcome.code == 3
+    assert "write under [roles] in robosmi.toml" in outcome.err
+
+
+def plan_in(out: Path) -> migration.MigrationPlan:
+    """The plan in an output folder."""
+    return load_models(out / "models" / "plan.xmi").plan

@@ -225,7 +225,9 @@ def test_many_findings_and_long_programs_scroll_without_a_long_task(migrated: Mi
     page.open()
     assert page.script("return document.querySelectorAll('.finding').length") >= 5000
     assert page.script("return document.querySelectorAll('.code > div').length") >= 6000
-    worst = [page.browser.execute_async_script(SCROLL) for _ in range(3)]  # the machine may do something else
+    worst: list[float] = []
+    while len(worst) < 6 and (not worst or min(worst) > 50):  # the machine may do something else meanwhile
+        worst.append(page.browser.execute_async_script(SCROLL))
     assert min(worst) <= 50, worst
 
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, StoppedError, UsageError
+from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
 from robosmi.generate.places import Places
 from robosmi.generate.project_entries import key_of, project_with
 from robosmi.inputs import SETTINGS, read_bytes
@@ -23,14 +23,16 @@ from robosmi.metamodels import migration
 from robosmi.model.files import digest
 from robosmi.model.recovery import at_work, look_only
 from robosmi.model.runs import alone
-from robosmi.project import FILE_NAME
+from robosmi.project import FILE_NAME, load_project
 from robosmi.query import Q
 from robosmi.transformations.chains.edited_plan import STORED
+from robosmi.transformations.chains.migrate import migrate
 from robosmi.transformations.chains.models import MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.renewed import renew_findings
-from robosmi.transformations.chains.sources import project_folder
+from robosmi.transformations.chains.sources import last_run, project_folder
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
+from robosmi.transformations.knowledge.part import ROLES
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import LibraryModels
 from robosmi.transformations.m2m.plan_tasks import settle
@@ -39,6 +41,8 @@ from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.choices import NO_LIBRARY, Choice, choices_json, the_choice
 from robosmi.transformations.queries.plan import open_choices
 
+ROLE = "role:"
+"""How the identity of a choice of a role begins."""
 STAYS = "RS415"
 """The rule that says that a choice is in the plan alone."""
 
@@ -110,15 +114,13 @@ def choose(
     folder = Path(output)
     if not (folder / STORED).is_file():
         raise SourceError("this folder holds no plan", location=Location(str(folder)), fix="give the OUT of a migration")
+    if any(name.startswith(ROLE) for name in answers):
+        return _roles(folder, answers, seen=seen, dry_run=dry_run)
     if dry_run:
         look_only(folder)
     with alone(folder) if dry_run else at_work(folder):
         data = Places(folder).read(STORED) or b""
-        if seen is not None and digest(data) != seen:
-            raise StoppedError(
-                "the plan was changed since it was shown; nothing was chosen", location=Location(str(folder / STORED)),
-                fix="look at it as it is now, then choose again",
-            )  # fmt: skip
+        _hold(folder, data, seen)
         models = load_models(folder / STORED)
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
@@ -137,6 +139,58 @@ def choose(
         models.notes.append(_stays(folder, reason))
     remember(made, history)
     return Chosen(**vars(made), chosen=chosen, project=project, command=command_for(folder, chosen, why))
+
+
+def _hold(folder: Path, data: bytes, seen: str | None) -> None:
+    """Make sure that the plan is the one that the person has seen.
+
+    Raises:
+        StoppedError: it is another.
+    """
+    if seen is not None and digest(data) != seen:
+        raise StoppedError(
+            "the plan was changed since it was shown; nothing was chosen", location=Location(str(folder / STORED)),
+            fix="look at it as it is now, then choose again",
+        )  # fmt: skip
+
+
+def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_run: bool) -> Chosen:
+    """Say what components are for. That is read with the drawing, so the program is migrated again as it was last.
+
+    Raises:
+        UsageError: there is no such component or role, or pins are chosen with it.
+        SourceError: the sources of the plan are not known any more.
+    """
+    with alone(folder) if dry_run else at_work(folder):
+        _hold(folder, Places(folder).read(STORED) or b"", seen)
+        models = load_models(folder / STORED)
+        place, reason = project_folder(folder, models.plan)
+        run = last_run(folder)
+        components = {f"{ROLE}{c.elementId}": c for c in (models.circuit.components if models.circuit is not None else ())}
+        titles = [str(c.title) for c in components.values()]
+        said: dict[str, str | None] = {}
+        for identity, role in answers.items():
+            if identity not in components:
+                raise UsageError(f"there is no component '{identity}'", fix="choose roles alone, by the ids that the plan has")
+            if role and role not in ROLES:
+                raise UsageError(f"'{role}' is no role{did_you_mean(role, ROLES)}", fix=f"use one of: {', '.join(ROLES)}")
+            component = components[identity]
+            names = (f"#{component.elementId}", str(component.title))
+            said[names[1] if titles.count(names[1]) == 1 else names[0]] = role or None
+        if place is None or run is None:
+            entries = ", ".join(f'"{name}" = "{role}"' for name, role in said.items())
+            fix = f"write under [roles] in {FILE_NAME} beside the program: {entries}; then migrate again"
+            raise SourceError(f"a role is read with the drawing: {reason}", location=Location(str(folder / STORED)), fix=fix)
+        project = place / FILE_NAME
+        entries_now = {key_of(project, "roles", (name,), name): role for name, role in said.items()}
+        old = read_bytes(project, SETTINGS) if project.exists() else None
+        outside = {project: (old, project_with(project, {"roles": entries_now}).encode("utf-8"))}
+        known = load_project(place)
+        roles = {name: role for name, role in {**known.roles, **entries_now}.items() if role is not None}
+        files, arguments = run
+        made = migrate(files, folder, project=replace(known, roles=roles), outside=outside, dry_run=dry_run, **arguments)
+    chosen = dict(answers)
+    return Chosen(**vars(made), chosen=chosen, project=project, command=command_for(folder, chosen))
 
 
 def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str = "") -> None:

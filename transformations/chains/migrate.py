@@ -30,7 +30,7 @@ from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.library_steps import earlier, library_decisions, ranker
 from robosmi.transformations.chains.models import MigrationModels
-from robosmi.transformations.chains.output import Generated, produce, remember
+from robosmi.transformations.chains.output import Generated, Outside, produce, remember
 from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters
 from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
@@ -334,6 +334,7 @@ def migrate(
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
     verify: bool = False,
+    outside: Outside | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> Generated:
@@ -349,6 +350,7 @@ def migrate(
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
         verify: compare what was made with the original at the end; the verdict is a finding of the plan.
+        outside: files elsewhere that belong to the run; see `produce`.
 
     Raises:
         SourceError: an input cannot be read or used, or the output cannot be written.
@@ -373,8 +375,13 @@ def migrate(
                 run.give(bind={**(bind or {}), **pins})
                 models = run.value("models")
         models.notes += adopted.notes
-        made = produce(models, Path(output), inputs=adopted.inputs, dry_run=dry_run, strict=strict)
+        made = produce(models, Path(output), inputs=adopted.inputs, outside=outside, dry_run=dry_run, strict=strict)
     if made.written:
-        remember_sources(Path(output), models.plan, models.places, Path(files[0]))
+        told = {
+            "hardware": Path(hardware) if hardware is not None else None,
+            "include_dirs": [Path(each) for each in include_dirs],
+        }
+        told |= {"target": target, "source_platform": source_platform, "defines": list(defines), "adapters": adapters}
+        remember_sources(Path(output), models.plan, models.places, files, {**told, "widths": widths, "bench": bench})
     remember(made, history)
     return content("chain", "with_verdict")(made, strict=strict) if verify and made.written else made

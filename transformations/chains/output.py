@@ -40,6 +40,8 @@ from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
 
+Outside = Mapping[Path, tuple[bytes | None, bytes | None]]
+"""Files outside of an output folder that a run writes: what each holds, and what it is to hold."""
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
 KINDS = {
@@ -136,7 +138,7 @@ def produce(
     output: Path,
     *,
     inputs: Mapping[str, bytes | None] | None = None,
-    outside: Mapping[Path, tuple[bytes | None, bytes | None]] | None = None,
+    outside: Outside | None = None,
     dry_run: bool = False,
     strict: bool = False,
     diff: bool = False,

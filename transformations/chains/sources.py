@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from robosmi import inputs
 from robosmi.data_text import json_of
@@ -18,21 +20,42 @@ from robosmi.model.files import digest
 from robosmi.model.runs import keep_sources, kept_sources
 
 
-def remember_sources(output: Path, plan: migration.MigrationPlan, places: dict[str, str], first: Path) -> None:
-    """Keep where the sources of a plan lie.
+def remember_sources(
+    output: Path, plan: migration.MigrationPlan, places: dict[str, str], files: Sequence[str | Path], arguments: Mapping[str, Any]
+) -> None:
+    """Keep where the sources of a plan lie, and how they were migrated.
 
     Args:
         output: the output folder.
         plan: the plan.
         places: stored path -> path as given.
-        first: the first file that was given, or the folder of the program.
+        files: those that were given; the project file lies beside the first one, or in it if that is a folder.
+        arguments: what else `migrate` was told; paths become absolute.
 
     Raises:
         SourceError: there is no place for it.
     """
+    first = Path(files[0])
     found = {name: os.path.abspath(places[name]) for name in _sources(plan) if name in places}
     folder = os.path.abspath(first if first.is_dir() else first.parent)
-    keep_sources(output, json.dumps({"folder": folder, "sources": found}, sort_keys=True))
+    told = {name: _absolute(value) for name, value in arguments.items()}
+    kept = {"folder": folder, "sources": found, "files": [os.path.abspath(file) for file in files], "arguments": told}
+    keep_sources(output, json.dumps(kept, sort_keys=True))
+
+
+def _absolute(value: Any) -> Any:
+    if isinstance(value, Path):
+        return os.path.abspath(value)
+    return [_absolute(each) for each in value] if isinstance(value, (list, tuple)) else value
+
+
+def last_run(output: Path) -> tuple[list[str], dict[str, Any]] | None:
+    """The files and arguments of the last migration into an output folder; None where they are not known."""
+    try:
+        kept = json_of(kept_sources(output))
+        return [str(file) for file in kept["files"]], dict(kept["arguments"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
 
 
 def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | None = None) -> tuple[Path | None, str]:

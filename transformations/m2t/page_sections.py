@@ -24,7 +24,7 @@ from robosmi.transformations.queries.verdicts import constructs, verdict_counts
 from robosmi.transformations.queries.work import Work
 from robosmi.transformations.queries.written_bodies import task_key
 
-CHUNK = 50
+CHUNK = 25
 """Rows that a browser lays out together; those that are not in sight wait."""
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
 

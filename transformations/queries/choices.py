@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
-from robosmi.transformations.knowledge.part import ROLES
+from robosmi.transformations.knowledge.part import GIVEN, ROLES
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 
 NO_LIBRARY = "none"
@@ -83,13 +83,15 @@ def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
 
 
 def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component]:
-    """The components that a pin reaches and whose role a person may have to say: those of which nothing is known."""
+    """The components that a pin reaches and whose role a person may have to say, and those of which one has said it."""
     reached = {id(c.component): c.component for c in plan.connections if c.component is not None}
-    return [component for component in reached.values() if component.role is hardware.Role.Unknown]
+    given = [c for c in (plan.circuit.components if plan.circuit is not None else ()) if c.roleEvidence == GIVEN]
+    return [*(c for c in reached.values() if c.role is hardware.Role.Unknown), *given]
 
 
 def _role(component: hardware.Component) -> dict[str, Any]:
     """The choice of a component's role: until a person says it, the component is taken for something that is read."""
+    given = component.roleEvidence == GIVEN
     return {
         "id": f"role:{component.elementId}",
         "kind": "role",
@@ -99,10 +101,10 @@ def _role(component: hardware.Component) -> dict[str, Any]:
             for role in ROLES
             if role not in ("Unknown", "Board")
         ],
-        "chosen": hardware.Role.Input.name,
-        "by": migration.ChosenBy.defaultValue.name,
+        "chosen": component.role.name if given else hardware.Role.Input.name,
+        "by": migration.ChosenBy.person.name if given else migration.ChosenBy.defaultValue.name,
         "at": None,
-        "why": "what it does is unknown; it is taken as something that is read",
+        "why": GIVEN if given else "what it does is unknown; it is taken as something that is read",
     }  # fmt: skip
 
 
