@@ -15,8 +15,12 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_contents
 from robosmi.query.deep import in_thread
 from robosmi.transformations.queries.main_program import main_structure
-from robosmi.transformations.queries.values import Values
+from robosmi.transformations.queries.values import Values, calculate
 
+TICKS_A_SECOND = "clock ticks a second"
+"""What a name of the source means that stands for the rate of its clock."""
+UP_TO = "rxTime"
+"""Functions whose names end so wait for something no longer than they are told."""
 TICKS = 80
 """Ticks of the source's clock in a microsecond, where its platform names none."""
 _LEVELS = 20
@@ -88,6 +92,11 @@ class LoopTimes:
         self._platform: Mapping[str, platform.ApiFunction] = {
             str(use.name): use.function for use in plan.adapterUses if use.function is not None
         }
+        self._own = {
+            str(d.name): d for each in plan.program.units for d in each.declarations if isinstance(d, ccode.Function) and d.body
+        }
+        rates = (use.symbol for use in plan.symbolUses)
+        self._rates = {str(each.name) for each in rates if each is not None and each.meaning == TICKS_A_SECOND}
         self._functions: dict[int, Time] = {}
         self._depth = 0
 
@@ -166,8 +175,8 @@ class LoopTimes:
         return len(values) if values and all(v.number is not None for v in values) else None
 
     def _call(self, call: ccode.Call) -> Time:
-        callee = call.callee
-        if callee is not None and callee.body is not None:
+        callee = self._own.get(str(call.calleeName))
+        if callee is not None:
             known = self._functions.get(id(callee))
             if known is None:
                 again = Wait(_call_name(call), int(call.line))
@@ -180,7 +189,7 @@ class LoopTimes:
                 self._functions[id(callee)] = known
             return known
         function = self._platform.get(str(call.calleeName))
-        return self._platform_call(call, function) if function is not None and function.blocking else NOTHING
+        return self._platform_call(call, function) if function is not None and _waits(function) else NOTHING
 
     def _platform_call(self, call: ccode.Call, function: platform.ApiFunction) -> Time:
         """The time that a function of the platform waits: what its argument asks for, or the longest that it takes."""
@@ -189,7 +198,8 @@ class LoopTimes:
             if factor:
                 numbers = self._numbers(argument, ticks=parameter.meaning is platform.Meaning.ticks)
                 if numbers:
-                    return Time(max(0, min(numbers)) * factor, max(0, max(numbers)) * factor)
+                    least = 0 if str(call.calleeName).endswith(UP_TO) else min(numbers)
+                    return Time(max(0, least) * factor, max(0, max(numbers)) * factor)
                 return Time(0.0, 0.0, (Wait(_call_name(call), int(call.line)),))
         if function.longestMicroseconds:
             return Time(0.0, float(function.longestMicroseconds))
@@ -200,11 +210,29 @@ class LoopTimes:
         values = self._values.of(argument)
         if all(v.number is not None for v in values):
             return [v.number for v in values if v.number is not None]
+        if (rate := self._of_rate(argument)) is not None:
+            return [rate]
         if ticks and isinstance(argument, ccode.Binary) and str(argument.operator) == "+":
             for side in (argument.right, argument.left):
                 if found := self._numbers(side, ticks=False):
                     return found
         return []
+
+    def _of_rate(self, expression: Any) -> int | None:
+        """The number that an expression of the clock's rate is, `CLKFREQ / 1000 * 5` for example; None for any other."""
+        if isinstance(expression, ccode.NameReference) and str(expression.name) in self._rates:
+            return TICKS * 1_000_000
+        if isinstance(expression, ccode.Cast):
+            return self._of_rate(expression.operand)
+        if isinstance(expression, ccode.Binary):
+            left, right = self._of_rate(expression.left), self._of_rate(expression.right)
+            return calculate(str(expression.operator), left, right) if left is not None and right is not None else None
+        values = self._values.of(expression)
+        return values[0].number if len(values) == 1 else None
+
+
+def _waits(function: platform.ApiFunction) -> bool:
+    return bool(function.blocking or function.longestMicroseconds)
 
 
 def _once(first: Iterable[Wait], second: Iterable[Wait]) -> tuple[Wait, ...]:
