@@ -107,6 +107,26 @@ def timed_inputs_are_true_beside_servos_that_move(uno: Uno) -> None:
     beside(uno, begin, go_on, SERVOS, [], BESIDE_INTERRUPTS, 6)
 
 
+READING = [f"dht22.h/dht22_{name}" for name in ("read", "getTemp", "getHumidity", "set_timeout_ignore")]
+
+
+@proves(*READING, beside=SERVOS)
+def bits_are_read_right_beside_servos_that_move(uno: Uno) -> None:
+    program = """
+int32_t n;
+void setup() { Serial.begin(115200); servo_set(9, 1500); servo_set(10, 1200); servo_set(11, 1700); servo_setramp(10, 4);
+  dht22_set_timeout_ignore(7, 1); }
+void loop() { servo_set(9, 1500 + n % 50 * 8); servo_set(10, n & 32 ? 1000 : 2000); Serial.print(dht22_read(7) + 0);
+  Serial.print(' '); Serial.print(dht22_getTemp(0)); Serial.print(' '); Serial.println(dht22_getHumidity()); pause(n++ % 20); }
+"""
+    settings = {"humidity": [[0, 51.1]], "celsius": [[0, 21.0]]}
+    used = [*READING, *SERVOS, "simpletools.h/pause"]
+    trace = uno.run(program, used, 5000, [DeviceUse("dht22", {"signal": "D7"}, settings)])
+    told = trace.text.splitlines()[:-1]
+    assert len(told) > 55
+    assert set(told) == {"1 210 511"}
+
+
 DRIVING = [f"abdrive.h/drive_{name}" for name in ("goto", "gotoMode", "getTicks", "speed")]
 
 

@@ -40,9 +40,10 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //# adapter dht22_read
 //#   for: char dht22_read(int dht_pin)
 //#   kind: semantic
-//#   needs: dht22_celsius dht22_humidity dht22_hasty simpletools.h/Io
+//#   needs: dht22_celsius dht22_humidity dht22_hasty simpletools.h/Io simpletools.h/TimedInput
 //#   pin: dht_pin digital both
 //#   fidelity: 1 when the checksum is right, which it never is below 0 degrees, as there; waits for half a second after the last reading, and listens for 47 ms, as there
+//#   fidelity: an edge within an interrupt is taken for its middle: bits are right beside interrupts of up to 40 us
 //#   limit: other cogs wait for 6 ms
 //#   ram: 128
 inline char dht22_read(int32_t dht_pin) {
@@ -56,17 +57,22 @@ inline char dht22_read(int32_t dht_pin) {
   delayMicroseconds(9100);
   io.drive(false);
   uint8_t bytes[5] = {0, 0, 0, 0, 0};
-  uint32_t begun = micros(), before = 0;
-  uint8_t edges = 0;
-  for (bool low = false; micros() - begun < 6500 && edges < 42;) {  // from one rising edge to the next: 76 us for 0, 120 us for 1
-    bool high = io.high();
-    if (low && high) {
+  uint32_t begun = micros(), looked = begun, before = 0;
+  {
+    TimedInput timed;
+    uint8_t edges = 0;
+    for (bool low = false; looked - begun < 6500 && edges < 42;) {  // from one rising edge to the next: 76 us for 0, 120 us for 1
+      bool high = io.high();
       uint32_t now = micros();
-      if (edges >= 2) bytes[(edges - 2) >> 3] = bytes[(edges - 2) >> 3] << 1 | (now - before > 102);
-      before = now;
-      edges++;
+      if (low && high) {
+        uint32_t edge = looked + (now - looked) / 2;  // an interrupt may lie between two looks
+        if (edges >= 2) bytes[(edges - 2) >> 3] = bytes[(edges - 2) >> 3] << 1 | (edge - before > 98);
+        before = edge;
+        edges++;
+      }
+      looked = now;
+      low = !high;
     }
-    low = !high;
   }
   dht22_humidity = (uint16_t)(bytes[0] << 8 | bytes[1]);
   dht22_celsius = (uint16_t)(bytes[2] << 8 | bytes[3]) & 0x7FFF;
