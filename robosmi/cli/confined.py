@@ -57,7 +57,8 @@ def main(arguments: list[str]) -> int:
         landlock.restrict(allowed(Path(root), Path(own)))
     from robosmi.cli.main import main as run
 
-    return run(words)
+    sys.argv = ["robosmi", *words]  # as a process of its own: a request to end is taken in order
+    return run()
 
 
 if __name__ == "__main__":
