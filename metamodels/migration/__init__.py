@@ -534,6 +534,8 @@ class PortBinding(Decision):
     """The convention of an API, if it is one."""
     conventionalPort: ConventionalPort | None = EReference()
     """The pin of an adapter that it says, if an adapter uses the port without being told."""
+    answer: Connection | None = EReference()
+    """Where the component answers, when it has a wire for each direction and the functions can serve both; none for one wire."""
     connection: Connection | None = EReference()
     """The connection chosen."""
     pin: Pin | None = EReference()
@@ -562,6 +564,7 @@ class PortBinding(Decision):
             role: str | None = None,
             convention: PinConvention | None = None,
             conventionalPort: ConventionalPort | None = None,
+            answer: Connection | None = None,
             connection: Connection | None = None,
             pin: Pin | None = None,
         ) -> None: ...
@@ -1025,6 +1028,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     PortBinding.element.eType = Located
     PortBinding.convention.eType = PinConvention
     PortBinding.conventionalPort.eType = ConventionalPort
+    PortBinding.answer.eType = Connection
     PortBinding.connection.eType = Connection
     PortBinding.pin.eType = Pin
     PortFlow.bindings.eType = PortBinding

@@ -1148,6 +1148,8 @@ class AdapterPin(Element, metaclass=MetaEClass):
     """Its direction."""
     signed: bool = EAttribute(eType=EBoolean)
     """True when a negative value has a meaning of its own."""
+    split: bool = EAttribute(eType=EBoolean)
+    """True when the component may have a wire for each direction: the pin is either of them, and the adapter finds the other."""
     componentRole: str = EAttribute(eType=EString, default_value="")
     """Kind of component that is expected there, empty for any."""
 
@@ -1160,6 +1162,7 @@ class AdapterPin(Element, metaclass=MetaEClass):
             capability: PinCapability | None = None,
             direction: Direction | None = None,
             signed: bool | None = None,
+            split: bool | None = None,
             componentRole: str | None = None,
         ) -> None: ...
 

@@ -16,6 +16,7 @@ from robosmi.transformations.m2m.port_binding import bind_ports
 from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import ProgramPorts, program_ports
+from robosmi.transformations.queries.split_wires import split_functions
 
 
 def ports(program: StoredProgram) -> ProgramPorts:
@@ -44,7 +45,9 @@ def bindings(
     connections = list(drawing.hardware.connections) if drawing is not None else []
     asked = with_conventions(ports, judgement[0].adapters, program.views)
     said = (settings.bind, {**bind})
-    return bind_ports(asked, api, source, connections, board, said, defaults()["choices"]["limit"], (stored or NOTHING).ports)
+    limit, kept = defaults()["choices"]["limit"], (stored or NOTHING).ports
+    split = split_functions(judgement[0].adapters)
+    return bind_ports(asked, api, source, connections, board, said, limit, kept, split)
 
 
 def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:

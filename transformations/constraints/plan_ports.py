@@ -107,7 +107,7 @@ def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> Any:
     calls = (call for flow in plan.portFlows if b in flow.bindings for call in flow.calls)
     call = next((call for call in calls if call.calleeName in both), None)
     component = next((c.component for c in plan.connections if c.pin is pin and c.component is not None), None)
-    if call is None or component is None:
+    if call is None or component is None or b.answer is not None:
         return True
     wires = {c.signal: c for c in plan.connections if c.component is component and c.pin is not None}
     sent, heard = wires.get(migration.Signal.write), wires.get(migration.Signal.read)

@@ -32,7 +32,7 @@ DIRECTIONS = ("in", "out", "both")
 _LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
 _TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack", "ram", "range")
-_PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?(?: ([\w-]+))?")
+_PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?( split)?(?: ([\w-]+))?")
 _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
 
@@ -47,6 +47,7 @@ class AdapterPin:
         direction: one of `DIRECTIONS`, seen from the microcontroller.
         signed: whether a negative value has a meaning of its own, as in `square_wave(-26, ...)`.
         role: kind of component that is expected there, empty for any.
+        split: whether the component may have a wire for each direction, of which the pin is either.
     """
 
     name: str
@@ -54,6 +55,7 @@ class AdapterPin:
     direction: str
     signed: bool
     role: str
+    split: bool = False
 
 
 @dataclass(frozen=True)
@@ -298,14 +300,15 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
     elif key == "pin":
         found = _PIN.fullmatch(value)
         if found is None:
-            raise _wrong(place, f"'{value}' is no pin", "write: pin: PARAMETER CAPABILITY DIRECTION [signed] [ROLE]")
+            raise _wrong(place, f"'{value}' is no pin", "write: pin: PARAMETER CAPABILITY DIRECTION [signed] [split] [ROLE]")
         piece.pins.append(
             AdapterPin(
                 found[1],
                 _one_of(found[2], CAPABILITIES, place),
                 _one_of(found[3], DIRECTIONS, place),
                 bool(found[4]),
-                found[5] or "",
+                found[6] or "",
+                bool(found[5]),
             )
         )
     elif key == "table":

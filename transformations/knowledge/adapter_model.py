@@ -33,7 +33,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
         pins=[
             platform.AdapterPin(
                 name=pin.name, capability=_capability(pin.capability), direction=_direction(pin.direction), signed=pin.signed,
-                componentRole=pin.role,
+                componentRole=pin.role, split=pin.split,
             )
             for pin in piece.pins
         ],

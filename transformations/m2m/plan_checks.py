@@ -66,7 +66,7 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
         if not ports:
             continue
         title = component.title if titles.count(component.title) == 1 else f"{component.title} #{component.elementId}"
-        used = [c for c in connections if any(b.connection is c for b in ports)]
+        used = [c for c in connections if any(b.connection is c or b.answer is c for b in ports)]
         wires = ", ".join(f"{_wire(c)} on {c.pin.label if c.pin is not None else 'no pin'}" for c in used)
         yield _check(plan, f"'{title}' ({wires})", ports, [component, *ports])
 

@@ -245,6 +245,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Drawn components that no port of the program is bound to."""
     bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
+    bound |= {id(b.answer.pin) for b in plan.portBindings if b.answer is not None}
     for connection in plan.connections:
         component = connection.component
         if id(connection.pin) not in bound and component is not None and component.role is not hardware.Role.Unknown:

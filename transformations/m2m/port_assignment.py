@@ -45,9 +45,14 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
             break
         for i, k in pairs:
             _bind(waiting[i].binding, left[k], fits[i, k], first and not left_over)
-        waiting = [s for i, s in enumerate(waiting) if i not in {p[0] for p in pairs}]
         taken = [left[k] for _, k in pairs]
-        left = [c for c in left if c not in taken and (c.pin is None or c.pin not in [t.pin for t in taken])]
+        whole = [left[k].component for i, k in pairs if waiting[i].split and left[k].component is not None]
+        waiting = [s for i, s in enumerate(waiting) if i not in {p[0] for p in pairs}]
+        left = [
+            c
+            for c in left
+            if c not in taken and c.component not in whole and (c.pin is None or c.pin not in [t.pin for t in taken])
+        ]
         first = False
     for seat in waiting:
         rank(seat, left)

@@ -19,6 +19,7 @@ from robosmi.transformations.m2m.stored_choices import Said, explain
 from robosmi.transformations.queries.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
+from robosmi.transformations.queries.split_wires import wires_of
 from robosmi.transformations.queries.value_flows import PinArgument
 
 _SIGNALS = {"in": "read", "out": "write"}
@@ -33,6 +34,7 @@ def bind_ports(
     said: Sequence[Mapping[str, str]],
     limit: float,
     stored: Mapping[str, Said] | None = None,
+    split: frozenset[str] = frozenset(),
 ) -> list[migration.PortBinding]:
     """A decision for each port of the program.
 
@@ -44,6 +46,7 @@ def bind_ports(
         board: the target board.
         said: NAME -> PIN (a label, a connection's name, or `none`), as persons said; later ones count before earlier ones.
         limit: a rule's choice is taken when its confidence is at least this.
+        split: functions that can serve a component with a wire for each direction.
         stored: port -> what a person chose in a stored plan, before `said`; what no longer fits is passed over.
 
     Raises:
@@ -63,13 +66,18 @@ def bind_ports(
             _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
     taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
     free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
-    seats = [_seat(p, b, found, api) for p, b in zip(ports, bindings, strict=True) if b.open]
+    for port, binding in zip(ports, bindings, strict=True):
+        _split(port, binding, connections, split)
+    heard = {id(b.answer) for b in bindings if b.answer is not None}
+    free = [c for c in free if id(c) not in heard]
+    seats = [_seat(p, b, found, api, split) for p, b in zip(ports, bindings, strict=True) if b.open]
     for seat in seats:
         seat.binding.role = seat.role
     assign(seats, free, limit, complete=not found.anything)
     for port, binding in zip(ports, bindings, strict=True):
         if not binding.open:
-            seat = _seat(port, binding, found, api)
+            _split(port, binding, connections, split)
+            seat = _seat(port, binding, found, api, split)
             binding.role = seat.role
             rank(seat, _within_reach(binding, bindings, connections))
     return bindings
@@ -104,14 +112,34 @@ def _kept(
     return found
 
 
-def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex) -> Seat:
+def _split(
+    port: Port, binding: migration.PortBinding, connections: Sequence[migration.Connection], functions: frozenset[str]
+) -> None:
+    """Let a port on a component with a wire for each direction have the other wire, too, where its functions can serve both."""
+    component = binding.connection.component if binding.connection is not None else None
+    wires = wires_of(component, connections)
+    if binding.answer is not None or not wires or not _is_split(port, functions):
+        return
+    asked, heard = wires["write"].pin, wires["read"].pin
+    assert asked is not None
+    assert heard is not None
+    binding.answer = wires["read"]
+    binding.evidence.append(f"its component is asked at {asked.label} and answers at {heard.label}")
+
+
+def _is_split(port: Port, functions: frozenset[str]) -> bool:
+    called = {use.function for use in port.uses}
+    return bool(called) and called <= functions
+
+
+def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex, split: frozenset[str]) -> Seat:
     facts = api.settings.get("ports", {})
     given = _arguments(port, found)
     siblings = [p.name for function in {a.function for a in given} for p in _pins(function, api)]
     siblings += [p.name for p in found.ports if p.origin == "declaration"]
     role = _role(port, facts.get("roles", {}), api)
     names = [argument.parameter.name for argument in given]
-    return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})))
+    return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})), _is_split(port, split))
 
 
 def _layer(layer: Mapping[str, str], ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, str]:

@@ -37,6 +37,7 @@ class Seat(NamedTuple):
         siblings: what they call all of their parameters that are ports, and what the program calls its ports.
         role: the kind of component that the functions expect, empty for any.
         usual: the kinds that such functions are usually used with, empty where nothing is known.
+        split: whether its functions can serve a component with a wire for each direction.
     """
 
     binding: migration.PortBinding
@@ -45,6 +46,7 @@ class Seat(NamedTuple):
     siblings: Sequence[str]
     role: str
     usual: frozenset[str]
+    split: bool = False
 
 
 class Fit(NamedTuple):
@@ -61,6 +63,8 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
     own = connector_words(c.name for c in connection.connectors)
     serial = is_serial(connection)
     if not _same_direction(seat.binding.signal.name, connection, own, serial, known):
+        return None
+    if seat.split and _only_answers(connection, own, known):
         return None
     mine, theirs = said(seat.words), said(component_texts(connection))
     for group in known.apart:
@@ -119,6 +123,14 @@ def _same_direction(signal: str, connection: migration.Connection, own: set[str]
     if (signal == "read" and own & RECEIVES) or (signal == "write" and own & SENDS):
         return False
     return signal == "bus" or signal in there or "bus" in there
+
+
+def _only_answers(connection: migration.Connection, own: set[str], known: PortWords) -> bool:
+    """Whether a component answers at a connection that is asked at another one."""
+    component = connection.component
+    every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
+    ways = {known.connectors[purpose][1] for purpose in _purposes(own, known)}
+    return ways == {"read"} and "write" in {known.connectors[purpose][1] for purpose in every}
 
 
 def _purposes(words: set[str], known: PortWords) -> set[str]:

@@ -20,6 +20,7 @@ from robosmi.transformations.queries.plan import beside_its_declaration, needs_o
 from robosmi.transformations.queries.plan_adapters import emitted
 from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
 from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 
 
 @dataclass(frozen=True)
@@ -95,7 +96,12 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
     storage = "static " if target_of(plan).language == "C" else ""
     return {
         "headers": includes(pieces),
-        "declarations": [*_cores(plan), *_servos(plan, pieces), *declarations(pieces, pins, UNBOUND, numbers, storage)],
+        "declarations": [
+            *_cores(plan),
+            *_servos(plan, pieces),
+            *_split_wires(plan, pieces),
+            *declarations(pieces, pins, UNBOUND, numbers, storage),
+        ],
         "pieces": [
             PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
             for piece, above in zip(pieces, (None, *pieces), strict=False)
@@ -144,6 +150,25 @@ def _servos(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -
 
 SERVO_TRIMS = "servo_us"
 """The piece that gives servos the pulses that were measured."""
+
+
+def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -> list[str]:
+    """What the pieces for components with a wire for each direction are told of these."""
+    pairs = [
+        (asked, heard)
+        for b in plan.portBindings
+        if (asked := asking_pin(b, list(plan.connections))) and (heard := answering_pin(b))
+    ]
+    if not pairs or not any(piece.name == SPLIT_WIRES for piece in pieces):
+        return []
+    rows = [f"  {{{pin_literal(asked)}, {pin_literal(heard)}}}," for asked, heard in dict.fromkeys(pairs)]
+    about = "// Components with a wire for each direction: the pin that asks, and the one that answers"
+    kinds = "uint8_t asks, answers;"
+    return ["", about, "#define SPLIT_WIRES", f"static const struct {{ {kinds} }} split_wires[] = {{", *rows, "};"]
+
+
+SPLIT_WIRES = "asking"
+"""The piece that finds the pins of a component with a wire for each direction."""
 
 
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:

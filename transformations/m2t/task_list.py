@@ -104,7 +104,7 @@ def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, 
 
 
 def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> dict[str, str]:
-    ports = [b.name for b in plan.portBindings if b.connection is connection]
+    ports = [b.name for b in plan.portBindings if b.connection is connection or b.answer is connection]
     return {
         "pin": connection.pin.label if connection.pin else "",
         "component": connection.component.title if connection.component else "",
@@ -131,7 +131,10 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
 
 def _target(binding: migration.PortBinding) -> str:
     pin = binding.connection.pin if binding.connection is not None else binding.pin
-    return pin.label if pin is not None else "not wired" if not binding.open else "open: its calls do nothing"
+    if pin is None:
+        return "not wired" if not binding.open else "open: its calls do nothing"
+    answer = binding.answer.pin if binding.answer is not None and binding.answer is not binding.connection else None
+    return f"{pin.label} (answers at {answer.label})" if answer is not None else str(pin.label)
 
 
 def _library(choice: migration.LibraryChoice) -> dict[str, str]:

@@ -30,7 +30,7 @@ def terminal_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes], 
     if screen.needs:
         lines.append(_sum("needs", screen.needs))
     for connection in plan.connections:
-        ports = ", ".join(b.name for b in plan.portBindings if b.connection is connection)
+        ports = ", ".join(b.name for b in plan.portBindings if b.connection is connection or b.answer is connection)
         pin = connection.pin.label if connection.pin else "?"
         lines.append(f"{_INDENT}{pin:4} {connection.name:28} {('is ' + ports) if ports else ''}".rstrip())
     if plan.libraryChoices:

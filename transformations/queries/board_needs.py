@@ -14,6 +14,7 @@ from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.loop_time import Time, loop_time
 from robosmi.transformations.queries.memory import Memory, memory
 from robosmi.transformations.queries.plan_adapters import closure, emitted
+from robosmi.transformations.queries.split_wires import answering_pin
 
 _MILLION = 1e6
 
@@ -102,7 +103,7 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
 
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
-    bound = {id(pin) for b in plan.portBindings if (pin := _pin(b)) is not None}
+    bound = {id(pin) for b in plan.portBindings for pin in (_pin(b), answering_pin(b)) if pin is not None}
     drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
     wanted = sum(b.open for b in plan.portBindings)
     return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)

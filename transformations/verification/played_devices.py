@@ -56,6 +56,11 @@ def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
         places = {called: place for names, place in at for called in names}
         wired = {called: place for called, place in places.items() if place}
         on_bus = not first.pin
+        split = device_facts().get(first.device, {}).get("split") if target and first.split else None
+        if split is not None:
+            places = dict(zip(split["pins"], first.split, strict=True))
+            found.append(PlayedDevice(split["kind"], tuple(numbers), places, first.settings))
+            continue
         if (wired or on_bus) and set(content("device", first.device).pin_names) <= wired.keys():
             found.append(PlayedDevice(first.device, tuple(numbers), wired, first.settings))
     return found
@@ -78,7 +83,7 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
     for device in devices_at(ports, target):
         given = next((signals[n] for n in device.ports if n in signals), {})
         kinds = frozenset().union(*(ports[n].kinds for n in device.ports))
-        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in at_rest(device.kind, kinds).items()}
+        settings: dict[str, Any] = {name: [[0.0, value]] for name, value in at_rest(ports[device.ports[0]].device, kinds).items()}
         for name, points in given.items():
             before = settings.get(name, []) if points[0][0] > 0 else []  # at rest until its first point
             settings[name] = [*before, *(list(point) for point in points)]

@@ -24,6 +24,7 @@ from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
+from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
 from robosmi.verify.tables import DataTable
 
@@ -51,6 +52,7 @@ class BoundPort:
         shown: whether what the program does there is compared although a device is there.
         averaged: whether it stands for a voltage, so that of a wave there only the share that is high counts.
         kinds: what the component is, by what it is called (`parts/port_roles.toml`).
+        split: labels of the target's pins by which the component is asked and answers, where these are two; else none.
     """
 
     name: str
@@ -67,6 +69,7 @@ class BoundPort:
     shown: bool = False
     averaged: bool = False
     kinds: frozenset[str] = frozenset()
+    split: tuple[str, ...] = ()
 
     @property
     def watched(self) -> bool:
@@ -123,10 +126,17 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             str(component.elementId) if component is not None else "", tuple(used), device, called, line,
             averaged=bool(used) and bool(averaged & used.keys()),
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
+            split=_split(plan, binding),
         )  # fmt: skip
         found.setdefault(source, port)
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
     return list(found.values())
+
+
+def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:
+    """The pins of a component with a wire for each direction: the one that asks, and the one that answers."""
+    pins = (asking_pin(binding, list(plan.connections)), answering_pin(binding))
+    return tuple(str(pin.label) for pin in pins if pin is not None)
 
 
 def _uses(plan: migration.MigrationPlan, seen: Sequence[CodeView], folder: Path | None) -> list[PinUse]:

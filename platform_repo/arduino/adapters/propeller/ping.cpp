@@ -1,18 +1,19 @@
 //# header ping.h
-// Ultrasonic ranger with one pin. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Sensor/libping.
+// Ultrasonic ranger with one pin, or with two where it is drawn so. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Sensor/libping.
 
 //# adapter ping
 //#   for: int ping(int pin)
 //#   kind: oneToMany
-//#   needs: simpletools.h/low simpletools.h/pulse_out simpletools.h/pulse_in
+//#   needs: simpletools.h/asking simpletools.h/low simpletools.h/pulse_out simpletools.h/pulse_in
 //#   role: ranger
-//#   pin: pin digital both ranger
+//#   pin: pin digital both split ranger
 //#   fidelity: microseconds of the echo; 0 without an echo
 inline int32_t ping(int32_t pin) {
+  int32_t out = asking(pin);
   delay(1);
-  low(pin);
-  pulse_out(pin, 10);
-  return pulse_in(pin, 1);
+  low(out);
+  pulse_out(out, 10);
+  return pulse_in(answering(pin), 1);
 }
 
 //# adapter ping_cm
@@ -20,7 +21,7 @@ inline int32_t ping(int32_t pin) {
 //#   kind: oneToOne
 //#   needs: ping
 //#   role: ranger
-//#   pin: pin digital both ranger
+//#   pin: pin digital both split ranger
 //#   fidelity: whole centimetres, rounded down
 inline int32_t ping_cm(int32_t pin) {
   return ping(pin) / 58;
@@ -31,7 +32,7 @@ inline int32_t ping_cm(int32_t pin) {
 //#   kind: oneToOne
 //#   needs: ping
 //#   role: ranger
-//#   pin: pin digital both ranger
+//#   pin: pin digital both split ranger
 //#   fidelity: whole inches, rounded down
 inline int32_t ping_inches(int32_t pin) {
   return ping(pin) / 148;

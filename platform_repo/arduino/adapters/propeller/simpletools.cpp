@@ -496,6 +496,24 @@ inline int32_t in_units(uint32_t cycles) {
   return io_ticks == 80 ? micros_ : micros_ * 80 / io_ticks;
 }
 
+//# helper asking
+//#   fidelity: the pin that asks and the one that answers, of a component with a wire for each direction; else the pin itself is both
+inline int32_t asking(int32_t pin) {
+#ifdef SPLIT_WIRES
+  for (const auto &wires : split_wires)
+    if (wires.answers == pin) return wires.asks;
+#endif
+  return pin;
+}
+
+inline int32_t answering(int32_t pin) {
+#ifdef SPLIT_WIRES
+  for (const auto &wires : split_wires)
+    if (wires.asks == pin || wires.answers == pin) return wires.answers;
+#endif
+  return pin;
+}
+
 //# adapter pulse_in
 //#   for: int pulse_in(int pin, int state)
 //#   kind: oneToMany

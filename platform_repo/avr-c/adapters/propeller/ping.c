@@ -1,18 +1,19 @@
 //# header ping.h
-// Ultrasonic ranger with one pin, in C. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Sensor/libping.
+// Ultrasonic ranger with one pin, or with two where it is drawn so, in C. Read from Simple-Libraries 1cc167c10, Learn/Simple Libraries/Sensor/libping.
 
 //# adapter ping
 //#   for: int ping(int pin)
 //#   kind: oneToMany
-//#   needs: simpletools.h/low simpletools.h/pulse_out simpletools.h/pulse_in propeller.h/clock_wait
+//#   needs: simpletools.h/asking simpletools.h/low simpletools.h/pulse_out simpletools.h/pulse_in propeller.h/clock_wait
 //#   role: ranger
-//#   pin: pin digital both ranger
+//#   pin: pin digital both split ranger
 //#   fidelity: microseconds of the echo; 0 without an echo
 static inline int32_t ping(int32_t pin) {
+  int32_t out = asking(pin);
   clock_wait(1);
-  low(pin);
-  pulse_out(pin, 10);
-  return pulse_in(pin, 1);
+  low(out);
+  pulse_out(out, 10);
+  return pulse_in(answering(pin), 1);
 }
 
 //# adapter ping_cm
@@ -20,7 +21,7 @@ static inline int32_t ping(int32_t pin) {
 //#   kind: oneToOne
 //#   needs: ping
 //#   role: ranger
-//#   pin: pin digital both ranger
+//#   pin: pin digital both split ranger
 //#   fidelity: whole centimetres, rounded down
 static inline int32_t ping_cm(int32_t pin) {
   return ping(pin) / 58;
@@ -31,7 +32,7 @@ static inline int32_t ping_cm(int32_t pin) {
 //#   kind: oneToOne
 //#   needs: ping
 //#   role: ranger
-//#   pin: pin digital both ranger
+//#   pin: pin digital both split ranger
 //#   fidelity: whole inches, rounded down
 static inline int32_t ping_inches(int32_t pin) {
   return ping(pin) / 148;

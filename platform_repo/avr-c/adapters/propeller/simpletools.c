@@ -423,6 +423,24 @@ static inline int32_t in_units(uint32_t cycles) {
   return io_ticks == 80 ? micros_ : micros_ * 80 / io_ticks;
 }
 
+//# helper asking
+//#   fidelity: the pin that asks and the one that answers, of a component with a wire for each direction; else the pin itself is both
+static inline int32_t asking(int32_t pin) {
+#ifdef SPLIT_WIRES
+  for (uint8_t i = 0; i < sizeof split_wires / sizeof split_wires[0]; i++)
+    if (split_wires[i].answers == pin) return split_wires[i].asks;
+#endif
+  return pin;
+}
+
+static inline int32_t answering(int32_t pin) {
+#ifdef SPLIT_WIRES
+  for (uint8_t i = 0; i < sizeof split_wires / sizeof split_wires[0]; i++)
+    if (split_wires[i].asks == pin || split_wires[i].answers == pin) return split_wires[i].answers;
+#endif
+  return pin;
+}
+
 //# adapter pulse_in
 //#   for: int pulse_in(int pin, int state)
 //#   kind: oneToMany
