@@ -14,6 +14,7 @@ from robosmi.model import EmfModel
 from robosmi.query import root_of
 from robosmi.transformations.constraints.plan_ports import bound_pin, named, plan_of
 from robosmi.transformations.queries.binding_edits import only_the_choice_was_edited, referred
+from robosmi.transformations.queries.choices import NO_LIBRARY
 from robosmi.transformations.queries.text_changes import all_changes
 from robosmi.validate import EVL, Fail
 
@@ -97,6 +98,27 @@ def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> Any:
         if c.unit is not None and not 0 <= c.startOffset <= c.endOffset <= c.unit.size
     ]
     return not wrong or Fail("; ".join(wrong))
+
+
+@uses.constraint(
+    id="RS728", guard=lambda u: u.adapter is not None and bool(u.adapter.pins),
+    advice="put the flow back (portFlows), or make the plan again with migrate",
+)  # fmt: skip
+def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
+    """Each call of an adapter that takes pins belongs to a flow, which says whether its numbers are ports or pins."""
+    inside = {id(call) for flow in plan_of(u).portFlows for call in flow.calls}
+    lines = sorted({int(call.line) for call in u.calls if id(call) not in inside})
+    where = f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
+    return not lines or Fail(f"no flow of the plan has the call of '{u.name}' in {where}: nothing says what its numbers are")
+
+
+@libraries.constraint(
+    id="RS729", guard=lambda c: bool(c.choice), advice="correct the one that is not meant (plan.xmi), or use --library"
+)
+def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> Any:
+    """The recorded choice of a library is the library that it refers to."""
+    now = str(c.chosen.name) if c.chosen is not None else NO_LIBRARY
+    return str(c.choice).lower() == now.lower() or Fail(f"the choice of the {named(c)} says {c.choice}, and it is {now}")
 
 
 @libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")

@@ -159,6 +159,23 @@ def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
     return made
 
 
+def flowing(inside: bool) -> migration.MigrationPlan:
+    """A plan with a call of an adapter that takes a pin, in a flow or in none."""
+    made = a_plan()
+    assert made.target is not None
+    adapter = platform.Adapter(name="high", pins=[platform.AdapterPin(name="pin")])
+    made.target.adapters.append(adapter)
+    call = ccode.Call(calleeName="high", line=3)
+    made.adapterUses.append(migration.AdapterUse(name="high", adapter=adapter, calls=[call]))
+    made.portFlows.append(migration.PortFlow(name="n", calls=[call] if inside else []))
+    return made
+
+
+def recorded(choice: str) -> migration.MigrationPlan:
+    """A plan in which a library is chosen, with what is recorded of that."""
+    return a_plan(libraryChoices=lambda p: [migration.LibraryChoice(chosen=own_library(p), choice=choice)])
+
+
 def adapted(*names: str) -> migration.MigrationPlan:
     """A plan whose function `f` is adapted by adapters of these names, one use each."""
 
@@ -180,7 +197,7 @@ def numbered(number: int) -> migration.MigrationPlan:
 
 def with_library(chosen: Callable[[migration.MigrationPlan], platform.Library]) -> migration.MigrationPlan:
     """A plan in which a library is chosen for a component."""
-    return a_plan(libraryChoices=lambda p: [migration.LibraryChoice(chosen=chosen(p), choice="x")])
+    return a_plan(libraryChoices=lambda p: [migration.LibraryChoice(chosen=chosen(p), choice=str(chosen(p).name))])
 
 
 def confident(confidence: float, is_open: bool = False) -> migration.MigrationPlan:
@@ -278,6 +295,8 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
     "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
     "RS726": (lambda: dimmed("Timer1", "Timer2"), lambda: dimmed("Timer1", "Timer1")),
+    "RS728": (lambda: flowing(True), lambda: flowing(False)),
+    "RS729": (lambda: recorded("Servo"), lambda: recorded("DHT")),
     "RS724": (lambda: on_one_pin(1), lambda: on_one_pin(2)),
     "RS715": (lambda: on_one_pin(1), lambda: on_one_pin(3)),
     "RS714": (lambda: decided(1, 2, -1, -1), lambda: decided(1, 2, 1)),
