@@ -146,7 +146,8 @@ class _MacroBody:
             self._single(body[0], key)
             return
         if not self.macro.functionLike:
-            flows.keep(key, f"'{self.name}' is calculated", computed=True)
+            listed = bool(body) and body[0][3] == "{" and all(t[0] == "number" or t[3] in ("{", ",", "}") for t in body)
+            flows.keep(key, f"'{self.name}' is {'a list' if listed else 'calculated'}", computed=not listed)
             flows.of(key).given.append((self.view.unit, self.macro))
             for token in body if body and body[0][3] == "{" else ():
                 if token[0] == "number" and (number := _INTEGER.match(token[3])):

@@ -61,7 +61,7 @@ class PortMasks:
                 return None
             made = {calculate(str(expression.operator), a, b) for a in left for b in right}
             return None if None in made else {number for number in made if number is not None}
-        key = self.given.key(expression)
+        key = self._thing(expression)
         if key is None:
             return None
         if key in self._active:
@@ -82,8 +82,14 @@ class PortMasks:
         if rule is not None:
             made: int | None = rule(self, expression)
             return made
-        key = self.given.key(expression)
+        key = self._thing(expression)
         return None if key is None else self._kept(key)
+
+    def _thing(self, expression: Any) -> Hashable | None:
+        """What an expression is the value of; a member that nothing is given to is a part of what has it."""
+        key = self.given.key(expression)
+        whole = isinstance(expression, ccode.Member) and not self.given.of(key)
+        return self.given.key(expression.object) if whole else key
 
     def _kept(self, key: Hashable) -> int | None:
         """The bits of what is given to a thing: the least that holds, where it is put together from itself."""

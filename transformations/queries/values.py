@@ -131,7 +131,7 @@ class Values:
         while loop is not None:
             start = _start(loop, variable)
             if start is not None and _in(loop, reference):
-                return self._count(loop, variable, start)
+                return self._guarded(loop, "loop", lambda found, start=start: self._count(found, variable, start))
             loop = ancestor_of_kind(loop, ccode.For)
         return None
 

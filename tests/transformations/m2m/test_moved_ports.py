@@ -74,6 +74,8 @@ def test_each_port_moves_its_own_pin(program: Path, tmp_path: Path) -> None:
         ("counting_while", []),
         ("recursion", []),
         ("named_table", []),
+        ("list_in_macro", []),
+        ("mask_of_members", []),
         ("pointer_through_table", []),
         ("platform_function_pointer", []),
     ],

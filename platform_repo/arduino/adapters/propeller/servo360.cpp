@@ -543,7 +543,8 @@ inline int32_t servo360_getAngleOffset(int32_t pin) {
 //#   kind: oneToOne
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
-//#   fidelity: from two angles 20 ms apart; an error of one unit of 4,096 is 50 units a second, and at rest up to seven were measured
+//#   fidelity: from two angles 20 ms apart; an error of one unit of 4,096 is 50 of them a second
+//#   limit: at rest up to seven units of 360 a second are measured: compare with a threshold, not with 0
 inline int32_t servo360_getSpeed(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
