@@ -3,7 +3,8 @@
 `ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus [--only TEXT] [--budget SECONDS] [--table FILE]`, the seconds being those
 of the search for scenarios of each program. Which programs, and how their ports are wired, is in `verified_programs.toml`; ports
 that it does not name are bound to free pins of the target. A row for each: verdict, scenarios, simulated time, lines and branches
-reached, and the reason or the first difference. With `--table` the rows are written as a table of Markdown.
+reached, the reason or the first difference, and its cause as the file has it. With `--table` the rows are written as a table of
+Markdown.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from typing import Any
 import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.verdict import Verdict
+from robosmi.verify.verdict import NO_DIFFERENCE, Verdict
 from tests.corpus.migrate_corpus import programs
 
 CHOSEN = Path(__file__).parent / "verified_programs.toml"
@@ -62,11 +63,27 @@ def cells(verdict: Verdict) -> list[str]:
     reached = [f"{verdict.lines_pct:.0f}", f"{verdict.branches_pct:.0f}"] if verdict.counted else ["", ""]
     why = list(verdict.all_reasons())
     if (first := verdict.first_difference) is not None:
-        why.insert(0, f"'{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}")
-    return [verdict.verdict, str(len(verdict.scenarios)), f"{verdict.simulated_s:.1f}", *reached, "; ".join(why)]
+        told = "another text" if len(first[1].message) > _LONG_TEXT else first[1].message
+        why.insert(0, f"'{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {told}")
+    told = "; ".join(why)
+    told = told if len(told) <= _MOST else f"{told[:_MOST]} ..."
+    return [verdict.verdict, str(len(verdict.scenarios)), f"{verdict.simulated_s:.1f}", *reached, told]
 
 
-HEADINGS = ["program", "verdict", "scenarios", "s", "lines %", "branches %", "why"]
+HEADINGS = ["program", "verdict", "scenarios", "s", "lines %", "branches %", "what is told", "cause"]
+_LONG_TEXT = 100
+_MOST = 200
+"""So many characters of what is told stand in the table."""
+
+
+INTRODUCTION = """# Real programs and their verdicts
+
+Programs of public repositories, migrated to an Arduino Uno without a drawing and compared with their originals under generated
+scenarios (`ROBOSMI_CORPUS=DIR python -m tests.corpus.verify_corpus --budget 20 --table FILE`; the corpus is not part of this
+repository). Columns: scenarios, simulated seconds, lines and branches of the source that these reach, what the verdict tells,
+and for each that is not `no-difference-found` the cause, as far as it was found out by hand.
+
+"""
 
 
 def table(rows: list[list[str]]) -> str:
@@ -91,11 +108,12 @@ def main() -> None:
             continue
         said, cells_of = row(units[entry["path"]], entry, asked.budget)
         verdicts[said] += 1
-        rows.append([entry["path"], *cells_of])
+        cause = entry.get("cause", "not known") if said != NO_DIFFERENCE else ""
+        rows.append([entry["path"], *cells_of, cause])
         print(" | ".join(rows[-1]), flush=True)
     print(dict(verdicts))
     if asked.table is not None:
-        asked.table.write_text(table(rows))
+        asked.table.write_text(INTRODUCTION + table(rows))
 
 
 if __name__ == "__main__":
