@@ -14,6 +14,7 @@ from robosmi.data_text import toml_of
 from robosmi.resources import built_in
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.t2m.wokwi.document import read_diagram
+from tests.transformations.t2m.kicad import support as kicad
 from tests.wiring.elements import wokwi_elements
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -139,6 +140,16 @@ def test_what_a_signal_goes_through_is_drawn_with_its_value(
     assert pin_map(tmp_path / "wokwi" / "diagram.json") == {
         ("D3", "Lamp"): ("R1",), ("D5", "Knob"): ("R_pull", "4k7"), ("D6", "Two"): ("220 ohm",), ("D9", "Arm"): (),
     }  # fmt: skip
+
+
+def test_a_pin_that_a_symbol_ties_to_a_supply_stays_tied(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lamps = [kicad.led("D1", 300, 0), kicad.led("D2", 400, 0), kicad.placed("power:+5V", "#PWR1", 100, 60)]
+    labels = [kicad.label("A", 100, 60), kicad.label("A", 300, 0), kicad.label("B", 100, 80), kicad.label("B", 400, 0)]
+    drawing = kicad.schematic(tmp_path / "a.kicad_sch", kicad.uno(), *lamps, *labels)
+    out = made(BLINK, drawing)
+    assert pin_map(drawing) == {("D8", "D2"): ()}
+    handed(capsys, str(out), "--as", "wokwi", "-o", str(tmp_path / "wokwi"))
+    assert pin_map(tmp_path / "wokwi" / "diagram.json") == pin_map(drawing)
 
 
 def test_the_table_and_the_picture_are_files(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -121,9 +121,19 @@ class _Wiring:
             groups.setdefault(self._root(id(net)), []).append(net)
         for nets in groups.values():
             ends = list(dict.fromkeys(end for net in nets for c in net.connectors if (end := self._end(c)) is not None))
+            if (tied := self._tied(nets)) is not None and tied not in ends:
+                ends.append(tied)
             ends.sort(key=lambda end: not end.startswith(f"{self.names[self.board]}:"))
             carried = next((net.voltage or "supply" for net in nets if net.rail), "")
             self.result.wires += [(ends[0], other, carried) for other in ends[1:]]
+
+    def _tied(self, nets: list[hardware.Net]) -> str | None:
+        """The board's supply for a rail that one of its pins is tied to: a symbol of a supply is no part, and would be lost."""
+        rail = next((net for net in nets if net.rail), None)
+        if rail is None or not any(c.component is self.board and c.pin for net in nets for c in net.connectors):
+            return None
+        pin = self.drawn.supplies.get(rail.voltage) or self.drawn.supplies.get(_SUPPLY)
+        return f"{self.names[self.board]}:{pin}" if pin else None
 
     def _root(self, net: int) -> int:
         while net in self.same:
