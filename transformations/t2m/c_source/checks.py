@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing import Parsed
 
 _HINTS = {
@@ -37,15 +37,26 @@ def refuse_other_languages(parsed: Parsed) -> None:
     }
 
     def survives(start: int, end: int, kind: int) -> bool:
-        return kind in (2, 3, 5, 8, 9, 20) and not any(start <= o <= end for o in unknown)
+        return kind in (
+            cursor_kinds.STRUCT_DECL,
+            cursor_kinds.UNION_DECL,
+            cursor_kinds.ENUM_DECL,
+            cursor_kinds.FUNCTION_DECL,
+            cursor_kinds.VAR_DECL,
+            cursor_kinds.TYPEDEF_DECL,
+        ) and not any(start <= o <= end for o in unknown)
 
     bodies = [
         n
         for n in parsed.nodes
-        if n.kind == 8 and any(c.kind == 202 for c in n.children) and survives(n.start, n.start + 1, n.kind)
+        if n.kind == cursor_kinds.FUNCTION_DECL
+        and any(c.kind == cursor_kinds.COMPOUND_STMT for c in n.children)
+        and survives(n.start, n.start + 1, n.kind)
     ]
     reader, location = parsed.reader, clang.library().getCursorLocation
-    typed = [n for n in parsed.nodes if n.kind != 9 or reader.offset(location(n.cursor)) > n.start]  # `x = 3` alone is no C
+    typed = [
+        n for n in parsed.nodes if n.kind != cursor_kinds.VAR_DECL or reader.offset(location(n.cursor)) > n.start
+    ]  # `x = 3` alone is no C
     whole = [n for n in typed if survives(n.start, n.end, n.kind) and not any(n.start <= o <= n.end for o in damaged)]
     if bodies or whole:
         return

@@ -18,12 +18,17 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.errors import MissingToolError
+from robosmi.transformations.t2m.c_source import cursor_kinds
 
 WHOLE = 0x01 | 0x200
 """Options of a parse: with a record of the preprocessor's work, and on after a header that is not there."""
 FOR_SERIALIZATION = 0x02 | 0x10
 """Options of a header that is to be precompiled: it is no whole program, and is saved."""
-MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = 501, 502, 503
+MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = (
+    cursor_kinds.MACRO_DEFINITION,
+    cursor_kinds.MACRO_INSTANTIATION,
+    cursor_kinds.INCLUSION_DIRECTIVE,
+)
 """Kinds of the preprocessor's cursors."""
 VERSION = 18
 """The version whose numbers of cursors and operators the reader knows."""

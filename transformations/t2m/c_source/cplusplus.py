@@ -12,15 +12,25 @@ from collections.abc import Mapping
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import declarations, statements, types
+from robosmi.transformations.t2m.c_source import cursor_kinds, declarations, statements, types
 from robosmi.transformations.t2m.c_source.context import ExpressionBuilder, StatementBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import CALL, call, expression, operands
 from robosmi.transformations.t2m.c_source.statements import statement
 from robosmi.transformations.t2m.c_source.tree import Node
 
-METHOD, CONSTRUCTOR, DESTRUCTOR, CONVERSION = 21, 24, 25, 26
-VARIABLE, CATCH, TRY = 9, 223, 224
-FUNCTION_TEMPLATE, CLASS_TEMPLATE, PARTIAL_TEMPLATE, LINKAGE = 30, 31, 32, 23
+METHOD, CONSTRUCTOR, DESTRUCTOR, CONVERSION = (
+    cursor_kinds.CXX_METHOD,
+    cursor_kinds.CONSTRUCTOR,
+    cursor_kinds.DESTRUCTOR,
+    cursor_kinds.CONVERSION_FUNCTION,
+)
+VARIABLE, CATCH, TRY = cursor_kinds.VAR_DECL, cursor_kinds.CXX_CATCH_STMT, cursor_kinds.CXX_TRY_STMT
+FUNCTION_TEMPLATE, CLASS_TEMPLATE, PARTIAL_TEMPLATE, LINKAGE = (
+    cursor_kinds.FUNCTION_TEMPLATE,
+    cursor_kinds.CLASS_TEMPLATE,
+    cursor_kinds.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION,
+    cursor_kinds.LINKAGE_SPEC,
+)
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*)")
 
 
@@ -70,7 +80,13 @@ def _overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
     if match is None or context.text(node).startswith("operator"):
         return None
     operator = match[1].strip()
-    parts = [c for c in operands(node) if not _OPERATOR.match(context.spelling(c.cursor) if c.kind in (100, 101) else "")]
+    parts = [
+        c
+        for c in operands(node)
+        if not _OPERATOR.match(
+            context.spelling(c.cursor) if c.kind in (cursor_kinds.UNEXPOSED_EXPR, cursor_kinds.DECL_REF_EXPR) else ""
+        )
+    ]
     place = context.source.place(node.start, node.end)
     if operator == "()" or not parts or len(parts) > 2:
         return None
@@ -105,7 +121,7 @@ def _for_range(context: UnitContext, node: Node) -> ccode.Statement:
     if declaration is None:  # for (auto [a, b] : pairs)
         message = "the variables of this loop are in no model"
         context.find("RS107", Severity.warning, message, node.start, node.end, "read it by hand")
-    over = [child for child in children[:-1] if 100 <= child.kind < 200 and child.end > child.start]
+    over = [child for child in children[:-1] if child.kind in cursor_kinds.EXPRESSIONS and child.end > child.start]
     return ccode.For(
         form=ccode.LoopForm.forLoop,
         initial=initial,
@@ -118,12 +134,21 @@ def _for_range(context: UnitContext, node: Node) -> ccode.Statement:
 
 EXPRESSIONS: Mapping[int, ExpressionBuilder] = {
     CALL: _call,
-    **dict.fromkeys((124, 125, 126, 127, 128), _named_cast),
-    133: _word("throw"),
-    134: _word("new"),
-    135: _word("delete"),
+    **dict.fromkeys(
+        (
+            cursor_kinds.CXX_STATIC_CAST_EXPR,
+            cursor_kinds.CXX_DYNAMIC_CAST_EXPR,
+            cursor_kinds.CXX_REINTERPRET_CAST_EXPR,
+            cursor_kinds.CXX_CONST_CAST_EXPR,
+            cursor_kinds.CXX_FUNCTIONAL_CAST_EXPR,
+        ),
+        _named_cast,
+    ),
+    cursor_kinds.CXX_THROW_EXPR: _word("throw"),
+    cursor_kinds.CXX_NEW_EXPR: _word("new"),
+    cursor_kinds.CXX_DELETE_EXPR: _word("delete"),
 }
 """CXCursorKind -> builder, of what C has not or has otherwise."""
 
-STATEMENTS: Mapping[int, StatementBuilder] = {TRY: _try, 225: _for_range}
+STATEMENTS: Mapping[int, StatementBuilder] = {TRY: _try, cursor_kinds.CXX_FOR_RANGE_STMT: _for_range}
 """CXCursorKind -> builder, of what C has not."""

@@ -11,12 +11,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import types
+from robosmi.transformations.t2m.c_source import cursor_kinds, types
 from robosmi.transformations.t2m.c_source.context import DeclarationBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
-PARAMETER, COMPOUND, TRY, FIELD, LITERAL, TYPE_REF = 10, 202, 224, 6, 7, 43
+PARAMETER, COMPOUND, TRY, FIELD, LITERAL, TYPE_REF = (
+    cursor_kinds.PARM_DECL,
+    cursor_kinds.COMPOUND_STMT,
+    cursor_kinds.CXX_TRY_STMT,
+    cursor_kinds.FIELD_DECL,
+    cursor_kinds.ENUM_CONSTANT_DECL,
+    cursor_kinds.TYPE_REF,
+)
 
 
 def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None) -> list[ccode.Declaration]:
@@ -27,12 +34,15 @@ def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None)
         nodes: the cursors.
         start: where the one declaration begins that they all belong to; the parser says of the later ones only where they are.
     """
-    starts = Counter(n.start for n in nodes if n.kind == 9)
+    starts = Counter(n.start for n in nodes if n.kind == cursor_kinds.VAR_DECL)
     made: list[ccode.Declaration] = []
     for node in _without_linkage(nodes):
         builder = context.builders.declarations.get(node.kind)
-        if builder is not None and not (node.kind in (2, 3, 4, 5) and _only_named(context, node)):
-            element = _variable(context, node, start) if node.kind == 9 else builder(context, node)
+        if builder is not None and not (
+            node.kind in (cursor_kinds.STRUCT_DECL, cursor_kinds.UNION_DECL, cursor_kinds.CLASS_DECL, cursor_kinds.ENUM_DECL)
+            and _only_named(context, node)
+        ):
+            element = _variable(context, node, start) if node.kind == cursor_kinds.VAR_DECL else builder(context, node)
             if starts[node.start] > 1 and isinstance(element, ccode.Variable):
                 element.shared = True
             made.append(element)
@@ -44,7 +54,7 @@ def _without_linkage(nodes: Sequence[Node]) -> Iterator[Node]:
     pending = list(reversed(nodes))
     while pending:
         node = pending.pop()
-        if node.kind == 23:
+        if node.kind == cursor_kinds.LINKAGE_SPEC:
             pending.extend(reversed(node.children))
         else:
             yield node
@@ -52,7 +62,10 @@ def _without_linkage(nodes: Sequence[Node]) -> Iterator[Node]:
 
 def _only_named(context: UnitContext, node: Node) -> bool:
     """Whether a record or enumeration is first named in another declaration, as in `struct unknown x;`."""
-    if node.kind in (31, 32) or context.lib.isCursorDefinition(node.cursor):
+    if node.kind in (
+        cursor_kinds.CLASS_TEMPLATE,
+        cursor_kinds.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION,
+    ) or context.lib.isCursorDefinition(node.cursor):
         return False
     i = context.token_at(node.end)
     return not (i < len(context.tokens) and context.tokens[i][3] == ";")
@@ -71,9 +84,13 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
     signature = " ".join(context.source.text(spec.start, end).split())
     if name.startswith("~"):
         context.declarators.add(at + 1)
-    if node.kind == 24:  # what a constructor initialises looks like calls
-        context.declarators.update(c.start for c in node.children if c.kind in (43, 47))
-    if node.kind in (24, 25, 26):  # constructors, destructors and conversions have no type of their own
+    if node.kind == cursor_kinds.CONSTRUCTOR:  # what a constructor initialises looks like calls
+        context.declarators.update(c.start for c in node.children if c.kind in (cursor_kinds.TYPE_REF, cursor_kinds.MEMBER_REF))
+    if node.kind in (
+        cursor_kinds.CONSTRUCTOR,
+        cursor_kinds.DESTRUCTOR,
+        cursor_kinds.CONVERSION_FUNCTION,
+    ):  # constructors, destructors and conversions have no type of their own
         spec = replace(spec, text="", base="")
     result = types.type_use(
         context,
@@ -124,11 +141,14 @@ def _variable(context: UnitContext, node: Node, start: int | None = None) -> cco
     use = types.type_use(context, node.cursor, spec, pointer, dims, depth)
     context.declarators.add(at)
     initial: ccode.Expression | None = None
-    written = after < len(context.tokens) and context.tokens[after][3] in ("=", "(", "{") and node.kind == 9
+    written = after < len(context.tokens) and context.tokens[after][3] in ("=", "(", "{") and node.kind == cursor_kinds.VAR_DECL
     assigned = written and context.tokens[after][3] == "="
     if written:
         begin = context.tokens[after][1]
-        value = next((c for c in reversed(node.children) if 100 <= c.kind < 200 and (c.start >= begin or c.from_macro)), None)
+        value = next(
+            (c for c in reversed(node.children) if c.kind in cursor_kinds.EXPRESSIONS and (c.start >= begin or c.from_macro)),
+            None,
+        )
         if value is not None:
             initial = expression(context, value)
         elif assigned:
@@ -174,10 +194,20 @@ def _typedef(context: UnitContext, node: Node) -> ccode.Declaration:
 def _record(context: UnitContext, node: Node) -> ccode.Declaration:
     fields = [_field(context, c) for c in node.children if c.kind == FIELD]
     methods = [
-        m for c in node.children if c.kind in (21, 24, 25, 26, 30) and isinstance(m := _function(context, c), ccode.Function)
+        m
+        for c in node.children
+        if c.kind
+        in (
+            cursor_kinds.CXX_METHOD,
+            cursor_kinds.CONSTRUCTOR,
+            cursor_kinds.DESTRUCTOR,
+            cursor_kinds.CONVERSION_FUNCTION,
+            cursor_kinds.FUNCTION_TEMPLATE,
+        )
+        and isinstance(m := _function(context, c), ccode.Function)
     ]
-    kind = {2: "structType", 3: "unionType"}.get(node.kind, "classType")
-    if node.kind in (31, 32):
+    kind = {cursor_kinds.STRUCT_DECL: "structType", cursor_kinds.UNION_DECL: "unionType"}.get(node.kind, "classType")
+    if node.kind in (cursor_kinds.CLASS_TEMPLATE, cursor_kinds.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION):
         first = context.tokens[_keyword(context, node)][3]
         kind = {"struct": "structType", "union": "unionType"}.get(first, kind)
     element = ccode.Record(
@@ -255,20 +285,20 @@ def _namespace(context: UnitContext, node: Node) -> ccode.Declaration:
 
 
 BUILDERS: Mapping[int, DeclarationBuilder] = {
-    2: _record,
-    3: _record,
-    4: _record,
-    5: _enumeration,
-    8: _function,
-    9: _variable,
-    20: _typedef,
-    21: _function,
-    22: _namespace,
-    24: _function,
-    25: _function,
-    26: _function,
-    30: _function,
-    31: _record,
-    32: _record,
+    cursor_kinds.STRUCT_DECL: _record,
+    cursor_kinds.UNION_DECL: _record,
+    cursor_kinds.CLASS_DECL: _record,
+    cursor_kinds.ENUM_DECL: _enumeration,
+    cursor_kinds.FUNCTION_DECL: _function,
+    cursor_kinds.VAR_DECL: _variable,
+    cursor_kinds.TYPEDEF_DECL: _typedef,
+    cursor_kinds.CXX_METHOD: _function,
+    cursor_kinds.NAMESPACE: _namespace,
+    cursor_kinds.CONSTRUCTOR: _function,
+    cursor_kinds.DESTRUCTOR: _function,
+    cursor_kinds.CONVERSION_FUNCTION: _function,
+    cursor_kinds.FUNCTION_TEMPLATE: _function,
+    cursor_kinds.CLASS_TEMPLATE: _record,
+    cursor_kinds.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION: _record,
 }
 """CXCursorKind -> builder."""

@@ -11,24 +11,31 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import literals, macros, types
+from robosmi.transformations.t2m.c_source import cursor_kinds, literals, macros, types
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
 UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = (
-    100,
-    101,
-    102,
-    103,
-    111,
-    112,
-    114,
-    115,
-    117,
-    118,
+    cursor_kinds.UNEXPOSED_EXPR,
+    cursor_kinds.DECL_REF_EXPR,
+    cursor_kinds.MEMBER_REF_EXPR,
+    cursor_kinds.CALL_EXPR,
+    cursor_kinds.PAREN_EXPR,
+    cursor_kinds.UNARY_OPERATOR,
+    cursor_kinds.BINARY_OPERATOR,
+    cursor_kinds.COMPOUND_ASSIGNMENT_OPERATOR,
+    cursor_kinds.CSTYLE_CAST_EXPR,
+    cursor_kinds.COMPOUND_LITERAL_EXPR,
 )
-FUNCTION_KINDS = (8, 21, 24, 26, 30, 49)  # with templates and sets of overloaded functions
-TYPE_REF = 43
+FUNCTION_KINDS = (
+    cursor_kinds.FUNCTION_DECL,
+    cursor_kinds.CXX_METHOD,
+    cursor_kinds.CONSTRUCTOR,
+    cursor_kinds.CONVERSION_FUNCTION,
+    cursor_kinds.FUNCTION_TEMPLATE,
+    cursor_kinds.OVERLOADED_DECL_REF,
+)  # with templates and sets of overloaded functions
+TYPE_REF = cursor_kinds.TYPE_REF
 
 UNARY_OPERATORS = ("", "++", "--", "++", "--", "&", "*", "+", "-", "~", "!", "__real", "__imag", "__extension__", "co_await")
 BINARY_OPERATORS = (
@@ -70,7 +77,7 @@ def unknown(context: UnitContext, node: Node) -> ccode.Expression:
 
 def operands(node: Node) -> list[Node]:
     """The children that are expressions."""
-    return [c for c in node.children if 100 <= c.kind < 200]
+    return [c for c in node.children if c.kind in cursor_kinds.EXPRESSIONS]
 
 
 def _name(context: UnitContext, node: Node) -> ccode.Expression:
@@ -108,7 +115,7 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
         element = ccode.Call(
             calleeExpression=expression(context, callee), viaMacro=via_macro or None, arguments=arguments, **place
         )
-        if callee.kind == MEMBER and context.lib.getCursorReferenced(callee.cursor).kind == 21:  # a method
+        if callee.kind == MEMBER and context.lib.getCursorReferenced(callee.cursor).kind == cursor_kinds.CXX_METHOD:  # a method
             element.calleeName = context.spelling(callee.cursor)
             context.calls.append((element, _called(context, callee)))
         before = context.tokens[context.token_before(callee.end)]
@@ -129,7 +136,7 @@ def _called(context: UnitContext, callee: Node) -> Any:
 
 def _is_function(context: UnitContext, callee: Node) -> bool:
     referenced = context.lib.getCursorReferenced(callee.cursor)
-    if referenced.kind in FUNCTION_KINDS or (70 <= referenced.kind < 100 and context.source.language == "C++"):
+    if referenced.kind in FUNCTION_KINDS or (referenced.kind in cursor_kinds.INVALID and context.source.language == "C++"):
         return True  # in a template a name may have no declaration yet
     return context.pointer(referenced) not in context.declared and context.parsed.prelude.declares(
         context.spelling(callee.cursor)
@@ -240,7 +247,7 @@ def _element(context: UnitContext, node: Node) -> ccode.Expression:
     designator = node.children[-2]
     place = context.source.place(designator.start, designator.end)
     left: ccode.Expression
-    if designator.kind == 47:  # MEMBER_REF
+    if designator.kind == cursor_kinds.MEMBER_REF:  # MEMBER_REF
         left = ccode.Member(name=context.spelling(designator.cursor), **place)
     else:
         left = ccode.Index(index=expression(context, designator), **place)
@@ -251,18 +258,18 @@ BUILDERS: Mapping[int, ExpressionBuilder] = {
     DECL_REF: _name,
     MEMBER: _member,
     CALL: lambda context, node: call(context, node, operands(node)),
-    106: literals.integer,
-    107: literals.floating,
-    109: literals.string,
-    110: literals.character,
+    cursor_kinds.INTEGER_LITERAL: literals.integer,
+    cursor_kinds.FLOATING_LITERAL: literals.floating,
+    cursor_kinds.STRING_LITERAL: literals.string,
+    cursor_kinds.CHARACTER_LITERAL: literals.character,
     UNARY: _unary,
-    113: _index,
+    cursor_kinds.ARRAY_SUBSCRIPT_EXPR: _index,
     BINARY: _binary,
     COMPOUND_ASSIGN: _binary,
-    116: _conditional,
+    cursor_kinds.CONDITIONAL_OPERATOR: _conditional,
     CAST: _cast,
     COMPOUND_LITERAL: _cast,
-    119: _initializer_list,
-    136: _size_of,
+    cursor_kinds.INIT_LIST_EXPR: _initializer_list,
+    cursor_kinds.CXX_UNARY_EXPR: _size_of,
 }
 """CXCursorKind -> builder, of C; what no builder is for becomes an `UnknownExpression`."""

@@ -12,10 +12,17 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source import cursor_kinds, type_kinds
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
-_POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = 101, 105, (21, 22, 23), (112, 114, 115), (110, 111)
+_POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = (
+    type_kinds.POINTER,
+    type_kinds.RECORD,
+    (type_kinds.FLOAT, type_kinds.DOUBLE, type_kinds.LONGDOUBLE),
+    (type_kinds.CONSTANTARRAY, type_kinds.INCOMPLETEARRAY, type_kinds.VARIABLEARRAY),
+    (type_kinds.FUNCTIONNOPROTO, type_kinds.FUNCTIONPROTO),
+)
 
 
 @dataclass
@@ -65,16 +72,16 @@ def infer(name: str, sites: list[CallSite]) -> Inferred:
 
 def _argument_types(site: CallSite) -> list[str]:
     node = site.node
-    if node is None or node.kind != 103:
+    if node is None or node.kind != cursor_kinds.CALL_EXPR:
         return [_literal_type(a) for a in site.call.arguments]
-    children = [c for c in node.children if 100 <= c.kind < 200]
+    children = [c for c in node.children if c.kind in cursor_kinds.EXPRESSIONS]
     return [_type_name(site.context, c) for c in children[1:]]
 
 
 def _type_name(context: UnitContext, node: Node) -> str:
-    while node.kind in (100, 111) and len(node.children) == 1:
+    while node.kind in (cursor_kinds.UNEXPOSED_EXPR, cursor_kinds.PAREN_EXPR) and len(node.children) == 1:
         node = node.children[0]
-    if node.kind == 109:
+    if node.kind == cursor_kinds.STRING_LITERAL:
         return "const char *"
     kind = context.lib.getCursorType(node.cursor)
     key = (kind.kind, kind.data[0], kind.data[1])
@@ -89,7 +96,7 @@ def _argument_type(lib: Any, kind: Any) -> str:
     canonical = lib.getCanonicalType(kind)
     text: str = lib.text(lib.getTypeSpelling(kind))
     if canonical.kind in _FLOATING:
-        return "float" if canonical.kind == 21 else "double"
+        return "float" if canonical.kind == type_kinds.FLOAT else "double"
     if canonical.kind in _ARRAYS:
         return re.sub(r"\s*\[.*", " *", text)
     if canonical.kind in _FUNCTIONS:

@@ -14,12 +14,13 @@ from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
 from robosmi.transformations.queries.source_text import HEADERS
+from robosmi.transformations.t2m.c_source import cursor_kinds
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.macros import header_of
 
 _STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]
-FUNCTION_KINDS = (8, 21)
+FUNCTION_KINDS = (cursor_kinds.FUNCTION_DECL, cursor_kinds.CXX_METHOD)
 _TAGS = frozenset({"struct", "union", "enum", "class"})
 
 
@@ -224,7 +225,7 @@ def _type_headers(context: UnitContext) -> dict[str, str]:
     pending = list(context.parsed.nodes)
     while pending:
         node = pending.pop()
-        if node.kind == 43:  # TYPE_REF
+        if node.kind == cursor_kinds.TYPE_REF:  # TYPE_REF
             name = context.source.text(node.start, node.end)
             if name not in found:
                 found[name] = header_of(context, context.lib.getCursorReferenced(node.cursor)) or ""

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 
 Build = Callable[[UnitContext, Node], ccode.Expression]
-CALL = 103
+CALL = cursor_kinds.CALL_EXPR
 
 
 def expansion_of(context: UnitContext, node: Node) -> Expansion | None:
@@ -88,7 +88,7 @@ def _within(node: Node, start: int, end: int) -> Node | None:
     pending = [node]
     while pending:
         one = pending.pop(0)
-        if 100 <= one.kind < 200 and start <= one.start and one.end <= end and one.end > one.start:
+        if one.kind in cursor_kinds.EXPRESSIONS and start <= one.start and one.end <= end and one.end > one.start:
             if one.start == start and one.end == end:
                 return one
             inside = inside or one

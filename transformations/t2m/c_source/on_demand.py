@@ -28,14 +28,18 @@ from robosmi.model.strict import Element
 from robosmi.model.structure import root_of
 from robosmi.project import defaults
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.t2m.c_source import cursor_kinds
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.on_demand_unit import Unit, in_building_order
 from robosmi.transformations.t2m.c_source.sources import source_files
 
 LEAVES = {
-    101: ccode.NameReference, 106: ccode.IntegerLiteral, 107: ccode.FloatingLiteral, 109: ccode.StringLiteral,
-    110: ccode.CharacterLiteral,
-}  # fmt: skip
+    cursor_kinds.DECL_REF_EXPR: ccode.NameReference,
+    cursor_kinds.INTEGER_LITERAL: ccode.IntegerLiteral,
+    cursor_kinds.FLOATING_LITERAL: ccode.FloatingLiteral,
+    cursor_kinds.STRING_LITERAL: ccode.StringLiteral,
+    cursor_kinds.CHARACTER_LITERAL: ccode.CharacterLiteral,
+}
 """CXCursorKind -> the class of what is built of it outside of macros; such a cursor holds nothing else."""
 LONGEST = 100
 """A longer integer literal stands for text that was cut (`bounds`) and becomes another element."""
@@ -290,7 +294,12 @@ def _holds_only_others(promise: Promise, wanted: type) -> bool:
     if not promise.hint:
         return False
     for node in promise.hint:
-        while node is not None and not node.from_macro and node.kind in (100, 111) and len(node.children) == 1:
+        while (
+            node is not None
+            and not node.from_macro
+            and node.kind in (cursor_kinds.UNEXPOSED_EXPR, cursor_kinds.PAREN_EXPR)
+            and len(node.children) == 1
+        ):
             node = node.children[0]
         leaf = LEAVES.get(node.kind) if node is not None and not node.from_macro else None
         if leaf is ccode.IntegerLiteral and node.end - node.start > LONGEST:

@@ -11,32 +11,43 @@ from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import declarations, macros
+from robosmi.transformations.t2m.c_source import cursor_kinds, declarations, macros
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, StatementBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
 
-COMPOUND, FOR = 202, 209
-_OTHER_DECLARATION, _VARIABLE, _DECLARATION = 1, 9, 231
-_CONSTANT_KINDS = frozenset({100, 106, 110, 111, 112, 114, 117, 130})
+COMPOUND, FOR = cursor_kinds.COMPOUND_STMT, cursor_kinds.FOR_STMT
+_OTHER_DECLARATION, _VARIABLE, _DECLARATION = cursor_kinds.UNEXPOSED_DECL, cursor_kinds.VAR_DECL, cursor_kinds.DECL_STMT
+_CONSTANT_KINDS = frozenset(
+    {
+        cursor_kinds.UNEXPOSED_EXPR,
+        cursor_kinds.INTEGER_LITERAL,
+        cursor_kinds.CHARACTER_LITERAL,
+        cursor_kinds.PAREN_EXPR,
+        cursor_kinds.UNARY_OPERATOR,
+        cursor_kinds.BINARY_OPERATOR,
+        cursor_kinds.CSTYLE_CAST_EXPR,
+        cursor_kinds.CXX_BOOL_LITERAL_EXPR,
+    }
+)
 
 
 def statement(context: UnitContext, node: Node) -> ccode.Statement:
     """The element for a statement's cursor."""
     if (waiting := context.later(ccode.UnknownStatement, statement, node)) is not None:
         return waiting  # type: ignore[no-any-return]
-    while node.kind == 200 and len(node.children) == 1:
+    while node.kind == cursor_kinds.UNEXPOSED_STMT and len(node.children) == 1:
         node = node.children[0]
     if context.depth > MAX_DEPTH:
         context.parsed.cut.append((node.start, node.end))
         return ccode.UnknownStatement(text=context.text(node), **context.source.place(node.start, node.end))
     context.depth += 1
     try:
-        if node.from_macro and node.kind >= 200:
+        if node.from_macro and node.kind >= cursor_kinds.UNEXPOSED_STMT:
             whole = _from_header_macro(context, node)
             if whole is not None:
                 return whole
-        if 100 <= node.kind < 200:
+        if node.kind in cursor_kinds.EXPRESSIONS:
             return _expression_statement(context, node)
         builder = context.builders.statements.get(node.kind)
         return builder(context, node) if builder else _unknown(context, node)
@@ -77,7 +88,7 @@ def _from_header_macro(context: UnitContext, node: Node) -> ccode.Statement | No
 def _unknown(context: UnitContext, node: Node) -> ccode.Statement:
     place = _place(context, node)
     text = context.source.text(place["startOffset"], place["endOffset"])
-    what = "assembler" if node.kind in (215, 216) else "a statement of an unusual form"
+    what = "assembler" if node.kind in (cursor_kinds.ASM_STMT, cursor_kinds.MS_ASM_STMT) else "a statement of an unusual form"
     context.find("RS107", Severity.warning, f"{what} is kept as text", node.start, node.end, "read it by hand")
     return ccode.UnknownStatement(text=text, **place)
 
@@ -262,20 +273,20 @@ def _plain(kind: type[ccode.Statement]) -> Callable[[UnitContext, Node], ccode.S
 
 
 BUILDERS: Mapping[int, StatementBuilder] = {
-    201: _label,
+    cursor_kinds.LABEL_STMT: _label,
     COMPOUND: block,
-    203: _case,
-    204: _default,
-    205: _if,
-    206: _switch,
-    207: _while,
-    208: _do,
+    cursor_kinds.CASE_STMT: _case,
+    cursor_kinds.DEFAULT_STMT: _default,
+    cursor_kinds.IF_STMT: _if,
+    cursor_kinds.SWITCH_STMT: _switch,
+    cursor_kinds.WHILE_STMT: _while,
+    cursor_kinds.DO_STMT: _do,
     FOR: _for,
-    210: _goto,
-    212: _plain(ccode.Continue),
-    213: _plain(ccode.Break),
-    214: _return,
-    230: _plain(ccode.EmptyStatement),
+    cursor_kinds.GOTO_STMT: _goto,
+    cursor_kinds.CONTINUE_STMT: _plain(ccode.Continue),
+    cursor_kinds.BREAK_STMT: _plain(ccode.Break),
+    cursor_kinds.RETURN_STMT: _return,
+    cursor_kinds.NULL_STMT: _plain(ccode.EmptyStatement),
     _DECLARATION: _declaration,
 }
 """CXCursorKind -> builder, of C; what no builder is for becomes an `UnknownStatement`."""

@@ -10,13 +10,22 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.clang import INCLUSION, MACRO_DEFINITION, MACRO_EXPANSION, Cursor
 from robosmi.transformations.t2m.c_source.mending import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
-FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = 8, 9, 20, 2, 3, 4, 5, 7
+FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = (
+    cursor_kinds.FUNCTION_DECL,
+    cursor_kinds.VAR_DECL,
+    cursor_kinds.TYPEDEF_DECL,
+    cursor_kinds.STRUCT_DECL,
+    cursor_kinds.UNION_DECL,
+    cursor_kinds.CLASS_DECL,
+    cursor_kinds.ENUM_DECL,
+    cursor_kinds.ENUM_CONSTANT_DECL,
+)
 _NOT_READ = frozenset((MACRO_DEFINITION, INCLUSION))
 _TAGGED = frozenset((STRUCT, UNION, CLASS, ENUM))
 _OWN = {FUNCTION: "function", VARIABLE: "variable", TYPEDEF: "type"}

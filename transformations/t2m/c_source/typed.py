@@ -14,7 +14,7 @@ from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
-from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source import clang, cursor_kinds, type_kinds
 from robosmi.transformations.t2m.c_source.expansion import Definition, Expanded, definition
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
 from robosmi.transformations.t2m.c_source.invocation import VIRTUAL
@@ -24,27 +24,57 @@ from robosmi.transformations.t2m.c_source.source import ReadSource
 from robosmi.transformations.t2m.c_source.tree import MAX_TREE_DEPTH, Node
 
 UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = (
-    100,
-    111,
-    101,
-    102,
-    103,
-    112,
-    114,
-    115,
-    117,
-    119,
-    203,
+    cursor_kinds.UNEXPOSED_EXPR,
+    cursor_kinds.PAREN_EXPR,
+    cursor_kinds.DECL_REF_EXPR,
+    cursor_kinds.MEMBER_REF_EXPR,
+    cursor_kinds.CALL_EXPR,
+    cursor_kinds.UNARY_OPERATOR,
+    cursor_kinds.BINARY_OPERATOR,
+    cursor_kinds.COMPOUND_ASSIGNMENT_OPERATOR,
+    cursor_kinds.CSTYLE_CAST_EXPR,
+    cursor_kinds.INIT_LIST_EXPR,
+    cursor_kinds.CASE_STMT,
 )
-_BOOL, _CHARS, _SIGNED = 3, frozenset((4, 13)), frozenset(range(13, 21))
-_REAL, _POINTERS, _ENUM, _TYPEDEF, _ELABORATED = (21, 22, 23), (101, 112, 113, 114, 115), 106, 107, 119
+_BOOL, _CHARS = type_kinds.BOOL, frozenset((type_kinds.CHAR_U, type_kinds.CHAR_S))
+_SIGNED = frozenset(range(type_kinds.CHAR_S, type_kinds.FLOAT))
+_REAL, _POINTERS, _ENUM, _TYPEDEF, _ELABORATED = (
+    (type_kinds.FLOAT, type_kinds.DOUBLE, type_kinds.LONGDOUBLE),
+    (type_kinds.POINTER, type_kinds.CONSTANTARRAY, type_kinds.VECTOR, type_kinds.INCOMPLETEARRAY, type_kinds.VARIABLEARRAY),
+    type_kinds.ENUM,
+    type_kinds.TYPEDEF,
+    type_kinds.ELABORATED,
+)
 _FORMS = {
-    NAME: "name", MEMBER: "member", CALL: "call", 106: "literal", 107: "real", 109: "text", 110: "character", UNARY: "unary",
-    113: "index", BINARY: "binary", COMPOUND: "compound", 116: "conditional", CAST: "cast", 118: "cast", LIST: "list",
-    136: "size", CASE: "case", 205: "if", 206: "switch", 207: "if", 208: "if", 209: "if", 214: "return", 9: "declaration",
-    8: "function", 6: "declaration", 7: "declaration",
-}  # fmt: skip
-_LITERAL, _PARAMETER, _FUNCTION = 7, 10, 8
+    NAME: "name",
+    MEMBER: "member",
+    CALL: "call",
+    cursor_kinds.INTEGER_LITERAL: "literal",
+    cursor_kinds.FLOATING_LITERAL: "real",
+    cursor_kinds.STRING_LITERAL: "text",
+    cursor_kinds.CHARACTER_LITERAL: "character",
+    UNARY: "unary",
+    cursor_kinds.ARRAY_SUBSCRIPT_EXPR: "index",
+    BINARY: "binary",
+    COMPOUND: "compound",
+    cursor_kinds.CONDITIONAL_OPERATOR: "conditional",
+    CAST: "cast",
+    cursor_kinds.COMPOUND_LITERAL_EXPR: "cast",
+    LIST: "list",
+    cursor_kinds.CXX_UNARY_EXPR: "size",
+    CASE: "case",
+    cursor_kinds.IF_STMT: "if",
+    cursor_kinds.SWITCH_STMT: "switch",
+    cursor_kinds.WHILE_STMT: "if",
+    cursor_kinds.DO_STMT: "if",
+    cursor_kinds.FOR_STMT: "if",
+    cursor_kinds.RETURN_STMT: "return",
+    cursor_kinds.VAR_DECL: "declaration",
+    cursor_kinds.FUNCTION_DECL: "function",
+    cursor_kinds.FIELD_DECL: "declaration",
+    cursor_kinds.ENUM_CONSTANT_DECL: "declaration",
+}
+_LITERAL, _PARAMETER, _FUNCTION = cursor_kinds.ENUM_CONSTANT_DECL, cursor_kinds.PARM_DECL, cursor_kinds.FUNCTION_DECL
 MOST_DEPTH = MAX_TREE_DEPTH
 
 
@@ -144,7 +174,7 @@ class _Reader:
             if node.kind not in (UNEXPOSED, PAREN):
                 break
             if node.kind == UNEXPOSED:
-                if (inner.start, inner.end) != (node.start, node.end) or not 100 <= inner.kind < 200:
+                if (inner.start, inner.end) != (node.start, node.end) or inner.kind not in cursor_kinds.EXPRESSIONS:
                     break
                 converted = converted or node
             else:
@@ -153,7 +183,7 @@ class _Reader:
             layers.append((node.start, node.end))
         form = _FORMS.get(node.kind, "other")
         made = TypedExpression(form, bracketed=bracketed)
-        if 100 <= node.kind < 200:
+        if node.kind in cursor_kinds.EXPRESSIONS:
             made.kind = self.kind(node)
             made.converted = self.kind(converted) if converted is not None else made.kind
             made.places = self.expanded.places(outer.start, outer.end)

@@ -11,11 +11,30 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
+from robosmi.transformations.t2m.c_source import type_kinds
 from robosmi.transformations.t2m.c_source.context import UnitContext
 
-_SIGNED = frozenset({13, 14, 16, 17, 18, 19, 20, 21, 22, 23})  # CXTypeKind: Char_S to LongDouble
+_SIGNED = frozenset(
+    {
+        type_kinds.CHAR_S,
+        type_kinds.SCHAR,
+        type_kinds.SHORT,
+        type_kinds.INT,
+        type_kinds.LONG,
+        type_kinds.LONGLONG,
+        type_kinds.INT128,
+        type_kinds.FLOAT,
+        type_kinds.DOUBLE,
+        type_kinds.LONGDOUBLE,
+    }
+)  # CXTypeKind: Char_S to LongDouble
 _ARITHMETIC = frozenset(range(3, 24))
-_POINTER, _ENUM, _FLOATING, _DOUBLE = 101, 106, frozenset({21, 22, 23}), frozenset({22, 23})
+_POINTER, _ENUM, _FLOATING, _DOUBLE = (
+    type_kinds.POINTER,
+    type_kinds.ENUM,
+    frozenset({type_kinds.FLOAT, type_kinds.DOUBLE, type_kinds.LONGDOUBLE}),
+    frozenset({type_kinds.DOUBLE, type_kinds.LONGDOUBLE}),
+)
 _STORAGES = {0: "unspecified", 1: "unspecified", 2: "externStorage", 3: "staticStorage", 6: "autoStorage", 7: "registerStorage"}
 
 
@@ -246,7 +265,11 @@ def resolve(context: UnitContext, kind: Any) -> tuple[str, int, bool, bool]:
     text: str = lib.text(lib.getTypeSpelling(canonical))
     element = canonical
     for _ in range(8):
-        if element.kind not in (112, 114, 115):  # CXTypeKind: arrays
+        if element.kind not in (
+            type_kinds.CONSTANTARRAY,
+            type_kinds.INCOMPLETEARRAY,
+            type_kinds.VARIABLEARRAY,
+        ):  # CXTypeKind: arrays
             break
         element = _element(lib, element)
     size = lib.Type_getSizeOf(element) if element.kind in _ARITHMETIC or element.kind in (_POINTER, _ENUM) else 0
