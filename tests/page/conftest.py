@@ -71,6 +71,10 @@ class Served:
         """What the page says of the last step."""
         return str(self.script("return document.getElementById('status').textContent"))
 
+    def wait_for_another(self, plan: str) -> None:
+        """Wait until the page shows another plan than the one with that digest."""
+        self.wait(lambda: self.script("return document.body.dataset.plan") != plan)
+
     def open_choices(self) -> list[str]:
         """The choices that are open."""
         found = "return [...document.querySelectorAll('[data-choice][data-chosen=\"\"]')].map(each => each.dataset.choice)"
@@ -116,7 +120,7 @@ class Served:
         """Press an answer, and wait until the page says that it is saved."""
         before = self.script("return document.body.dataset.plan")
         self.press(choice, value)
-        self.wait(lambda: self.script("return document.body.dataset.plan") != before)
+        self.wait_for_another(before)
         assert self.state() == "saved", self.told()
 
 

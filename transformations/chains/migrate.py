@@ -377,7 +377,7 @@ def migrate(
         models.notes += adopted.notes
         made = produce(models, Path(output), inputs=adopted.inputs, outside=outside, dry_run=dry_run, strict=strict)
     if made.written:
-        told = {
+        told: dict[str, Any] = {
             "hardware": Path(hardware) if hardware is not None else None,
             "include_dirs": [Path(each) for each in include_dirs],
         }

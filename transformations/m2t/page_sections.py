@@ -44,10 +44,17 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     """Each choice with its answers: the open ones first."""
     told = {each["id"]: each for each in choices_json(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
-    roles = [told[identity] for identity in told if identity.startswith("role:")]
+    shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
+    return {"open": [one for one in shown if one["open"]], "made": [one for one in shown if not one["open"]]}
+
+
+def _role(told: Mapping[str, Any], output: str) -> dict[str, Any]:
+    """The choice of what a component is for; it is never open, since a component of which nothing is known is taken as read."""
     return {
-        "open": [one for one in shown if one["open"]], "made": [one for one in shown if not one["open"]],
-        "roles": [{"subject": role["subject"], "why": role["why"]} for role in roles],
+        "id": told["id"], "kind": "role", "subject": told["subject"], "open": False, "chosen": told["chosen"],
+        "by": WHO[told["by"]], "at": "", "why": told["why"], "title": f"What is '{told['subject']}' for?", "what": "", "line": "",
+        "ranked": [], "command": f"robosmi choose {output} {told['id']}=ROLE",
+        "others": [{"value": o["value"], "why": o["value"], "chosen": o["value"] == told["chosen"]} for o in told["options"]],
     }  # fmt: skip
 
 
