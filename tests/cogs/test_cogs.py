@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.chains.output import Generated
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
@@ -185,3 +186,23 @@ def test_interrupts_of_a_drive_count_for_the_stack_of_each_cog(tmp_path: Path) -
     assert alone is not None
     assert beside.stackBytes > alone.stackBytes + 100
     assert any("interrupts" in each for each in beside.evidence)
+
+
+def test_code_that_nothing_starts_has_no_stack(tmp_path: Path) -> None:
+    program = tmp_path / "unused.c"
+    start = "cog_run(blink, 128);"
+    text = (
+        '#include "simpletools.h"\n'
+        "void blink(void *par) { while (1) { toggle(26); pause(100); } }\n"
+        "void other(void *par) { while (1) { toggle(27); pause(100); } }\n"
+        "void nobody_calls(void) { cog_run(other, 128); cog_run(other, 128); }\n"
+        f"int main(void) {{ {start} while (1) pause(10); }}\n"
+    )
+    program.write_text(text)
+    used = plan_migration([program]).plan.concurrency
+    assert used is not None
+    assert used.slots == 1
+    program.write_text(text.replace(start, f"{start} nobody_calls();"))
+    called = plan_migration([program]).plan.concurrency
+    assert called is not None
+    assert called.slots == 3

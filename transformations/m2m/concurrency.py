@@ -21,6 +21,7 @@ from robosmi.transformations.queries.cooperation import (
     stack_bytes,
     starts_at_once,
 )
+from robosmi.transformations.queries.live_code import live_in
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText, inside
@@ -60,7 +61,8 @@ def concurrency(
     handled = interrupt_bytes([p for pieces in filled.values() for p in pieces])
     needs = [(f, IDLE + stack_bytes(f, stacks)) for f in functions]
     most = max((need for _, need in needs), default=2 * IDLE)
-    slots, why = starts_at_once([s.call for s in starts], {name for name in filled if _ENDS.search(name)})
+    live = {id(each) for each in live_in([view.unit for view in views])}
+    slots, why = starts_at_once([s.call for s in starts if id(s.call) in live], {name for name in filled if _ENDS.search(name)})
     made = migration.Concurrency(
         slots=slots,
         stackBytes=-int((-most * SPARE - handled) // 8) * 8,

@@ -47,7 +47,7 @@ def lasting_variables(
         ):
             uses.setdefault(identity(element.target), []).append(element)
     shares, unknown, seen = [], [], set[str]()
-    named = in_macros(plan)
+    named = in_macros(plan.program.units if plan.program is not None else ())
     for variable in lasting(plan, live):
         name = str(variable.name)
         if is_global(variable) and variable.storage.name != "staticStorage":

@@ -7,7 +7,7 @@ which order, is not asked.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
@@ -16,13 +16,21 @@ from robosmi.transformations.queries.main_function import main_of
 
 
 def live_elements(plan: migration.MigrationPlan) -> list[Any]:
-    """What may be carried out: all in main, in the functions that it leads to, and in initial values of variables used there."""
-    units = plan.program.units if plan.program is not None else ()
+    """What of a plan's program may be carried out; see `live_in`."""
+    return live_in(plan.program.units if plan.program is not None else ())
+
+
+def live_in(units: Sequence[ccode.SourceUnit]) -> list[Any]:
+    """What may be carried out: all in main, in the functions that it leads to, and in initial values of variables used there.
+
+    Args:
+        units: of a program.
+    """
     declared = [d for unit in units for d in unit.declarations]
     defined: dict[str, ccode.Declaration]
     defined = {str(d.name): d for d in declared if isinstance(d, ccode.Function) and d.body is not None}
     defined |= {str(d.name): d for d in declared if isinstance(d, ccode.Variable) and d.storage.name == "unspecified"}
-    words = in_macros(plan)
+    words = in_macros(units)
     pending: list[Any] = [main for unit in units if (main := main_of(unit)) is not None]
     pending += [d for d in declared if isinstance(d, ccode.Variable) and d.name in words]
     seen, found = {id(each) for each in pending}, list[Any]()
@@ -65,7 +73,7 @@ def is_global(variable: ccode.Variable) -> bool:
     return isinstance(variable.eContainer(), ccode.SourceUnit)
 
 
-def in_macros(plan: migration.MigrationPlan) -> set[str]:
+def in_macros(units: Iterable[ccode.SourceUnit]) -> set[str]:
     """The words in bodies of macros that are used: what they name is used there, which the model does not follow."""
-    macros = [macro for unit in (plan.program.units if plan.program is not None else ()) for macro in unit.macros]
+    macros = [macro for unit in units for macro in unit.macros]
     return {word for macro in macros if macro.uses for word in re.findall(r"\w+", str(macro.body or ""))}
