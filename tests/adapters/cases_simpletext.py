@@ -242,3 +242,20 @@ void loop() {}
     first = "-70000 x abc 2.50 ff 101 %"
     trace = uno.run(program, ["simpletext.h/_dosprnt", "simpletext.h/_intsprnt"], 40)
     assert trace.text == f"{first}{len(first)}|007!5"
+
+
+@proves("simpletext.h/_scanf_getl", "simpletext.h/_scanf_getf")
+def numbers_are_found_in_a_text(uno: Uno) -> None:
+    program = """
+void say(const char *rest, int32_t number) { Serial.print(rest ? rest : "none"); Serial.print(' '); Serial.print(number);
+  Serial.print('|'); }
+int32_t n; float real;
+void find(const char *text, int32_t base, uint32_t width, int32_t isSigned) {
+  const char *rest = _scanf_getl(text, &n, base, width, isSigned);
+  say(rest, n); }
+void setup() { Serial.begin(115200); find("at -123,4", 10, 11, 1); find("z7Fg", 16, 11, 0); find("x1_01 2", 2, 11, 0);
+  find("98765", 10, 3, 0); find("-5", 10, 9, 0); const char *rest = _scanf_getf("2.5V", &real); say(rest, (int32_t)(real * 10)); }
+void loop() {}
+"""
+    trace = uno.run(program, ["simpletext.h/_scanf_getl", "simpletext.h/_scanf_getf"], 40)
+    assert trace.text.split("|")[:-1] == [",4 -123", "g 127", " 2 5", "765 987", "none 987", "V 25"]

@@ -1164,3 +1164,42 @@ inline int32_t _intsprnt(const char *fmt, va_list args, char *obuf) {
   ListArguments given(fmt, args);
   return format_text<false>(TextOut(obuf), fmt, given.values, given.count);
 }
+
+//# adapter _scanf_getl
+//#   for: const char *_scanf_getl(const char *str, int *dst, int base, unsigned width, int isSigned)
+//#   kind: semantic
+//#   include: <ctype.h>
+//#   fidelity: exact: the first number in a text, up to so many characters of it, and what follows it; 0 when it has no digit.
+//#   fidelity: Where the characters are used up it is the last of them, as there
+//#   limit: a text without a number ends the search, which goes on behind the text there
+template <class Int>
+inline const char *_scanf_getl(const char *str, Int *dst, int32_t base, uint32_t width, int32_t isSigned) {
+  const char *starts = base == 2 ? "01" : base == 10 ? "-+0123456789" : "0123456789abcdefABCDEF";
+  while (*str && (base == 2 || base == 10 || base == 16 ? !strchr(starts, *str) : *str == ' ' || *str == '\t')) str++;
+  bool negative = isSigned && *str == '-', found = false;
+  if (isSigned && (*str == '+' || *str == '-')) str++;
+  uint32_t number = 0;
+  for (; width; width--, str++) {
+    char c = *str;
+    if (base == 2 && (c == '.' || c == '_')) continue;
+    if (!isdigit((uint8_t)c) && !(base == 16 && isxdigit((uint8_t)c))) {
+      if (!found) return 0;
+      break;
+    }
+    found = true;
+    number = base * number + (isdigit((uint8_t)c) ? c - '0' : (c | 32) - 'a' + 10);
+  }
+  *dst = (Int)(negative ? -number : number);
+  return width ? str : str - 1;
+}
+
+//# adapter _scanf_getf
+//#   for: const char *_scanf_getf(const char *str, float *dst)
+//#   kind: oneToOne
+//#   needs: string2float
+//#   fidelity: exact: as string2float
+inline const char *_scanf_getf(const char *str, float *dst) {
+  char *end;
+  *dst = string2float((char *)str, &end);
+  return end;
+}
