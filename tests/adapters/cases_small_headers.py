@@ -19,7 +19,10 @@ void setup() { Serial.begin(115200); delay(20); int32_t *process = soundImpact_r
   say(soundImpact_getCount()); }
 void loop() {}
 """
-    points = [[0, 0], *([at + part, 1 - 2 * part] for at in (10, 25, 30, 40, 60, 90, 120) for part in (0, 0.5))]
+    points: list[list[float]] = [
+        [0, 0],
+        *([at + part, 1 - 2 * part] for at in (10, 25, 30, 40, 60, 90, 120) for part in (0, 0.5)),
+    ]
     levels = [[at, int(level == 1)] for at, level in points]
     trace = uno.run(program, SOUNDS, 160, [DeviceUse("levels", {"pin": "D7"}, {"points": levels})])
     assert trace.text.split() == ["3", "0", "1", "0", "1"]

@@ -132,8 +132,12 @@ def expecting(role: str, title: str) -> migration.MigrationPlan:
         part = hardware.Component(elementId="1", title=title, role=hardware.Role.Output)
         connection = migration.Connection(name="x", component=part, pin=pins(plan)[0], signal=migration.Signal.write)
         plan.connections.append(connection)
-        bound_to = {"connection": connection, "pin": pins(plan)[0], "choice": "x", "signal": migration.Signal.write}
-        return [migration.PortBinding(name="n", role=role, chosenBy=migration.ChosenBy.person, **bound_to)]
+        return [
+            migration.PortBinding(
+                name="n", role=role, chosenBy=migration.ChosenBy.person, connection=connection, pin=pins(plan)[0], choice="x",
+                signal=migration.Signal.write,
+            )
+        ]  # fmt: skip
 
     return a_plan(portBindings=binding)
 
