@@ -9,6 +9,7 @@
 # make adapter-data  the built data of adapter files, after one was changed
 # make rules  the tables of docs/reference/rules.md, from the rules' data
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
+# make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
 
 PYTHON ?= python3
@@ -19,7 +20,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data pyecore wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -88,6 +89,9 @@ faults: $(VENV)/.ready system-packages npm-packages
 
 adapter-data: $(VENV)/.ready
 	$(BIN)/python -m robosmi.transformations.knowledge.adapter_data platform_repo/*/adapters/*
+
+corpus: $(VENV)/.ready
+	$(BIN)/python -m tests.corpus.fetch out
 
 pyecore: $(VENV)/.ready
 	$(BIN)/python -m tests.model.pyecore_contract 0.14.0 0.15.2
