@@ -14,7 +14,6 @@ from robosmi.model import EmfModel
 from robosmi.query import root_of
 from robosmi.transformations.constraints.plan_ports import bound_pin, named, plan_of
 from robosmi.transformations.queries.binding_edits import only_the_choice_was_edited, referred
-from robosmi.transformations.queries.choices import NO_LIBRARY
 from robosmi.transformations.queries.text_changes import all_changes
 from robosmi.validate import EVL, Fail
 
@@ -113,11 +112,11 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
 
 
 @libraries.constraint(
-    id="RS729", guard=lambda c: bool(c.choice), advice="correct the one that is not meant (plan.xmi), or use --library"
+    id="RS729", guard=lambda c: c.choice and c.chosen, advice="correct the one that is not meant (plan.xmi), or use --library"
 )
 def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> Any:
-    """The recorded choice of a library is the library that it refers to."""
-    now = str(c.chosen.name) if c.chosen is not None else NO_LIBRARY
+    """The recorded choice of a library is the library that it refers to; a choice without one is open again."""
+    now = str(c.chosen.name)
     return str(c.choice).lower() == now.lower() or Fail(f"the choice of the {named(c)} says {c.choice}, and it is {now}")
 
 
