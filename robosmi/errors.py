@@ -78,6 +78,10 @@ class StoppedError(RobosmiError):
     exit_code = 5
 
 
+class ChangedMeanwhileError(StoppedError):
+    """A file that a run has read, and would replace, was changed while the run was at work: by another run, or by a person."""
+
+
 class CompileError(RobosmiError):
     """The generated program does not compile or link (exit code 6)."""
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import robosmi
+from robosmi.user_folders import cache_dir
 from tests.recording.written_models import FOLDER
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -21,8 +22,13 @@ PYTHON = tuple({os.path.realpath(path) for path in (sys.prefix, sys.base_prefix,
 CODE = tuple(str(ROOT / room) for room in ("robosmi", "robosmi.egg-info", "transformations", "metamodels", "templates"))
 NEVER = (".c", ".cpp", ".h", ".toml", ".json", ".fzz", ".sqlite")
 """Endings of files that are no code of the project, wherever they lie in it."""
-KEPT = (*filter(None, [os.environ.get(FOLDER)]), *(str(Path(home) / "runs") for home in [os.environ.get("ROBOSMI_HOME")] if home))
-"""Where a run of the tests records the models that are written, and where locks keep runs into one folder apart."""
+KEPT = (
+    *filter(None, [os.environ.get(FOLDER)]),
+    *(str(Path(home) / "runs") for home in [os.environ.get("ROBOSMI_HOME")] if home),
+    os.path.realpath(cache_dir() / "templates"),
+)
+"""Where a run of the tests records the models that are written, where locks keep runs into one folder apart, and where templates
+are kept compiled."""
 EVENTS = ("open", "os.listdir", "os.scandir", "sqlite3.connect")
 
 

@@ -8,15 +8,17 @@ This holds when a process is killed; nothing is promised for a machine that lose
 
 from __future__ import annotations
 
+import functools
 import json
 import secrets
 import stat
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 from pathlib import Path
+from typing import ParamSpec, TypeVar
 
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, SourceError, StoppedError
+from robosmi.errors import ChangedMeanwhileError, InternalError, SourceError, StoppedError
 from robosmi.model.files import within
 from robosmi.model.open_folder import OpenFolder, in_the_way
 from robosmi.model.recovery import JOURNAL, STAGE, at_work, beside_of, finish, uninterrupted, writing
@@ -24,6 +26,26 @@ from robosmi.model.runs import bind, forget, own_stage
 
 Seen = Mapping[str, bytes | None]
 """What a run has read in a folder before it decided: relative path -> bytes, None where no file was."""
+
+_RUNS = 5
+_Given = ParamSpec("_Given")
+_Made = TypeVar("_Made")
+
+
+def again_when_changed(run: Callable[_Given, _Made]) -> Callable[_Given, _Made]:
+    """A run that begins anew, up to five times in all, when a file that it has read was changed while it was at work.
+
+    So two runs into one folder at once end as if they came one after the other.
+    """
+
+    @functools.wraps(run)
+    def repeated(*args: _Given.args, **kwargs: _Given.kwargs) -> _Made:
+        for _ in range(_RUNS - 1):
+            with suppress(ChangedMeanwhileError):
+                return run(*args, **kwargs)
+        return run(*args, **kwargs)
+
+    return repeated
 
 
 def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = (), seen: Seen | None = None) -> None:
@@ -129,12 +151,12 @@ def _untouched(held: OpenFolder, names: Collection[str], seen: Seen) -> None:
             continue
         plain = found is not None and stat.S_ISREG(found.st_mode)
         if found is not None and plain and not found.st_mode & 0o222:
-            message, fix = "the file is read-only and would be changed", "make it writable, or move it away"
+            message, fix, kind = "the file is read-only and would be changed", "make it writable, or move it away", StoppedError
         elif name in seen and (held.read(name) if plain else None) != seen[name]:
-            message, fix = "the file was changed while the run was at work", "run again"
+            message, fix, kind = "the file was changed while the run was at work", "run again", ChangedMeanwhileError
         else:
             continue
-        raise StoppedError(f"{message}; nothing was written", location=Location(f"{held.path}/{name}"), fix=fix)
+        raise kind(f"{message}; nothing was written", location=Location(f"{held.path}/{name}"), fix=fix)
 
 
 def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen) -> None:

@@ -103,15 +103,22 @@ CASES: dict[str, tuple[Case, tuple[str, ...]]] = {}
 
 BESIDE: dict[str, tuple[str, ...]] = {}
 """Name of a case -> `header/name` of adapters that it uses and does not prove, where a target may lack them."""
+NOT_IN_C: set[str] = set()
+"""Names of cases of what adapters in C do not promise."""
 
 
-def proves(*adapters: str, beside: Sequence[str] = ()) -> Callable[[Case], Case]:
-    """Register a case as proof of adapters: it fails when one of them is broken. It may use others `beside`."""
+def proves(*adapters: str, beside: Sequence[str] = (), in_c: bool = True) -> Callable[[Case], Case]:
+    """Register a case as proof of adapters: it fails when one of them is broken. It may use others `beside`.
+
+    Not `in_c` is what adapters in C do not promise: they state another limit.
+    """
 
     def register(case: Case) -> Case:
         assert case.__name__ not in CASES
         CASES[case.__name__] = case, adapters
         BESIDE[case.__name__] = tuple(beside)
+        if not in_c:
+            NOT_IN_C.add(case.__name__)
         return case
 
     return register

@@ -13,7 +13,7 @@ from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchain import compile_sketch
-from tests.adapters.bench import BESIDE, CASES, NO_PIN, NOTHING_TO_DO, broken, notices
+from tests.adapters.bench import BESIDE, CASES, NO_PIN, NOT_IN_C, NOTHING_TO_DO, broken, notices
 from tests.adapters.bench_c import HEAD, MCUS, UnoInC, alone, pieces
 from tests.adapters.cases import load_cases
 from tests.tools import require_engine, require_tools
@@ -21,7 +21,9 @@ from tests.tools import require_engine, require_tools
 load_cases()
 KNOWN = {f"{piece.header}/{piece.name}": piece for piece in pieces()}
 KEYS = [(piece.header, piece.name) for piece in pieces() if piece.kind != "helper"]
-IN_C = sorted(name for name, (_, adapters) in CASES.items() if adapters and {*adapters, *BESIDE[name]} <= KNOWN.keys())
+IN_C = sorted(
+    name for name, (_, used) in CASES.items() if used and name not in NOT_IN_C and {*used, *BESIDE[name]} <= KNOWN.keys()
+)
 
 
 @pytest.fixture(autouse=True)

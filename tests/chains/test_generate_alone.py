@@ -29,8 +29,9 @@ Program = tuple[Sequence[Path], Path | None, str | None]
 def alone(work: str, jobs: Iterable[tuple[Path, Path, Path]]) -> subprocess.CompletedProcess[str]:
     """Run `tests.alone` over (input, what may be read, output)."""
     words = [str(word) for job in jobs for word in job]
+    own = {name: value for name, value in os.environ.items() if name != "PYTHONPYCACHEPREFIX"}  # bytecode is elsewhere there
     return subprocess.run(
-        [sys.executable, "-m", "tests.alone", work, *words], cwd=ROOT, capture_output=True, text=True, check=False
+        [sys.executable, "-m", "tests.alone", work, *words], cwd=ROOT, capture_output=True, text=True, check=False, env=own
     )
 
 

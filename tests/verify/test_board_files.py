@@ -157,7 +157,7 @@ def test_a_leonardo_has_no_timer_2_and_tone_takes_timer_3() -> None:
     chip = BOARDS["leonardo"].microcontroller
     assert chip is not None
     assert "Timer2" not in {timer.name for timer in chip.timers}
-    assert [list(use.timers) for use in chip.uses if use.name == "tone"] == [["Timer3"]]
+    assert [timer for use in chip.uses if use.name == "tone" for timer in use.timers] == ["Timer3"]
 
 
 @pytest.mark.parametrize("name", BOARDS)

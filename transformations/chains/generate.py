@@ -46,7 +46,7 @@ def generate(
         models.plan.bench = models.plan.bench or bench
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
-        renew_findings(models.plan)
+        renew_findings(models.plan, words=False)
         return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
 
 
@@ -58,5 +58,5 @@ def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
         models = load_models(plan)
     refuse_nonsense(models.plan)
     settle(models.plan, models.files)
-    renew_findings(models.plan)
+    renew_findings(models.plan, words=False)
     return models

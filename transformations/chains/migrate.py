@@ -19,6 +19,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import UsageError
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.model.commit import again_when_changed
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, project_of
 from robosmi.recommend.history import ForgivingHistory
@@ -313,6 +314,7 @@ def _started(chain: Chain | None, progress: Progress | None, **values: Any) -> C
     return (chain if chain is not None else migration_chain()).start(progress=progress, **values)
 
 
+@again_when_changed
 def migrate(
     files: Sequence[str | Path],
     output: str | Path,

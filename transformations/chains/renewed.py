@@ -8,17 +8,24 @@ from __future__ import annotations
 
 from robosmi.metamodels import migration
 from robosmi.transformations.constraints.electrical_plan import plan_faults, plan_rules
-from robosmi.transformations.constraints.plan_ports import port_faults, ports
+from robosmi.transformations.constraints.plan_ports import by_words, port_faults, ports
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 
 
-def renew_findings(plan: migration.MigrationPlan) -> None:
-    """Bring the findings of a plan in line with its decisions, in the place where they stood."""
-    rules = plan_rules() | {constraint.id for constraint in ports.declared()}
+def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
+    """Bring the findings of a plan in line with its decisions, in the place where they stood.
+
+    Args:
+        plan: the plan.
+        words: also those that need the repository's words for kinds of components; else these stay as they are.
+    """
+    rules = plan_rules() | {
+        constraint.id for module in ((ports, by_words) if words else (ports,)) for constraint in module.declared()
+    }
     before = list(plan.findings)
     at = next((number for number, finding in enumerate(before) if finding.rule in rules), len(before))
     stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
-    new = plan_findings(plan, [*plan_faults(plan), *port_faults(plan)], stored)
+    new = plan_findings(plan, [*plan_faults(plan), *port_faults(plan, words)], stored)
     kept = [[f for f in some if f.rule not in rules] for some in (before[:at], before[at:])]
     plan.findings.clear()
     plan.findings.extend([*kept[0], *new, *kept[1]])

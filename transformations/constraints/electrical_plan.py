@@ -38,8 +38,14 @@ def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
     """
     if plan.circuit is None:
         return []
-    wired(plan)
-    return worst_first(_both.run(EmfModel(plan.circuit, name="hardware"), EmfModel(plan, name="plan")).findings())
+    judged = EVL()
+    judged.include(_both)
+
+    @judged.pre
+    def BoardIsThatOfThePlan() -> None:  # the first to ask makes the wiring of a run: stored plans need no repository
+        wired(plan)
+
+    return worst_first(judged.run(EmfModel(plan.circuit, name="hardware"), EmfModel(plan, name="plan")).findings())
 
 
 def plan_rules() -> frozenset[str]:

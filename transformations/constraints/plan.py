@@ -12,7 +12,7 @@ from robosmi.metamodels import migration
 from robosmi.transformations.constraints.code_rules import moved
 from robosmi.transformations.constraints.electrical_plan import together
 from robosmi.transformations.constraints.plan_edits import edits
-from robosmi.transformations.constraints.plan_ports import named, ports
+from robosmi.transformations.constraints.plan_ports import by_words, named, ports
 from robosmi.transformations.queries.text_changes import all_changes, decision_of
 from robosmi.validate import EVL, Fail, Fix
 
@@ -23,6 +23,7 @@ plan.include(edits)
 plan.include(together)
 plan.include(moved)
 plan.include(ports)
+plan.include(by_words)
 
 bindings = plan.context(migration.PortBinding)
 decisions = plan.context(migration.Decision)

@@ -111,13 +111,16 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
     return not lines or Fail(f"no flow of the plan has the call of '{u.name}' in {where}: nothing says what its numbers are")
 
 
-@libraries.constraint(
+@libraries.critique(
     id="RS729", guard=lambda c: c.choice and c.chosen, advice="correct the one that is not meant (plan.xmi), or use --library"
 )
 def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> Any:
     """The recorded choice of a library is the library that it refers to; a choice without one is open again."""
+    assert c.chosen is not None
     now = str(c.chosen.name)
-    return str(c.choice).lower() == now.lower() or Fail(f"the choice of the {named(c)} says {c.choice}, and it is {now}")
+    return str(c.choice).lower() == now.lower() or Fail(
+        f"the choice of the {named(c)} says {c.choice}, and it is {now}: that counts"
+    )
 
 
 @libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")

@@ -21,15 +21,28 @@ from robosmi.validate import EVL, Fail
 ports = EVL()
 """The constraints on ports; run them over a plan."""
 
+by_words = EVL()
+"""Those that ask the repository which kinds of components words mean."""
+
 bindings = ports.context(migration.PortBinding)
+worded_bindings = by_words.context(migration.PortBinding)
 connections = ports.context(migration.Connection)
 MANY = 3
 """So many components on one pin are a warning: of two, one may well be a pull-up or an indicator."""
 
 
-def port_faults(plan: migration.MigrationPlan) -> list[Finding]:
-    """What these constraints find in a plan."""
-    return ports.run(EmfModel(plan, name="plan")).findings()
+def port_faults(plan: migration.MigrationPlan, words: bool = True) -> list[Finding]:
+    """What these constraints find in a plan.
+
+    Args:
+        plan: the plan.
+        words: also those that ask the repository which kinds of components words mean.
+    """
+    judged = EVL()
+    judged.include(ports)
+    if words:
+        judged.include(by_words)
+    return judged.run(EmfModel(plan, name="plan")).findings()
 
 
 def plan_of(decision: Any) -> migration.MigrationPlan:
@@ -171,7 +184,7 @@ def _timers(use: migration.AdapterUse) -> set[str]:
     return {str(t) for piece in closure([use.adapter] if use.adapter is not None else []) for t in piece.timers}
 
 
-@bindings.constraint(
+@worded_bindings.constraint(
     id="RS727", severity=Severity.warning, advice="see whether another connection is meant",
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
 )  # fmt: skip

@@ -268,6 +268,11 @@ class Walk:
         for place, child in enumerate(node.children):
             if child.form == "member" and child.bits >= 0:
                 numbers[place] = child.kind.target  # GCC does not promote a bit-field there
+        first, second = numbers[1:] if len(numbers) == 3 else (None, None)
+        if first is not None and second is not None and all(child.kind.enumerated for child in node.children[1:]):
+            return max(
+                first, second, key=lambda number: number.bits
+            )  # a cast would make a number of it: no enumeration takes one
         if len(numbers) == 3 and node.kind.number is not None:
             self._agree(node.kind.number, (node.children[1], numbers[1]), (node.children[2], numbers[2]))
             return node.kind.number

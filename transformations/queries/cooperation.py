@@ -179,28 +179,36 @@ def _within(element: Any, container: Any) -> bool:
     return bool(container.startOffset <= element.startOffset < container.endOffset)
 
 
-def stack_bytes(function: ccode.Function, adapters: Mapping[str, int], above: tuple[int, ...] = ()) -> int:
+def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
     """How many bytes of stack a function takes with all that it calls, as far as the model tells.
 
     Args:
         function: the function.
         adapters: name of a function of the platform -> bytes that its adapter takes.
-        above: functions that lead here; what calls itself is counted once.
+
+    What calls itself, directly or through others, is counted once.
     """
-    if id(function) in above or function.body is None:
-        return 0
-    inside = list(all_contents(function.body))
-    own = _FRAME + sum(_size(e) for e in inside if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
-    deepest = 0
-    for call in inside:
-        if not isinstance(call, ccode.Call):
+    known: dict[int, int] = {}
+    above: set[int] = set()
+    waiting = [function]
+    while waiting:  # no recursion: functions may call the next for as long as they like
+        at = waiting[-1]
+        if id(at) in known or at.body is None:
+            known.setdefault(id(at), 0)
+            waiting.pop()
             continue
-        callee = call.callee
-        if callee is not None and callee.body is not None:
-            deepest = max(deepest, stack_bytes(callee, adapters, (*above, id(function))))
-        else:
-            deepest = max(deepest, adapters.get(str(call.calleeName), _FRAME))
-    return own + deepest
+        inside = list(all_contents(at.body))
+        calls = [call for call in inside if isinstance(call, ccode.Call)]
+        own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+        if id(at) not in above:
+            above.add(id(at))
+            waiting += [callee for callee in own if id(callee) not in known and id(callee) not in above]
+            continue
+        others = [adapters.get(str(call.calleeName), _FRAME) for call in calls if call.callee is None or call.callee.body is None]
+        frame = _FRAME + sum(_size(e) for e in inside if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
+        known[id(at)] = frame + max([*(known.get(id(callee), 0) for callee in own), *others], default=0)
+        waiting.pop()
+    return known[id(function)]
 
 
 def _size(variable: ccode.Variable) -> int:

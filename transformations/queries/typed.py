@@ -53,6 +53,7 @@ class NumberKind(NamedTuple):
         pointer: it is a pointer or an array.
         target: the number that a declaration of this type is on the target; None where that is not known.
         base: its plain name (`int`, `unsigned long`), empty for what is no number.
+        enumerated: it is an enumeration, or one of its constants.
     """
 
     number: Number | None = None
@@ -60,6 +61,7 @@ class NumberKind(NamedTuple):
     pointer: bool = False
     target: Number | None = None
     base: str = ""
+    enumerated: bool = False
 
 
 _UNKNOWN = NumberKind()

@@ -14,12 +14,14 @@ from robosmi.transformations.constraints.code import code
 from robosmi.transformations.constraints.hardware import circuit
 from robosmi.transformations.constraints.plan import plan
 from robosmi.transformations.constraints.plan_edits import edits
-from robosmi.transformations.constraints.plan_ports import ports
+from robosmi.transformations.constraints.plan_ports import by_words, ports
 from robosmi.validate import EVL, Constraint, Validation
 from tests.transformations.constraints.examples import EXAMPLES
 
 SETS: dict[type, EVL] = {migration.MigrationPlan: plan, ccode.Program: code, hardware.Circuit: circuit}
-ALL: list[Constraint] = [c for one in (*SETS.values(), edits, ports) for context in one.contexts for c in context.constraints]
+ALL: list[Constraint] = [
+    c for one in (*SETS.values(), edits, ports, by_words) for context in one.contexts for c in context.constraints
+]
 ROOT = Path(__file__).parents[3]
 
 

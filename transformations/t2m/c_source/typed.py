@@ -255,7 +255,7 @@ class _Reader:
         if referenced.kind == _LITERAL and made.origin == "program":
             made.form = "enumerator"
             target = self._enumeration(lib.getCursorSemanticParent(referenced))
-            made.kind = made.kind._replace(target=target)
+            made.kind = made.kind._replace(target=target, enumerated=True)
 
     def _declares(self, function: Any) -> bool:
         """Whether the text declares a function, which otherwise the parser made up where it is called."""
@@ -282,7 +282,7 @@ class _Reader:
         if number is None:
             return NumberKind(pointer=plain.kind in _POINTERS)
         base = " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(plain)).split() if w not in ("const", "volatile"))
-        return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base)
+        return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base, enumerated=plain.kind == _ENUM)
 
     def _number(self, plain: Any) -> Number | None:
         if plain.kind in _REAL:

@@ -11,13 +11,13 @@ static uint32_t CNT = 0;  // TODO: complete symbol
 
 static uint32_t _clkfreq = 0;  // TODO: complete symbol
 
-// void cognew(unsigned int *argument1, volatile void *argument2)  [propeller.h]
+// void cognew(unsigned int *argument1, volatile void *handed)  [propeller.h]
 // called in line 23
 // it starts code on another core there
-void cognew(uint32_t *argument1, volatile void *argument2) {
+void cognew(uint32_t *argument1, volatile void *handed) {
   // TODO: complete method
   (void)argument1;
-  (void)argument2;
+  (void)handed;
 }
 
 // void waitcnt(int ticks)  [propeller.h]

@@ -88,6 +88,23 @@ inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
 
 // ---------------------------------------------------------------- waves that go on
 
+// The pin that asks and the one that answers, of a component with a wire for each direction; else the pin itself is both
+inline int32_t asking(int32_t pin) {
+#ifdef SPLIT_WIRES
+  for (const auto &wires : split_wires)
+    if (wires.answers == pin) return wires.asks;
+#endif
+  return pin;
+}
+
+inline int32_t answering(int32_t pin) {
+#ifdef SPLIT_WIRES
+  for (const auto &wires : split_wires)
+    if (wires.asks == pin || wires.answers == pin) return wires.answers;
+#endif
+  return pin;
+}
+
 // The unit of timed input and output in ticks of 12.5 ns
 static int32_t io_ticks = 80;
 
@@ -205,10 +222,11 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
 // int ping(int pin)
 // Microseconds of the echo; 0 without an echo
 inline int32_t ping(int32_t pin) {
+  int32_t out = asking(pin);
   delay(1);
-  low(pin);
-  pulse_out(pin, 10);
-  return pulse_in(pin, 1);
+  low(out);
+  pulse_out(out, 10);
+  return pulse_in(answering(pin), 1);
 }
 
 // int ping_cm(int pin)
