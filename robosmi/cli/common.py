@@ -53,7 +53,7 @@ HEAD = 2048
 
 
 def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
-    """Make sure that a result is not written over a file of another kind, such as what it was made from.
+    """Make sure that a result is not written over a file of another kind, such as what it was made from, nor over a link.
 
     Args:
         path: where the result is to go; None for nowhere.
@@ -61,17 +61,19 @@ def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
         what: its kind, for the message.
 
     Raises:
-        StoppedError: there is a file of another kind.
+        StoppedError: there is a file of another kind, or a link.
     """
+    fix = "give the result another name, or move that file away"
     try:
         if path is None:
             return
+        if path.is_symlink():
+            raise StoppedError("the result's path is a link, which would be replaced", location=Location(str(path)), fix=fix)
         with inputs.open_file(path) as stream:
             head = stream.read(HEAD)
     except OSError:  # it is not there, or writing it will say what is wrong
         return
     if head.strip() and mark not in head:
-        fix = "give the result another name, or move that file away"
         raise StoppedError(f"there is a file already, and it is no {what}", location=Location(str(path)), fix=fix)
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
 from robosmi.cli.common import check_replaced
-from robosmi.diagnostics import Finding
-from robosmi.errors import RobosmiError
+from robosmi.diagnostics import Finding, Location
+from robosmi.errors import RobosmiError, StoppedError
 from robosmi.report import Report
 
 OPTION = "--sarif"
@@ -63,10 +64,14 @@ def write_file(report: Report, path: Path, exit_code: int, about: Path | None = 
 
     Raises:
         SourceError: it cannot be written.
+        StoppedError: the command has just made that file.
     """
     from robosmi.model.files import write_atomic
     from robosmi.report.sarif import sarif_text
 
+    if os.path.realpath(path) in {os.path.realpath(str(artifact["path"])) for artifact in report.artifacts}:
+        message, fix = "the command has made this file: its findings are not written over it", "give the findings another name"
+        raise StoppedError(message, location=Location(str(path)), fix=fix)
     write_atomic(path, sarif_text(report, exit_code, about=about).encode())
     report.artifacts.append({"path": str(path), "kind": "sarif"})
 

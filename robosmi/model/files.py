@@ -51,9 +51,9 @@ def write_atomic(path: Path, data: bytes) -> None:
         SourceError: the path is no ordinary file, or may not be written.
     """
     fix = "give another output path"
-    if path.exists() and not path.is_file():
-        raise SourceError("the output path is no ordinary file", location=Location(str(path)), fix=fix)
     try:
+        if path.exists() and not path.is_file():
+            raise SourceError("the output path is no ordinary file", location=Location(str(path)), fix=fix)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:

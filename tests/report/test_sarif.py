@@ -227,3 +227,22 @@ def test_a_file_of_another_kind_is_not_written_over(tmp_path: Path) -> None:
     assert document["artifacts"] == [{"path": str(tmp_path / "new.sarif"), "kind": "sarif"}]
     assert run("analyse", program, "--sarif", tmp_path / "new.sarif").code == 0
     assert run("analyse", program, "--sarif", program / "a.sarif").code == 3
+
+
+def test_what_the_command_has_made_is_not_written_over(tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text(PROGRAM, encoding="utf-8")
+    sketch = tmp_path / "out" / "robot" / "robot.ino"
+    outcome = run("migrate", tmp_path / "robot.c", "-o", tmp_path / "out", "--sarif", sketch)
+    assert (outcome.code, "has made this file" in outcome.err) == (5, True)
+    assert "void setup()" in sketch.read_text()
+
+
+def test_a_link_is_not_replaced_and_a_name_may_be_too_long(tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text(PROGRAM, encoding="utf-8")
+    (tmp_path / "empty").touch()
+    (tmp_path / "linked.sarif").symlink_to("empty")
+    outcome = run("analyse", tmp_path / "robot.c", "--sarif", tmp_path / "linked.sarif")
+    assert (outcome.code, "is a link" in outcome.err) == (5, True)
+    assert (tmp_path / "linked.sarif").is_symlink()
+    outcome = run("analyse", tmp_path / "robot.c", "--sarif", tmp_path / ("n" * 300))
+    assert (outcome.code, "File name too long" in outcome.err) == (3, True)

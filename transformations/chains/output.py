@@ -210,12 +210,12 @@ def produce(
             with written_outside(outside or {}):
                 update(output, everything, going, places.seen)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
-    changes = _diff(places, contents, going) if dry_run or diff else ""
+    changes = _diff(places, contents, going, "would change" if dry_run else "changed") if dry_run or diff else ""
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=changes)
 
 
-def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str]) -> str:
-    """What would change in the files that a person reads, as a unified diff; of models only which."""
+def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str], word: str) -> str:
+    """What changes in the files that a person reads, as a unified diff; of models only which, with that word."""
     lines: list[str] = []
     after: dict[str, bytes | None] = {**contents, **dict.fromkeys(going)}
     for name in sorted(after):
@@ -223,7 +223,7 @@ def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str]) -
         if old == new or name.startswith(".robosmi"):
             continue
         if name.startswith(f"{FOLDER}/"):
-            lines.append(f"{'model' if name.endswith('.xmi') else 'copy'} {name} would change")
+            lines.append(f"{'model' if name.endswith('.xmi') else 'copy'} {name} {word}")
             continue
         a, b = ((data or b"").decode("utf-8", "replace").split("\n") for data in (old, new))
         left, right = f"a/{name}" if old is not None else "/dev/null", f"b/{name}" if new is not None else "/dev/null"

@@ -76,7 +76,7 @@ class PlanPage:
         Raises:
             SourceError, ModelError: the plan cannot be read.
         """
-        if not live or self.plan != self.now():
+        if not live or not self.sections or self.plan != self.now():
             self._make(load_models(self.output / STORED), live=live)
         return str(
             self._templates.text(

@@ -54,7 +54,8 @@ def DriversAreApart(n: hardware.Net) -> Any:
 def IsHeldWhileOpen(c: hardware.Component) -> Any:
     """A pin that a contact ties to a supply has a level while the contact is open."""
     w = wiring_of(c)
-    if w.facts(c).output != "contact" or not any(net.rail for _, net in w.nets(c)):
+    rails = {net for _, net in w.nets(c) if net.rail}
+    if w.facts(c).output != "contact" or len(rails) != 1:  # of two rails a change-over switch always joins its pin to one
         return True
     open_pins = [p.label for p in w.board_pins(c) if not w.once("held", p.net, partial(_is_held, w, p.net))]
     message = f"nothing holds {listed(open_pins)} while '{who(c)}' is open" if open_pins else ""

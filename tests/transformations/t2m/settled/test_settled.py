@@ -96,6 +96,14 @@ def test_a_contact_to_ground_that_nothing_holds_is_said(draw: Draw, tmp_path: Pa
 
 
 @TOOLS
+def test_a_change_over_switch_between_two_rails_always_joins_its_pin_to_one(draw: Draw, tmp_path: Path) -> None:
+    parts = {"U1": UNO, "S1": ("SLIDE_SWITCH", ["1", "2", "3"], "")}
+    made = hardware(draw(tmp_path, parts, {"A": ["U1.D2", "S1.2"], "GND": ["U1.GND", "S1.1"], "5V": ["U1.5V", "S1.3"]}))
+    assert mapped(made) == {"D2": ["S1"]}
+    assert said(made, "RS256") == []
+
+
+@TOOLS
 def test_a_solder_jumper_is_not_crossed_and_a_resistor_is(draw: Draw, tmp_path: Path) -> None:
     parts = {"U1": UNO, "JP1": ("SOLDERJUMPER", ["1", "2"], ""), "R1": ("R-US_", ["1", "2"], "220")}
     parts |= {name: ("LED", ["A", "K"], "") for name in ("LED1", "LED2")}
