@@ -328,7 +328,8 @@ def _frames(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[Activ
         if count >= sight.frames:
             middle = median(pulse.end - pulse.begin for pulse in pulses[first : last + 1])
             if found and abs(middle - float(found[-1].value[0])) <= _EQUAL_US:
-                found[-1] = replace(found[-1], frames=found[-1].frames + count)
+                shown = (middle,) if count > found[-1].frames else found[-1].value  # a ramp's last step is no width of its own
+                found[-1] = replace(found[-1], value=shown, frames=found[-1].frames + count)
             else:
                 found.append(ActivityEvent(pulses[first].begin, PULSES, (middle,), frames=count))
         first = last + 1

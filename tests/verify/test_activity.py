@@ -117,3 +117,9 @@ def test_a_wave_that_interrupts_stretch_here_and_there_is_one_wave() -> None:
     found = activity(trace([*levels, (900_000.0, 0)]), "D1")
     assert [event.kind for event in found] == [LEVEL, WAVE, LEVEL]
     assert found[1].value[0] == pytest.approx(1e6 / 26, rel=0.01)
+
+
+def test_the_last_step_of_a_ramp_is_no_width_of_its_own() -> None:
+    for last in ([1408.0, 1400.63, 1399.81], [1408.0, 1400.0, 1400.0], [1355.0, 1347.0, 1344.0]):
+        widths = [1430.0, 1419.0, *last, *[round(last[-1])] * 20]
+        assert said(trace(frames(100_000, widths)))[-2][1] == f"pulses of {round(last[-1])} us"
