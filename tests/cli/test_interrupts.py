@@ -85,7 +85,7 @@ def test_what_has_its_journal_is_finished_before_an_interruption_counts(
     commit(tmp_path / "out", {"a": b"old", "b": b"old"})
 
     def interrupted(held: OpenFolder) -> None:
-        os.kill(os.getpid(), signal.SIGINT)
+        signal.raise_signal(signal.SIGINT)  # in this thread: a process may have others
         finish(held)
 
     monkeypatch.setattr(commit_module, "finish", interrupted)
@@ -106,7 +106,10 @@ def test_who_is_asked_to_end_leaves_no_process_and_no_temporary_file(ending: sig
     sketch.write_text("void setup() { pinMode(13, OUTPUT); }\nvoid loop() { digitalWrite(13, HIGH); delay(1); }\n")
     command = [sys.executable, "-m", "robosmi", "compile", str(sketch.parent), "--board", "uno"]
     environment = {**os.environ, "TMPDIR": str(temporary), "ROBOSMI_HOME": str(tmp_path / "home")}
-    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True) as running:
+    with subprocess.Popen(
+        command, env=environment, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
+        preexec_fn=lambda: signal.signal(ending, signal.SIG_DFL),  # nohup has it ignored
+    ) as running:  # fmt: skip
         begun = time.monotonic()
         while not any(temporary.iterdir()) and time.monotonic() - begun < 20:
             time.sleep(0.01)
