@@ -197,7 +197,8 @@ def test_an_edit_while_the_run_is_at_work_stops_it(
     before: dict[str, str] = {}
     monkeypatch.setattr(output_chain, "update", slow)
     change_program(line_follower)
-    with pytest.raises(StoppedError, match=r"changed (while the run was at work|since the last run)"):  # told where it begins anew
+    told = r"changed (while the run was at work|since the last run)"  # the latter where the run begins anew
+    with pytest.raises(StoppedError, match=told):
         robosmi.migrate([line_follower], migrated)
     assert tree(migrated) == before
 
