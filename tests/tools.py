@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 
 from robosmi.plugins import content
+from robosmi.verify.host_model import load_host_model
+from robosmi.verify.original_build import missing_tools
 from robosmi.verify.simulation import Engine
 
 KNOWN_PLACES = {
@@ -38,18 +40,27 @@ def require_tools(*names: str) -> None:
     missing = [name for name in names if not (KNOWN_PLACES[name].is_file() if name in KNOWN_PLACES else shutil.which(name))]
     if not missing:
         return
-    reason = f"not installed: {', '.join(missing)}"
-    if os.environ.get("CI") == "true":
-        pytest.fail(f"{reason} (CI=true: a skipped test would test nothing)")
-    pytest.skip(reason)
+    _lack(f"not installed: {', '.join(missing)}")
 
 
 def require_engine(name: str) -> None:
     """Skip the running test unless this simulator is installed; with CI=true fail instead."""
     engine: Engine = content("engine", name)()
     advice = engine.missing()
-    if advice is None:
-        return
+    if advice is not None:
+        _lack(f"the engine {name} is not installed: {advice}")
+
+
+def require_verification(*engines: str) -> None:
+    """Skip the running test unless originals and sketches can be compiled, and these simulators are there; with CI=true fail."""
+    require_tools("avr-gcc", "arduino-core-avr", "gcc")
+    if advice := missing_tools(load_host_model("propeller")):
+        _lack(advice)
+    for name in engines:
+        require_engine(name)
+
+
+def _lack(reason: str) -> None:
     if os.environ.get("CI") == "true":
-        pytest.fail(f"the engine {name} is not installed: {advice} (CI=true: a skipped test would test nothing)")
-    pytest.skip(f"the engine {name} is not installed: {advice}")
+        pytest.fail(f"{reason} (CI=true: a skipped test would test nothing)")
+    pytest.skip(reason)

@@ -28,7 +28,7 @@ from robosmi.inputs import SETTINGS, read_bytes
 from robosmi.model.commit import update
 from robosmi.model.files import digest, within, write_atomic
 from robosmi.model.recovery import at_work
-from robosmi.model.runs import keep_state, kept_state
+from robosmi.model.runs import STATE, keep, kept
 
 SCHEMA = "robosmi-undo/1"
 
@@ -74,7 +74,7 @@ def keep_before(
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
     elsewhere = {path: [_packed(old), digest(new) if new is not None else None] for path, (old, new) in beyond.items()}
     state = {"schema": SCHEMA, "files": files} | ({"outside": elsewhere} if elsewhere else {})
-    keep_state(folder, json.dumps(state, indent=1, sort_keys=True) + "\n")
+    keep(folder, STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
 
 
 def _packed(data: bytes | None) -> str | None:
@@ -107,10 +107,10 @@ def undo(folder: Path) -> Undone:
         contents = {name: data for name, data in before.items() if data is not None}
         removed = [name for name, data in before.items() if data is None]
         if MANIFEST in contents:
-            kept = json_of(contents[MANIFEST].decode())
-            choices = sorted({*kept.get("choices", ()), *manifest.choices})  # what was counted stays counted
-            beside = kept.get("beside_choices", "")
-            contents[MANIFEST] = Manifest(kept["files"], choices, beside_choices=beside).to_bytes()
+            noted = json_of(contents[MANIFEST].decode())
+            choices = sorted({*noted.get("choices", ()), *manifest.choices})  # what was counted stays counted
+            beside = noted.get("beside_choices", "")
+            contents[MANIFEST] = Manifest(noted["files"], choices, beside_choices=beside).to_bytes()
             manifest.note(folder, contents[MANIFEST])
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
         keep_before(folder, places, contents, removed, put_back)
@@ -187,11 +187,11 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
         fix="make the sketch anew with migrate or generate",
     )  # fmt: skip
     try:
-        kept = json_of(kept_state(folder))
-        files = kept["files"]
+        known = json_of(kept(folder, STATE))
+        files = known["files"]
         before = {name: _unpacked(packed) for name, (packed, _) in files.items()}
         after = {name: written for name, (_, written) in files.items()}
-        outside = {Path(path): (_unpacked(old), new) for path, (old, new) in kept.get("outside", {}).items()}
+        outside = {Path(path): (_unpacked(old), new) for path, (old, new) in known.get("outside", {}).items()}
     except FileNotFoundError as error:
         raise SourceError(
             "there is no earlier state of this folder", location=Location(str(folder)),

@@ -115,42 +115,28 @@ def is_noted(path: Path, data: bytes) -> bool:
     return hashlib.sha256(data).hexdigest() in noted.split()
 
 
-def keep_state(folder: Path, text: str) -> None:
-    """Keep what an output folder held before the run that is about to change it.
+STATE, SOURCES = "undo", "sources"
+"""What is kept of output folders: what one held before its last change, and where the sources of its migration lie."""
+_KEPT = {STATE: OUTPUT, SOURCES: RECORD}
+
+
+def keep(folder: Path, what: str, text: str) -> None:
+    """Keep something of an output folder (`STATE` or `SOURCES`) in the user's data.
 
     Raises:
         SourceError: there is no place for it.
     """
-    _store(_place(os.path.realpath(folder), "undo"), text)
+    _store(_place(os.path.realpath(folder), what), text)
 
 
-def kept_state(folder: Path) -> str:
-    """What was kept of an output folder that is where it was then.
+def kept(folder: Path, what: str) -> str:
+    """What `keep` kept of an output folder that is where it was then.
 
     Raises:
         OSError: nothing was kept, or it cannot be read.
         ValueError: it is no text.
     """
-    return read_text(_place(os.path.realpath(folder), "undo"), OUTPUT)
-
-
-def keep_sources(folder: Path, text: str) -> None:
-    """Keep where the sources lie from which a migration into an output folder was made.
-
-    Raises:
-        SourceError: there is no place for it.
-    """
-    _store(_place(os.path.realpath(folder), "sources"), text)
-
-
-def kept_sources(folder: Path) -> str:
-    """What `keep_sources` kept of an output folder that is where it was then.
-
-    Raises:
-        OSError: nothing was kept, or it cannot be read.
-        ValueError: it is no text.
-    """
-    return read_text(_place(os.path.realpath(folder), "sources"), RECORD)
+    return read_text(_place(os.path.realpath(folder), what), _KEPT[what])
 
 
 def own_stage(folder: Path, found: os.stat_result | None = None) -> None:

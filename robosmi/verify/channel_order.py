@@ -64,15 +64,18 @@ def first_disorder(
 def _begins(channel: str, runs: Sequence[Sequence[ActivityEvent]], target: Sequence[ActivityEvent]) -> list[_Begin]:
     """What begins sharply on a channel and has its counterpart in all runs and on the target."""
     nominal, *varied = runs
+    sharp = [number for number in range(1, len(nominal)) if _sharp(nominal[number - 1], nominal[number])]
+    if not sharp:
+        return []  # text and servos: nothing to align
     seen = [dict(aligned(nominal, run).pairs) for run in varied]
     theirs = dict(aligned(nominal, target).pairs)
     found = []
-    for number, event in enumerate(nominal):
-        if number == 0 or not _sharp(nominal[number - 1], event) or number not in theirs:
+    for number in sharp:
+        if number not in theirs:
             continue
         times = [run[pairs[number]].at_us / 1000 for run, pairs in zip(varied, seen, strict=True) if number in pairs]
         if len(times) == len(varied):
-            other = target[theirs[number]]
+            event, other = nominal[number], target[theirs[number]]
             found.append(_Begin(event.at_us / 1000, channel, event, tuple(times), other.at_us / 1000, other))
     return found
 

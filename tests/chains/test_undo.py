@@ -87,7 +87,7 @@ def test_the_command_says_what_it_put_back(twice: tuple[dict[str, str], dict[str
 @pytest.mark.parametrize("text", ["", "{}", '{"files": {"../x": [null, null]}}', '{"files": {"a": ["?", null]}}', "nonsense"])
 def test_a_damaged_record_is_refused(text: str, twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
     _, second, out = twice
-    runs.keep_state(out, text)
+    runs.keep(out, runs.STATE, text)
     with pytest.raises(SourceError, match="damaged"):
         undo(out)
     assert tree(out) == second

@@ -9,10 +9,8 @@ from xml.etree import ElementTree
 
 import pytest
 
-from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import missing_tools
 from tests.running import run
-from tests.tools import require_engine, require_tools
+from tests.tools import require_verification
 
 HERE = Path(__file__).parent
 PROGRAMS = HERE.parent / "transformations" / "verification" / "programs"
@@ -20,10 +18,7 @@ PROGRAMS = HERE.parent / "transformations" / "verification" / "programs"
 
 @pytest.fixture(autouse=True)
 def _tools() -> None:
-    require_tools("avr-gcc", "arduino-core-avr", "gcc")
-    if advice := missing_tools(load_host_model("propeller")):
-        pytest.skip(advice)
-    require_engine("simavr")
+    require_verification("simavr")
 
 
 @pytest.fixture(scope="module")

@@ -6,12 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import missing_tools
 from tests.faults.campaign import STUDIES, Study
 from tests.faults.harmless import rewritings
 from tests.faults.seeding import KINDS, faults
-from tests.tools import require_engine, require_tools
+from tests.tools import require_verification
 
 HERE = Path(__file__).parent
 FAULTS = {
@@ -29,10 +27,7 @@ FAULTS = {
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
     """The line follower under one scenario."""
-    require_tools("avr-gcc", "arduino-core-avr", "gcc")
-    if advice := missing_tools(load_host_model("propeller")):
-        pytest.skip(advice)
-    require_engine("simavr")
+    require_verification("simavr")
     return Study.made("line_follower", tmp_path_factory.mktemp("faults"), scenarios=[HERE / "light_and_dark.toml"])
 
 

@@ -44,9 +44,7 @@ def generate(
         seen = {f"{FOLDER}/{PLAN}": Places(Path(output)).read(f"{FOLDER}/{PLAN}")}
         models = load_models(Path(plan))
         models.plan.bench = models.plan.bench or bench
-        refuse_nonsense(models.plan)
-        settle(models.plan, models.files)
-        renew_findings(models.plan, words=False)
+        _bring_in_line(models)
         return produce(models, Path(output), inputs=seen, dry_run=dry_run, strict=strict)
 
 
@@ -56,7 +54,12 @@ def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
     with nullcontext() if dry_run else alone(place):
         look_only(place)
         models = load_models(plan)
+    _bring_in_line(models)
+    return models
+
+
+def _bring_in_line(models: MigrationModels) -> None:
+    """Refuse a plan that contradicts itself, and let its tasks and findings follow from its decisions."""
     refuse_nonsense(models.plan)
     settle(models.plan, models.files)
     renew_findings(models.plan, words=False)
-    return models

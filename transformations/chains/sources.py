@@ -17,7 +17,7 @@ from robosmi.data_text import json_of
 from robosmi.errors import UsageError
 from robosmi.metamodels import migration
 from robosmi.model.files import digest
-from robosmi.model.runs import keep_sources, kept_sources
+from robosmi.model.runs import SOURCES, keep, kept
 
 
 def remember_sources(
@@ -39,8 +39,8 @@ def remember_sources(
     found = {name: os.path.abspath(places[name]) for name in _sources(plan) if name in places}
     folder = os.path.abspath(first if first.is_dir() else first.parent)
     told = {name: _absolute(value) for name, value in arguments.items()}
-    kept = {"folder": folder, "sources": found, "files": [os.path.abspath(file) for file in files], "arguments": told}
-    keep_sources(output, json.dumps(kept, sort_keys=True))
+    record = {"folder": folder, "sources": found, "files": [os.path.abspath(file) for file in files], "arguments": told}
+    keep(output, SOURCES, json.dumps(record, sort_keys=True))
 
 
 def _absolute(value: Any) -> Any:
@@ -52,8 +52,8 @@ def _absolute(value: Any) -> Any:
 def last_run(output: Path) -> tuple[list[str], dict[str, Any]] | None:
     """The files and arguments of the last migration into an output folder; None where they are not known."""
     try:
-        kept = json_of(kept_sources(output))
-        return [str(file) for file in kept["files"]], dict(kept["arguments"])
+        known = json_of(kept(output, SOURCES))
+        return [str(file) for file in known["files"]], dict(known["arguments"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
@@ -78,8 +78,8 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
             )
         return (source if source.is_dir() else source.parent).absolute(), ""
     try:
-        kept = json_of(kept_sources(output))
-        folder, found = Path(kept["folder"]), {str(name): Path(path) for name, path in kept["sources"].items()}
+        known = json_of(kept(output, SOURCES))
+        folder, found = Path(known["folder"]), {str(name): Path(path) for name, path in known["sources"].items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None, "no migration of yours has made this folder where it is now"
     changed = [path for name, path in found.items() if _digest(path) != wanted.get(name)]

@@ -188,25 +188,24 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
 
     What calls itself, directly or through others, is counted once.
     """
+    if function.body is None:
+        return 0
     known: dict[int, int] = {}
-    above: set[int] = set()
+    parts: dict[int, tuple[int, list[ccode.Function], int]] = {}  # frame, own functions that are called, deepest other call
     waiting = [function]
     while waiting:  # no recursion: functions may call the next for as long as they like
         at = waiting[-1]
-        if id(at) in known or at.body is None:
-            known.setdefault(id(at), 0)
-            waiting.pop()
+        if id(at) not in parts:
+            inside = list(all_contents(at.body))
+            calls = [call for call in inside if isinstance(call, ccode.Call)]
+            own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+            others = [adapters.get(str(c.calleeName), _FRAME) for c in calls if c.callee is None or c.callee.body is None]
+            frame = _FRAME + sum(_size(e) for e in inside if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
+            parts[id(at)] = frame, own, max(others, default=0)
+            waiting += [callee for callee in own if id(callee) not in parts]
             continue
-        inside = list(all_contents(at.body))
-        calls = [call for call in inside if isinstance(call, ccode.Call)]
-        own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
-        if id(at) not in above:
-            above.add(id(at))
-            waiting += [callee for callee in own if id(callee) not in known and id(callee) not in above]
-            continue
-        others = [adapters.get(str(call.calleeName), _FRAME) for call in calls if call.callee is None or call.callee.body is None]
-        frame = _FRAME + sum(_size(e) for e in inside if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
-        known[id(at)] = frame + max([*(known.get(id(callee), 0) for callee in own), *others], default=0)
+        frame, own, deepest = parts[id(at)]
+        known.setdefault(id(at), frame + max([deepest, *(known.get(id(callee), 0) for callee in own)]))
         waiting.pop()
     return known[id(function)]
 

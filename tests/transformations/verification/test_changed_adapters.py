@@ -12,9 +12,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import missing_tools
-from tests.tools import require_engine, require_tools
+from tests.tools import require_verification
 
 PROGRAM = Path(__file__).parent / "programs" / "button.c"
 SCENARIO = "horizon_ms = 2500\n[signals]\nP3 = [[0, 0], [500, 1], [900, 0]]\n"
@@ -40,10 +38,7 @@ SPOILT = {
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The migrated program."""
-    require_tools("avr-gcc", "arduino-core-avr", "gcc")
-    if advice := missing_tools(load_host_model("propeller")):
-        pytest.skip(advice)
-    require_engine("simavr")
+    require_verification("simavr")
     folder = tmp_path_factory.mktemp("adapters")
     robosmi.migrate([PROGRAM], folder / "out", bind={"P3": "D2", "P4": "D8", "P26": "D13"})
     return folder / "out"

@@ -15,20 +15,15 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import missing_tools
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, Verdict
-from tests.tools import require_engine, require_tools
+from tests.tools import require_verification
 
 CASES = sorted((Path(__file__).parent / "device_cases").iterdir())
 
 
 @pytest.fixture(autouse=True)
 def _tools() -> None:
-    require_tools("avr-gcc", "arduino-core-avr", "gcc")
-    if advice := missing_tools(load_host_model("propeller")):
-        pytest.skip(advice)
-    require_engine("simavr")
+    require_verification("simavr")
 
 
 @pytest.mark.parametrize("case", CASES, ids=[case.name for case in CASES])

@@ -11,10 +11,8 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.host_model import load_host_model
-from robosmi.verify.original_build import missing_tools
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
-from tests.tools import require_engine, require_tools
+from tests.tools import require_engine, require_verification
 
 CASES = Path(__file__).parent / "device_cases"
 LINE = """horizon_ms = 3500
@@ -38,9 +36,7 @@ ROBOTS: dict[str, tuple[Sequence[str], str]] = {
 
 @pytest.fixture(autouse=True)
 def _tools() -> None:
-    require_tools("avr-gcc", "arduino-core-avr", "gcc")
-    if advice := missing_tools(load_host_model("propeller")):
-        pytest.skip(advice)
+    require_verification()
 
 
 def made(name: str, examples: Path, out: Path, **options: Any) -> tuple[Path, Path]:

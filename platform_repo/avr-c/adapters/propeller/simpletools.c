@@ -817,16 +817,20 @@ static inline void pwm_stop(void) {
   }
 }
 
-//# helper duty_rows
-//#   mcu: atmega328p
-//#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
-//#   ram: 42
+//# helper DutyRow
+//#   fidelity: a pin at which a timer puts out pulses
 typedef struct {
   uint8_t number, timer;
   volatile uint8_t *control;
   uint8_t bits;
   volatile uint8_t *compare;  // the lower half of one of 16 bits, whose upper half is 0
 } DutyRow;
+
+//# helper duty_rows
+//#   mcu: atmega328p
+//#   needs: DutyRow
+//#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
+//#   ram: 42
 static const DutyRow duty_rows[] = {
     {AVR_PIN('D', 6), 0, &TCCR0A, _BV(COM0A1), &OCR0A}, {AVR_PIN('D', 5), 0, &TCCR0A, _BV(COM0B1), &OCR0B},
     {AVR_PIN('B', 1), 1, &TCCR1A, _BV(COM1A1), &OCR1AL}, {AVR_PIN('B', 2), 1, &TCCR1A, _BV(COM1B1), &OCR1BL},
@@ -835,14 +839,9 @@ static const DutyRow duty_rows[] = {
 
 //# helper duty_rows
 //#   mcu: atmega2560
+//#   needs: DutyRow
 //#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
 //#   ram: 42
-typedef struct {
-  uint8_t number, timer;
-  volatile uint8_t *control;
-  uint8_t bits;
-  volatile uint8_t *compare;  // the lower half of one of 16 bits, whose upper half is 0
-} DutyRow;
 static const DutyRow duty_rows[] = {
     {AVR_PIN('B', 7), 0, &TCCR0A, _BV(COM0A1), &OCR0A}, {AVR_PIN('G', 5), 0, &TCCR0A, _BV(COM0B1), &OCR0B},
     {AVR_PIN('B', 5), 1, &TCCR1A, _BV(COM1A1), &OCR1AL}, {AVR_PIN('B', 6), 1, &TCCR1A, _BV(COM1B1), &OCR1BL},
@@ -851,14 +850,9 @@ static const DutyRow duty_rows[] = {
 
 //# helper duty_rows
 //#   mcu: atmega32u4
+//#   needs: DutyRow
 //#   fidelity: the pins at which timers put out pulses, with their timer, its control register and bits, and their compare register
 //#   ram: 42
-typedef struct {
-  uint8_t number, timer;
-  volatile uint8_t *control;
-  uint8_t bits;
-  volatile uint8_t *compare;  // the lower half of one of 16 bits, whose upper half is 0
-} DutyRow;
 static const DutyRow duty_rows[] = {
     {AVR_PIN('B', 7), 0, &TCCR0A, _BV(COM0A1), &OCR0A}, {AVR_PIN('D', 0), 0, &TCCR0A, _BV(COM0B1), &OCR0B},
     {AVR_PIN('B', 5), 1, &TCCR1A, _BV(COM1A1), &OCR1AL}, {AVR_PIN('B', 6), 1, &TCCR1A, _BV(COM1B1), &OCR1BL},

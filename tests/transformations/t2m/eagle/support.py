@@ -1,11 +1,8 @@
-"""Small EAGLE schematics for tests: libraries, parts and nets as text, and what is read of them."""
+"""Small EAGLE schematics for tests: libraries, parts and nets as text."""
 
 from __future__ import annotations
 
 from pathlib import Path
-
-from robosmi.diagnostics import Finding
-from robosmi.transformations.chains.hardware import hardware
 
 Pins = list[tuple[str, str]]
 """Names and directions of a symbol's pins."""
@@ -49,15 +46,3 @@ def schematic(folder: Path, libraries: list[str], parts: list[str], nets: list[s
     path = folder / "robot.sch"
     path.write_text("\n".join(lines) + "\n")
     return path
-
-
-def pins(path: Path) -> dict[str, str]:
-    """The component on each pin of the board."""
-    return {m["pin"]: m["component"] for m in hardware(path).result["mappings"]}
-
-
-def said(findings: list[Finding], rule: str) -> list[str]:
-    """What the findings of a rule say; each has a fix."""
-    found = [f for f in findings if f.rule == rule]
-    assert all(f.fix for f in found)
-    return [f.message for f in found]

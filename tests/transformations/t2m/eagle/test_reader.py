@@ -12,7 +12,8 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
 from robosmi.transformations.t2m.eagle import read_circuit
 from robosmi.transformations.t2m.eagle.document import MOST_PARTS, recognises
-from tests.transformations.t2m.eagle.support import CHIP, HEADER, TWO, UNO, Pins, device, net, part, pins, said, schematic
+from tests.transformations.t2m.drawn import pins, said
+from tests.transformations.t2m.eagle.support import CHIP, HEADER, TWO, UNO, Pins, device, net, part, schematic
 
 
 def test_a_bare_chip_is_the_uno_by_its_ports_and_the_value_goes_before_the_symbol(tmp_path: Path) -> None:

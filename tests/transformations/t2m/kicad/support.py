@@ -1,11 +1,8 @@
-"""Small KiCad schematics for tests: symbols, wires and labels as text, and what is read of them."""
+"""Small KiCad schematics for tests: symbols, wires and labels as text."""
 
 from __future__ import annotations
 
 from pathlib import Path
-
-from robosmi.diagnostics import Finding
-from robosmi.transformations.chains.hardware import hardware
 
 UNO = [*(f"D{n}" for n in range(14)), "A0", "A1", "GND"]
 TWO = ["1", "2"]
@@ -75,15 +72,3 @@ def uno(reference: str = "A1", x: int = 100, y: int = 0) -> str:
 def led(reference: str, x: int, y: int) -> str:
     """A light emitting diode."""
     return placed("Device:LED", reference, x, y)
-
-
-def pins(path: Path) -> dict[str, str]:
-    """The component on each pin of the board."""
-    return {m["pin"]: m["component"] for m in hardware(path).result["mappings"]}
-
-
-def said(findings: list[Finding], rule: str) -> list[str]:
-    """What the findings of a rule say; each has a fix."""
-    found = [f for f in findings if f.rule == rule]
-    assert all(f.fix for f in found)
-    return [f.message for f in found]

@@ -10,6 +10,7 @@ import pytest
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
 from robosmi.transformations.t2m.kicad import read_circuit
+from tests.transformations.t2m.drawn import pins, said
 from tests.transformations.t2m.kicad.support import (
     LIBRARY,
     below,
@@ -17,9 +18,7 @@ from tests.transformations.t2m.kicad.support import (
     entry,
     label,
     led,
-    pins,
     placed,
-    said,
     schematic,
     uno,
     wire,
