@@ -39,6 +39,9 @@ MOST_LEVELS = 100
 MOST_LISTS = 5_000_000
 """Lists of one file; the largest public schematic has under 200,000."""
 
+_FARTHEST = 1e9
+"""Millimetres that no sheet is wide."""
+
 FIX = "open it in KiCad and save it again"
 _LOOKS = frozenset(("effects", "stroke", "fill", "polyline", "rectangle", "circle", "arc", "bezier", "text", "justify"))
 """Lists that only say how something looks; they are most of a file, and are not parsed."""
@@ -189,7 +192,23 @@ def told(found: Listed, name: str) -> str:
 
 
 def numbers(found: Listed, name: str, count: int) -> tuple[float, ...]:
-    """The numbers in the first list of that name, zero where there is none."""
-    entry = child(found, name) or []
-    values = [float(value) for value in entry[1:] if isinstance(value, int | float) and not isinstance(value, bool)]
-    return tuple((values + [0.0] * count)[:count])
+    """The numbers in the first list of that name; those behind the first two are zero where they are not written.
+
+    Raises:
+        ValueError: the list is missing, or has something else there: a place that is taken for another would join wires.
+    """
+    values = (child(found, name) or [name])[1 : count + 1]
+    if len(values) < min(2, count):
+        raise ValueError(f"'{name}' is followed by {len(values)} of 2 numbers")
+    return tuple([*(coordinate(value) for value in values), *[0.0] * count][:count])
+
+
+def coordinate(value: SExpression) -> float:
+    """A number of a drawing.
+
+    Raises:
+        ValueError: it is none, or of a size that no sheet has.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < _FARTHEST:
+        raise ValueError(f"'{value if isinstance(value, int | float) else word(value)}' is no coordinate")
+    return float(value)

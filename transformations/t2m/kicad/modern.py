@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import TypeGuard
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.kicad.expressions import (
+    FIX,
     Expression,
     Expressions,
     Listed,
     SExpression,
     child,
     children,
+    coordinate,
     head,
     numbers,
     told,
@@ -75,10 +76,14 @@ class _Modern:
             fix = "check that it is the drawing you meant"
             raise SourceError(f"it has more than {MOST_SYMBOLS:,} symbols", location=Location(listed.path, 1), fix=fix)
         for entry in entries:
-            if entry.head == "lib_symbols":
-                self._library(entry)
-            elif (reader := readers.get(entry.head)) is not None:
-                reader(listed.parsed(entry), listed.line(entry.start))
+            try:
+                if entry.head == "lib_symbols":
+                    self._library(entry)
+                elif (reader := readers.get(entry.head)) is not None:
+                    reader(listed.parsed(entry), listed.line(entry.start))
+            except ValueError as error:
+                place = Location(listed.path, listed.line(entry.start))
+                raise SourceError(f"the entry '{entry.head}' is damaged: {error}", location=place, fix=FIX) from None
 
     def _uuid(self, found: Listed, line: int) -> None:
         self.sheet.uuid = word(found[1]) if len(found) > 1 else ""
@@ -198,11 +203,7 @@ def _at(found: Listed) -> Point:
 
 
 def _point(x: SExpression, y: SExpression) -> Point:
-    return Point(round(float(x) * _STEPS), round(float(y) * _STEPS)) if _number(x) and _number(y) else Point(0, 0)
-
-
-def _number(value: SExpression) -> TypeGuard[int | float]:
-    return isinstance(value, int | float) and abs(value) < 1e9
+    return Point(round(coordinate(x) * _STEPS), round(coordinate(y) * _STEPS))
 
 
 def _whole(text: str) -> int:
