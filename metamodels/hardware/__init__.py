@@ -6,7 +6,7 @@ Generated from hardware.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from robosmi.model.strict import Element
 from robosmi.model.strict_package import (
@@ -24,15 +24,16 @@ from robosmi.model.strict_package import (
 
 if TYPE_CHECKING:
     from robosmi.model.strict import EnumLiteral
+    from robosmi.model.strict_package import Classifier, GeneratedModule
 
 name = "hardware"
 nsURI = "http://robosmi.org/hardware/1"
 nsPrefix = "hardware"
 
 eClass = package(name, nsURI, nsPrefix)
-eClassifiers: dict[str, Any] = {}
-eSubpackages: list[Any] = []
-eSuperPackage: Any = None
+eClassifiers: dict[str, Classifier] = {}
+eSubpackages: list[GeneratedModule] = []
+eSuperPackage: GeneratedModule | None = None
 getEClassifier = find_classifier(eClassifiers)
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ Generated from trace.ecore by robosmi metamodels generate. Do not edit.
 from __future__ import annotations
 
 from collections.abc import Iterable, MutableSequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi.model.strict import Element
 from robosmi.model.strict_package import (
@@ -19,14 +19,17 @@ from robosmi.model.strict_package import (
     package,
 )
 
+if TYPE_CHECKING:
+    from robosmi.model.strict_package import Classifier, GeneratedModule
+
 name = "trace"
 nsURI = "http://robosmi.org/trace/1"
 nsPrefix = "trace"
 
 eClass = package(name, nsURI, nsPrefix)
-eClassifiers: dict[str, Any] = {}
-eSubpackages: list[Any] = []
-eSuperPackage: Any = None
+eClassifiers: dict[str, Classifier] = {}
+eSubpackages: list[GeneratedModule] = []
+eSuperPackage: GeneratedModule | None = None
 getEClassifier = find_classifier(eClassifiers)
 
 

@@ -19,6 +19,7 @@ from robosmi.model.package_types import (
     annotation,
     default_value,
     is_feature_map,
+    is_typed,
     may_be_none,
     pyecore_type,
     type_name,
@@ -127,17 +128,16 @@ class ClassMembers:
     def _parameters(self, inherited: dict[str, set[Hashable]]) -> list[str]:
         found: dict[str, str] = {}
         own = {self._names[feature]: _key(feature) for feature in self._cls.features}
-        any_type = self._scope.symbol("typing", "Any")
         for feature in self._cls.all_features():
             if is_feature_map(feature):
                 continue
             name, kind = self._names[feature], type_name(feature.classifier, self._scope)
             if len(inherited.get(name, set()) | ({own[name]} if name in own else set())) > 1:
-                shown = any_type
+                shown = self._scope.symbol("typing", "Any")
             elif feature.many:
                 shown = f"{self._scope.symbol('collections.abc', 'Iterable')}[{kind}] | None"
             else:
-                shown = kind if kind == any_type else f"{kind} | None"
+                shown = f"{kind} | None" if is_typed(feature.classifier) else kind
             found[name] = f"{name}: {shown} = None"
         return list(found.values())
 
@@ -150,8 +150,8 @@ class ClassMembers:
 
     def _operation(self, name: str, same: list[Operation], untyped: bool) -> str:
         scope, first = self._scope, same[0]
-        any_type = scope.symbol("typing", "Any")
         if untyped:
+            any_type = scope.symbol("typing", "Any")
             parameters, result = ["self", f"*args: {any_type}", f"**kwargs: {any_type}"], any_type
         else:
             parameters, taken = ["self"], {"self"}
@@ -168,8 +168,8 @@ class ClassMembers:
         return f"{head}\n        {text}\n        {raised}"
 
     def _conflicts(self, inherited: dict[str, set[Hashable]], defined: set[str]) -> list[str]:
-        any_type = self._scope.symbol("typing", "Any")
-        return [f"{name}: {any_type}" for name, keys in inherited.items() if len(keys) > 1 and name not in defined]
+        several = [name for name, keys in inherited.items() if len(keys) > 1 and name not in defined]
+        return [f"{name}: {self._scope.symbol('typing', 'Any')}" for name in several]
 
 
 def _keys(cls: Class, names: PackageNames) -> dict[str, set[Hashable]]:

@@ -103,6 +103,13 @@ def type_name(kind: Classifier | None, scope: Scope, when: str = "typing") -> st
     return scope.symbol(_MODULE_OF.get(name, "builtins"), name) if name else scope.symbol("typing", "Any")
 
 
+def is_typed(kind: Classifier | None) -> bool:
+    """Whether the annotation for one value of a type says more than `Any`."""
+    if isinstance(kind, Class):
+        return type_is_named(kind)
+    return isinstance(kind, Enumeration) or (kind is not None and bool(value_type(kind)))
+
+
 def may_be_none(typed: Typed, default: str | None) -> bool:
     """Whether a single value can be None."""
     kind = typed.classifier

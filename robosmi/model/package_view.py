@@ -80,7 +80,8 @@ def view_of(
     """
     scope = Scope(package, names)
     own_mixins = mixins.get("/".join(names.module(package)), {})
-    symbols = {"Any": scope.symbol("typing", "Any")}
+    symbols = {"Classifier": scope.symbol(PARTS, "Classifier", "typing")}
+    symbols["GeneratedModule"] = scope.symbol(PARTS, "GeneratedModule", "typing")
     symbols["package"] = scope.symbol(PARTS, "package")
     symbols["find_classifier"] = scope.symbol(PARTS, "find_classifier")
     links = Links(package, names, scope, cycles)
@@ -109,8 +110,7 @@ def view_of(
     _note_names(package, names, notes)
     links.finish([*(e for e in package.classifiers if isinstance(e, DataType))])
     origin = f"Generated from {package.source.name} by robosmi metamodels generate. Do not edit."
-    if enumerations or classes or links.statements or links.decorator:
-        symbols["TYPE_CHECKING"] = scope.symbol("typing", "TYPE_CHECKING")
+    symbols["TYPE_CHECKING"] = scope.symbol("typing", "TYPE_CHECKING")
     return PackageView(
         constants=[
             assignment("name", string(package.name), ""),
@@ -184,7 +184,7 @@ def _mapping(pairs: list[tuple[str, str]]) -> str:
 
 def _data_type(kind: DataType, scope: Scope, names: PackageNames) -> str:
     arguments = [string(kind.name)] + ([string(kind.instance_class)] if kind.instance_class else [])
-    return call(f"{names[kind]}: {scope.symbol('typing', 'Any')} = {scope.symbol(PARTS, 'datatype')}", arguments, "")
+    return call(f"{names[kind]} = {scope.symbol(PARTS, 'datatype')}", arguments, "")
 
 
 def _imports(scope: Scope, bases: Mapping[Class, list[Class]], classes: list[Class], cycles: Cycles) -> dict[str, list[str]]:

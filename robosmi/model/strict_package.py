@@ -14,7 +14,7 @@ from datetime import datetime
 from decimal import Decimal
 from importlib.util import resolve_name
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from pyecore import ecore
 
@@ -26,18 +26,60 @@ from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
 
 _Type = TypeVar("_Type", bound=type)
+_Value = TypeVar("_Value")
 
 
 if TYPE_CHECKING:
+    from robosmi.model.ecore_types import EDataType, EPackage
+    from robosmi.model.strict import EnumLiteral
+
+    Classifier: TypeAlias = type[Element] | type[EnumLiteral] | EDataType
+    """What a generated module has for a classifier: a class, or the object for a data type."""
+
+    GeneratedModule: TypeAlias = ModuleType
+    """The module of a package, as those of other packages know it."""
 
     class MetaEClass(type):
         """The metaclass of generated classes."""
 
-    def EAttribute(**arguments: Any) -> Any:
-        """An attribute of a generated class."""
+    def EAttribute(
+        *,
+        name: str = "",
+        eType: EDataType | type[EnumLiteral] | None = None,
+        default_value: _Value | None = None,
+        defaultValueLiteral: str | None = None,
+        lower: int = 0,
+        upper: int = 1,
+        ordered: bool = True,
+        unique: bool = True,
+        changeable: bool = True,
+        derived: bool = False,
+        transient: bool = False,
+        volatile: bool = False,
+        unsettable: bool = False,
+        iD: bool = False,
+    ) -> _Value:
+        """An attribute of a generated class; an element has the attribute's value in its place."""
 
-    def EReference(**arguments: Any) -> Any:
-        """A reference of a generated class."""
+    def EReference(
+        *,
+        name: str = "",
+        eType: type[_Value] | None = None,
+        lower: int = 0,
+        upper: int = 1,
+        ordered: bool = True,
+        unique: bool = True,
+        changeable: bool = True,
+        derived: bool = False,
+        transient: bool = False,
+        volatile: bool = False,
+        unsettable: bool = False,
+        containment: bool = False,
+    ) -> _Value:
+        """A reference of a generated class; an element has the one that it refers to, or a list of them, in its place."""
+
+    def __getattr__(name: str) -> EDataType:
+        """Ecore's data types by name."""
 
     class EStringToStringMapEntry(Element):
         """Ecore's own class of pairs of texts, which pyecore has as a dict."""
@@ -97,6 +139,12 @@ else:
                         if isinstance(namespace[key], ecore.EStructuralFeature):
                             setattr(cls, key, vars(mixin)[key])  # the person's own code computes a derived feature
 
+    def __getattr__(name: str) -> Any:
+        """pyecore's data types and classes by name."""
+        if name.startswith("E") and hasattr(ecore, name):
+            return getattr(ecore, name)
+        raise AttributeError(name)
+
     EStringToStringMapEntry = type(ecore.EObject)("EStringToStringMapEntry", (Element,), {})
     EStringToStringMapEntry.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=EStringToStringMapEntry)
     for _name in ("key", "value"):
@@ -104,21 +152,15 @@ else:
         EStringToStringMapEntry.eClass.eStructuralFeatures.append(getattr(EStringToStringMapEntry, _name))
 
 
-def __getattr__(name: str) -> Any:
-    """pyecore's data types and classes by name."""
-    if name.startswith("E") and hasattr(ecore, name):
-        return getattr(ecore, name)
-    raise AttributeError(name)
-
-
-def find_classifier(classifiers: dict[str, Any]) -> Callable[[str], Any]:
+def find_classifier(classifiers: dict[str, Classifier]) -> Callable[[str], Classifier | None]:
     """The function of a generated module that finds a classifier by its name in the metamodel."""
     return classifiers.get
 
 
-def package(name: str, uri: str, prefix: str) -> Any:
+def package(name: str, uri: str, prefix: str) -> EPackage:
     """The EPackage of a generated module."""
-    return ecore.EPackage(name=name, nsURI=uri, nsPrefix=prefix)
+    made: EPackage = ecore.EPackage(name=name, nsURI=uri, nsPrefix=prefix)
+    return made
 
 
 def abstract(cls: _Type) -> _Type:
@@ -212,13 +254,14 @@ def python_type(java: str) -> type | None:
     return _JAVA[java][0] if java in _JAVA else None
 
 
-def datatype(name: str, java: str = "") -> Any:
+def datatype(name: str, java: str = "") -> EDataType:
     """An Ecore data type that stands for a Java class; a value of an unknown class is any value, in model files its text."""
     kind, default, convert = _JAVA.get(java, (object, None, None))
-    result = ecore.EDataType(name, eType=kind, default_value=default, from_string=convert)
-    result.instanceClassName_ = java or None
+    made = ecore.EDataType(name, eType=kind, default_value=default, from_string=convert)
+    made.instanceClassName_ = java or None
     if kind is bool:
-        result.to_string = lambda value: "true" if value else "false"
+        made.to_string = lambda value: "true" if value else "false"
+    result: EDataType = made
     return result
 
 
@@ -243,11 +286,11 @@ _XML = {
 }
 XML_JAVA = {name: java for java, names in _XML.items() for name in names.split()}
 """Data type of XML Schema -> Java class; all others are texts (XMLType.ecore of EMF)."""
-_XML_TYPES: dict[str, Any] = {}
+_XML_TYPES: dict[str, EDataType] = {}
 _XML_PACKAGE = package("type", XML_TYPE_URI, "type")
 
 
-def xml_type(name: str) -> Any:
+def xml_type(name: str) -> EDataType:
     """A data type of XML Schema, the same object for the same name."""
     if name not in _XML_TYPES:
         made = _XML_TYPES[name] = datatype(name, XML_JAVA.get(name, "java.lang.String"))

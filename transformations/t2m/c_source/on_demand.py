@@ -286,7 +286,7 @@ def _can_hold(feature: Any, wanted: type) -> bool:
     return known
 
 
-_CLASSES: list[type] = [c.python_class for c in ccode.eClass.eClassifiers if hasattr(c, "eSuperTypes") and not c.abstract]
+_CLASSES = [c for c in ccode.eClassifiers.values() if isinstance(c, type) and issubclass(c, Element) and not c.eClass.abstract]
 
 
 def _holds_only_others(promise: Promise, wanted: type) -> bool:
