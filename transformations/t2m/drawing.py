@@ -8,11 +8,11 @@ identities and what joins connectors are the readers' business (docs/how-to/add-
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
 
 from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import ModelError, did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
@@ -22,74 +22,12 @@ from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.knowledge.rails import Terminal, rail
 from robosmi.transformations.t2m.connectivity import bus_leaders, natural
 from robosmi.transformations.t2m.given_roles import given_roles
+from robosmi.transformations.t2m.placed import End, KnownPart, Placed
+
+__all__ = ["CircuitBuilder", "End", "KnownPart", "Placed", "free_identity"]
 
 _ROLES = {name: getattr(hardware.Role, name) for name in ROLES}
 _KINDS = {name: getattr(hardware.ConnectorKind, name) for name in KINDS}
-
-
-class End(NamedTuple):
-    """A connector of a placed part: the part's identity, the connector's."""
-
-    component: str
-    connector: str
-
-
-@dataclass(frozen=True, slots=True)
-class Placed:
-    """A part that is placed in a drawing, as the drawing has it.
-
-    Attributes:
-        identity: the tool's own identity of it, unique in the drawing; it becomes `#model_index`.
-        part_id: the part's id in the tool's catalogue, as given to `know`.
-        title: its label in the drawing.
-        properties: its own properties.
-        used: the connectors that the drawing connects, in any order.
-        mentioned: further connectors that the drawing names; they count where nothing defines the part.
-        names: names that the drawing gives to connectors of this placement, by connector.
-        line: its line in the file, for findings.
-        hint: name of the file that its missing definition was in, or empty.
-        symbol: whether it only names a net, so that nothing needs to be known of it.
-        listed_as: its id in the tool's catalogue, where `part_id` tells of one variant of it; empty: `part_id`.
-    """
-
-    identity: str
-    part_id: str
-    title: str = ""
-    properties: Mapping[str, str] = field(default_factory=dict)
-    used: Iterable[str] = ()
-    mentioned: Iterable[str] = ()
-    names: Mapping[str, str] = field(default_factory=dict)
-    line: int | None = None
-    hint: str = ""
-    symbol: bool = False
-    listed_as: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class KnownPart:
-    """A part of a drawing with what is known of it.
-
-    Attributes:
-        part: its description, with a role where one is known.
-        board: the board that it is drawn as, if any.
-        numbered: whether its pins bear numbers alone, RX and TX too.
-        by_bus: it joins connectors only where a bus of its own does (breadboards, headers): only those in use become elements.
-        defined: whether the catalogue or the drawing defines it.
-        leaders: for each listed connector that it joins to others, the one that stands for all of them.
-        own: it is of the person's own making, so that names tell nothing of what it does.
-    """
-
-    part: Part
-    board: DrawnBoard | None
-    numbered: bool
-    by_bus: bool
-    defined: bool
-    leaders: dict[str, str]
-    own: bool = False
-
-    def leader(self, connector: str) -> str:
-        """The connector, or the name of the strip, that stands for all that the part joins to a connector."""
-        return self.leaders.get(connector) or self.part.bus_of(connector) or connector
 
 
 class CircuitBuilder:
@@ -112,6 +50,7 @@ class CircuitBuilder:
         self._known: dict[str, KnownPart] = {}
         self._given: dict[str, str] = {}
         self._ends: dict[End, tuple[hardware.Connector, Terminal]] = {}
+        self._placed: dict[str, str] = {}
 
     def report(
         self, rule: str, severity: Severity, message: str, line: int | None = None, fix: str | None = None, **evidence: object
@@ -171,8 +110,17 @@ class CircuitBuilder:
         )
 
     def place(self, placed: Placed) -> hardware.Component:
-        """Add a component; its part was given to `know` before."""
-        known = self._known[placed.part_id]
+        """Add a component.
+
+        Raises:
+            ModelError: its part was not given to `know`, or another component has its identity: a fault of the reader.
+        """
+        known = self._known.get(placed.part_id)
+        if known is None:
+            raise self.fault(f"places '{placed.identity}' as part '{placed.part_id}', which it did not give to know()")
+        if placed.identity in self._placed:
+            raise self.fault(f"places two components of the identity '{placed.identity}'")
+        self._placed[placed.identity] = placed.title
         facts = self._connectors(placed, known)
         part = self._part(placed, known, facts)
         properties = _properties(part, placed.properties)
@@ -205,14 +153,40 @@ class CircuitBuilder:
         self.components.append(component)
         return component
 
+    def report_lacking(self, placed: Placed, known: KnownPart, lacking: Sequence[str]) -> None:
+        """Say that a drawing connects a component where its part has nothing (RS208): that is left out."""
+        self.report(
+            "RS208",
+            Severity.warning,
+            f"'{placed.title or known.part.title}' is connected at {', '.join(lacking[:5])}{', ...' if len(lacking) > 5 else ''},"
+            f" which its part '{known.part.title or placed.part_id}' has not; what is connected there was left out",
+            placed.line,
+            f"check the part, or update it in {self.tool.capitalize()}",
+            connectors=[*lacking],
+        )
+
     def connector(self, end: End) -> hardware.Connector | None:
         """The element of a placed component's connector, or None where the component has none of that identity."""
         found = self._ends.get(end)
         return found[0] if found is not None else None
 
     def net(self, ends: Sequence[End]) -> hardware.Net:
-        """Add a net of connectors that are placed, at least one; whether it is a rail follows from them."""
-        found = [self._ends[end] for end in ends]
+        """Add a net; whether it is a rail follows from its connectors.
+
+        Args:
+            ends: connectors of components that are placed, at least one, and none that is in another net: what two nets have in
+                common makes them one.
+
+        Raises:
+            ModelError: an end is not there, or is in a net already: a fault of the reader.
+        """
+        if not ends:
+            raise self.fault("makes a net without a connector")
+        found = [self._placed_end(End(*end)) for end in dict.fromkeys(ends)]
+        for model, terminal in found:
+            if model.net is not None:
+                where = f"{terminal.component or '?'}.{terminal.connector}"
+                raise self.fault(f"puts '{where}' into two nets: into '{model.net.name}', and then into another")
         terminals = [terminal for _, terminal in found]
         first = min(terminals, key=lambda t: (natural(t.component), natural(t.connector)))
         why = rail(terminals)
@@ -227,8 +201,18 @@ class CircuitBuilder:
         return net
 
     def wire(self, identity: str, ends: Iterable[End], net: hardware.Net | None, color: str = "") -> None:
-        """Add a wire as it is drawn; ends at no connector are left out."""
-        found = [model for end in ends if (model := self.connector(end)) is not None]
+        """Add a wire as it is drawn.
+
+        Args:
+            identity: its identity in the drawing.
+            ends: connectors of components that are placed; none where it ends nowhere.
+            net: the net that it belongs to, where it belongs to one.
+            color: as the drawing has it.
+
+        Raises:
+            ModelError: an end is not there: a fault of the reader.
+        """
+        found = [self._placed_end(End(*end))[0] for end in dict.fromkeys(ends)]
         self.wires.append(hardware.Wire(elementId=identity, color=color, ends=found, net=net))
 
     def circuit(
@@ -249,6 +233,23 @@ class CircuitBuilder:
             nets=self.nets, wires=self.wires, companions=companions,
         )  # fmt: skip
 
+    def _placed_end(self, end: End) -> tuple[hardware.Connector, Terminal]:
+        if (found := self._ends.get(end)) is not None:
+            return found
+        if end.component not in self._placed:
+            guess = did_you_mean(end.component, self._placed)
+            raise self.fault(f"names the end '{end.component}.{end.connector}', and has placed no '{end.component}'{guess}")
+        own = [known.connector for known in self._ends if known.component == end.component]
+        raise self.fault(
+            f"names the end '{end.component}.{end.connector}', and '{end.component}' has no such connector"
+            f"{did_you_mean(end.connector, own)}"
+        )
+
+    def fault(self, cause: str) -> ModelError:
+        """What to raise for a reader that tells what cannot be."""
+        fix = "report it to the authors of the reader, which must hold what docs/how-to/add-a-drawing-reader.md says"
+        return ModelError(f"the reader of {self.tool} drawings {cause}", location=Location(self.path), fix=fix)
+
     # ---- one component
 
     def _part(self, placed: Placed, known: KnownPart, facts: Sequence[PartConnector]) -> Part:
@@ -265,6 +266,9 @@ class CircuitBuilder:
         """The connectors of a component, in the part's order, those that only the drawing knows after them."""
         part, used = known.part, {*placed.used}
         pins = known.board.pins if known.board is not None else {}
+        if lacking := sorted((c for c in used if c not in placed.names and not known.has(c)), key=natural):
+            used.difference_update(lacking)
+            self.report_lacking(placed, known, lacking)
         if known.by_bus:
             facts = [part.connectors.get(c) or PartConnector(c) for c in sorted(used, key=natural)]
         else:
@@ -274,15 +278,6 @@ class CircuitBuilder:
                 drawn.update(placed.mentioned)
             extra = sorted((c for c in drawn - part.connectors.keys() if c), key=natural)
             facts += [PartConnector(c, pins.get(c, "")) for c in extra]
-            if known.defined and part.connectors and (odd := [c for c in extra if c in used]):
-                self.report(
-                    "RS208",
-                    Severity.info,
-                    f"'{placed.title or part.title}' is connected at {', '.join(odd[:5])}, which its part has not",
-                    placed.line,
-                    f"update the part in {self.tool.capitalize()}",
-                    connectors=odd,
-                )
         facts = [self._renamed(fact, placed.names.get(fact.id, "")) for fact in facts] if placed.names else facts
         if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
             facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]

@@ -14,6 +14,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 from robosmi.diagnostics import Severity
+from robosmi.errors import did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
 from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
@@ -68,7 +69,7 @@ class SchematicPart:
 
 @dataclass(slots=True)
 class SchematicNet:
-    """A net: its name in the drawing, and its pins (identity of the part, connector)."""
+    """A net: its name in the drawing, and its pins. Nets that have a pin in common are one."""
 
     name: str
     ends: list[End] = field(default_factory=list)
@@ -104,6 +105,9 @@ class _Making:
                 self.used.setdefault(end.component, {}).setdefault(end.connector, []).append(net.name)
         self.chips: dict[str, tuple[str, int]] = {}
         self.known: dict[str, tuple[str, KnownPart]] = {part.identity: self._known(part) for part in drawn.parts}
+        if (odd := next((end for net in drawn.nets for end in net.ends if end.component not in self.known), None)) is not None:
+            guess = did_you_mean(odd.component, self.known)
+            raise builder.fault(f"names the end '{odd.component}.{odd.connector}', and has no part '{odd.component}'{guess}")
 
     # ---- what parts are
 

@@ -7,14 +7,19 @@ and power symbols join by what their properties say. What a net is for (rails) i
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node
 from robosmi.transformations.t2m.fritzing.document import Instance
 
 DERIVED = 8 | 16
 """Wire flags of old jumpers and of rats' nests: hints that Fritzing derives and does not conduct by (viewgeometry.h)."""
+
+
+Has: TypeAlias = Callable[[Instance, str], bool]
+"""Whether an instance that is no wire has a connector."""
 
 
 @dataclass(slots=True)
@@ -29,6 +34,7 @@ class ViewWiring:
         wires: identities of the wires that conduct.
         ignored_wires: how many wires are derived hints.
         dangling: connections to instances that are not in the drawing.
+        lacking: connectors that a connection names and that the part has not, by instance; such connections are left out.
         too_big: boards of strips that have more holes than are followed.
     """
 
@@ -39,16 +45,18 @@ class ViewWiring:
     wires: list[str] = field(default_factory=list)
     ignored_wires: int = 0
     dangling: list[tuple[Instance, str]] = field(default_factory=list)
+    lacking: dict[str, dict[str, None]] = field(default_factory=dict)
     too_big: list[Instance] = field(default_factory=list)
 
 
-def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> ViewWiring:
+def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: Has) -> ViewWiring:
     """What is joined in a view.
 
     Args:
         view: name of the view.
         instances: the live instances by identity, which is their model index.
         leaders: what parts join inside (`bus_leaders`), by module id.
+        has: whether an instance that is no wire has a connector.
     """
     result = ViewWiring(view)
     joined, used = result.joined, result.used
@@ -74,7 +82,16 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders) -> Vi
             other = instances.get(index)
             if other is None:
                 result.dangling.append((instance, index))
-            elif index not in silent:
+            elif index in silent:
+                continue
+            elif odd := [
+                (i, c)
+                for i, part, c in ((identity, instance, own), (index, other, theirs))
+                if not part.is_wire and not has(part, c)
+            ]:
+                for lacking, connector in odd:
+                    result.lacking.setdefault(lacking, {})[connector] = None
+            else:
                 joined.union(node(identity, instance, own), node(index, other, theirs))
                 if instance.is_wire and not other.is_wire:
                     result.wire_ends.setdefault(identity, {})[index, theirs] = None

@@ -112,7 +112,7 @@ class _Reading:
         """The model, and the findings of the builder with it."""
         leaders = {module_id: known.leaders for module_id, known in self.known.items()}
         by_bus = {i for i, instance in self.instances.items() if not instance.is_wire and self.known[instance.module_id].by_bus}
-        wired, odd = believed(self.instances, leaders, by_bus, self.container.path)
+        wired, odd = believed(self.instances, leaders, by_bus, self.container.path, self._has)
         self.builder.findings += odd
         groups: dict[Node, list[End]] = {}
         for identity, instance in self.instances.items():
@@ -129,7 +129,20 @@ class _Reading:
 
     def _place(self, identity: str, instance: Instance, wired: nets.ViewWiring, groups: dict[Node, list[End]]) -> None:
         known = self.known[instance.module_id]
-        placed = Placed(
+        placed = self._placed(identity, instance, wired)
+        if lacking := wired.lacking.get(identity):
+            self.builder.report_lacking(placed, known, sorted(lacking, key=natural))
+        for connector in self.builder.place(placed).connectors:
+            node = (identity, known.leaders.get(connector.connectorId, connector.connectorId))
+            if node in wired.joined:
+                groups.setdefault(wired.joined.find(node), []).append(End(identity, connector.connectorId))
+
+    def _has(self, instance: Instance, connector: str) -> bool:
+        return connector in instance.local_names or self.known[instance.module_id].has(connector)
+
+    def _placed(self, identity: str, instance: Instance, wired: nets.ViewWiring) -> Placed:
+        known = self.known[instance.module_id]
+        return Placed(
             identity=identity,
             part_id=instance.module_id,
             title=instance.title,
@@ -141,10 +154,6 @@ class _Reading:
             hint=instance.file_hint,
             symbol=bool(nets.symbol_net(instance)),
         )
-        for connector in self.builder.place(placed).connectors:
-            node = (identity, known.leaders.get(connector.connectorId, connector.connectorId))
-            if node in wired.joined:
-                groups.setdefault(wired.joined.find(node), []).append(End(identity, connector.connectorId))
 
     def _report_rest(self, wired: nets.ViewWiring) -> None:
         if self.sketch.without_views or wired.ignored_wires:

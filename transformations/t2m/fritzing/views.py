@@ -12,11 +12,11 @@ from collections.abc import Collection, Mapping
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.transformations.t2m.connectivity import Leaders
 from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance
-from robosmi.transformations.t2m.fritzing.nets import ViewWiring, links_parts, partition, wiring
+from robosmi.transformations.t2m.fritzing.nets import Has, ViewWiring, links_parts, partition, wiring
 
 
 def believed(
-    instances: Mapping[str, Instance], leaders: Leaders, by_bus: Collection[str], path: str
+    instances: Mapping[str, Instance], leaders: Leaders, by_bus: Collection[str], path: str, has: Has
 ) -> tuple[ViewWiring, list[Finding]]:
     """The wiring of the view that is believed, and what speaks against it.
 
@@ -25,16 +25,17 @@ def believed(
         leaders: what parts join inside, by module id.
         by_bus: instances that only join others (breadboards), which views need not have in common.
         path: the file, for findings.
+        has: whether an instance that is no wire has a connector.
     """
     first, second, last = VIEWS
-    breadboard = wiring(first, instances, leaders)
+    breadboard = wiring(first, instances, leaders, has)
     linked = links_parts(breadboard, instances)
     if linked and all(i.view(first).edges == i.view(second).edges for i in instances.values()):
         return breadboard, []
-    schematic = wiring(second, instances, leaders)
+    schematic = wiring(second, instances, leaders, has)
     if linked:
         return breadboard, _differences(breadboard, schematic, instances, by_bus, path)
-    others = (schematic, wiring(last, instances, leaders))
+    others = (schematic, wiring(last, instances, leaders, has))
     chosen = next((other for other in others if links_parts(other, instances)), None)
     if chosen is None:
         message = "no part is connected to another in this drawing"

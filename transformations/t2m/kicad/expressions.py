@@ -47,6 +47,10 @@ _LOOKS = frozenset(("effects", "stroke", "fill", "polyline", "rectangle", "circl
 """Lists that only say how something looks; they are most of a file, and are not parsed."""
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+"|[()]|"', re.DOTALL)
+_LISP = re.compile(r"[\[\]'\\]")
+"""Letters that mean something to `sexpdata` and nothing to KiCad: other brackets, other quotes."""
+_NAME = re.compile(r'"(?:[^"\\]|\\.)*+"|(?<![^\s()"])[^\s()"\[\]\'\\]*+[\[\]\'\\][^\s()"]*+', re.DOTALL)
+"""A text in quotes, or a name with such letters."""
 _HEAD = re.compile(r'\(\s*("(?:[^"\\]|\\.)*+"|[^\s()"]*)', re.DOTALL)
 
 
@@ -141,7 +145,8 @@ class Expressions:
                 break
             pieces.append(self.text[place:start])
             place = end
-        return "".join((*pieces, self.text[place : listed.end]))
+        text = "".join((*pieces, self.text[place : listed.end]))
+        return _NAME.sub(_quoted, text) if _LISP.search(text) is not None else text
 
     def line(self, place: int) -> int:
         """The line of a place."""
@@ -154,6 +159,11 @@ class Expressions:
     def _head(self, start: int) -> str:
         found = _HEAD.match(self.text, start)
         return found[1].strip('"') if found is not None else ""
+
+
+def _quoted(found: re.Match[str]) -> str:
+    """A name in quotes, so that each of its letters stands for itself; a text in quotes as it is."""
+    return found[0] if found[0].startswith('"') else '"' + found[0].replace("\\", "\\\\") + '"'
 
 
 def word(value: SExpression) -> str:

@@ -31,9 +31,9 @@ _LINES: dict[str, Callable[[Sheet], list[Wire]]] = {
     "Wire Wire Line": attrgetter("wires"), "Wire Bus Line": attrgetter("buses"), "Entry Bus Bus": attrgetter("buses"),
     "Entry Wire Line": attrgetter("entries"),
 }  # fmt: skip
-_FIELD = re.compile(r'F ?([0-9]+) "((?:[^"\\]|\\.)*)"')
-_SHEET_PIN = re.compile(r'F ?([0-9]+) "((?:[^"\\]|\\.)*)" [IOBTU] [RLTB] (-?[0-9]+) (-?[0-9]+)')
-_REFERENCE = re.compile(r'AR Path="([^"]*)" Ref="([^"]*)"(?:\s+Part="([0-9]+)")?')
+_FIELD = re.compile(r'F ?([0-9]{1,9}) "((?:[^"\\]|\\.)*)"')
+_SHEET_PIN = re.compile(r'F ?([0-9]{1,9}) "((?:[^"\\]|\\.)*)" [IOBTU] [RLTB] (-?[0-9]{1,9}) (-?[0-9]{1,9})')
+_REFERENCE = re.compile(r'AR Path="([^"]*)" Ref="([^"]*)"(?:\s+Part="([0-9]{1,9})")?')
 _NAMED = {"0": "Reference", "1": "Value", "2": "Footprint", "3": "Datasheet"}
 _NUMBER = re.compile(r"-?[0-9]{1,9}")
 _UPRIGHT = (1, 0, 0, 1)

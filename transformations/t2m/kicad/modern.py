@@ -42,7 +42,7 @@ _STEPS = 10_000
 _VALUES = 20_220_914
 """From this version on a symbol of a supply names its net by its value."""
 
-_UNIT = re.compile(r"_([0-9]+)_([0-9]+)$")
+_UNIT = re.compile(r"_([0-9]{1,9})_([0-9]{1,9})$")
 _LABELS = {"label": LOCAL, "global_label": GLOBAL, "hierarchical_label": UPWARD}
 _TURNS = {0: (1, 0, 0, 1), 90: (0, 1, -1, 0), 180: (-1, 0, 0, -1), 270: (0, -1, 1, 0)}
 

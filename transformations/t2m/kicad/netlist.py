@@ -88,15 +88,22 @@ class _Netlist:
         self.made.parts.append(made)
 
     def _nets(self, section: Expression) -> None:
-        taken: set[End] = set()
+        taken: dict[End, SchematicNet] = {}
         for entry in self.listed.members(section):
             net = self.listed.parsed(entry)
             made = SchematicNet(told(net, "name").rpartition("/")[2])
             for node in children(net, "node"):
                 end = self._end(told(node, "ref"), told(node, "pin"), self.listed.line(entry.start))
-                if end is not None and end not in taken:
-                    taken.add(end)
-                    made.ends.append(end)
+                if end is None or taken.get(end) is made:
+                    continue
+                if end in taken:
+                    cause = f"'{told(node, 'pin')}' of '{told(node, 'ref')}' is on two nets; it was left out of '{made.name}'"
+                    self.report(
+                        "RS208", Severity.warning, cause, self.listed.line(entry.start), "export the netlist again from KiCad"
+                    )
+                    continue
+                taken[end] = made
+                made.ends.append(end)
             if len(made.ends) > 1:
                 self.made.nets.append(made)
 

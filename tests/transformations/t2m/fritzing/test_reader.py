@@ -10,6 +10,7 @@ import pytest
 from robosmi.diagnostics import Finding
 from robosmi.errors import UsageError
 from robosmi.metamodels import hardware
+from robosmi.transformations.chains.hardware import hardware as hardware_of
 from robosmi.transformations.queries.circuit import circuit_graph
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.fritzing.container import read_container
@@ -243,7 +244,23 @@ def test_damage_in_the_drawing_is_told_and_nothing_is_dropped() -> None:
     circuit, findings = read("dangling")
     assert sorted(rules_of(findings)) == ["RS206", "RS207", "RS208", "RS208"]
     assert [(c.elementId, c.title) for c in circuit.components] == [("1", "Uno"), ("2", "Arm"), ("2.2", "Twin")]
-    assert component(circuit, "Uno").connectors[-1].connectorId == "connector999"
+    lacking = next(f for f in findings if f.rule == "RS208" and "'Uno'" in f.message)
+    assert (lacking.severity.name, lacking.evidence["connectors"], bool(lacking.fix)) == ("warning", ["connector999"], True)
+    assert "connector999" not in [c.connectorId for c in component(circuit, "Uno").connectors]
+    assert net_of(circuit, "Arm", "connector1") is None
+
+
+@pytest.mark.parametrize("part", ["Arm", "Uno"])
+def test_a_connection_at_a_pin_that_the_part_lacks_is_no_mapping(part: str, tmp_path: Path) -> None:
+    """As in the drawings of all tools; two wires that end there are not joined by it."""
+    path = tmp_path / "a.fz"
+    text = (FIXTURES / "one_sided.fz").read_text(encoding="utf-8")
+    wrong = {"Arm": ("connector2", "connector99"), "Uno": ("connector52", "connector999")}[part]
+    assert [m["pin"] for m in hardware_of(FIXTURES / "one_sided.fz").result["mappings"]] == ["D9"]
+    path.write_text(text.replace(f'"{wrong[0]}"', f'"{wrong[1]}"'), encoding="utf-8")
+    made = hardware_of(path)
+    assert made.result["mappings"] == []
+    assert [f.message.partition(" is connected at ")[0] for f in made.findings if f.rule == "RS208"] == [f"'{part}'"]
 
 
 def test_a_drawing_without_a_connection_is_a_finding() -> None:

@@ -167,6 +167,43 @@ def test_a_netlist_with_pins_and_parts_that_are_not_there(tmp_path: Path) -> Non
     assert {f.rule for f in read_circuit(path)[1]} >= {"RS207", "RS208"}
 
 
+def test_a_pin_on_two_nets_of_a_netlist_is_left_out_of_the_second_and_said(tmp_path: Path) -> None:
+    text = (CACHES / "netlist" / "robot.net").read_text()
+    path = tmp_path / "robot.net"
+    path.write_text(text.replace('(node (ref "R1") (pin 2))', '(node (ref "R1") (pin 2))(node (ref "Basic Servo1") (pin 1))'))
+    assert path.read_text() != text
+    assert pins(path) == pins(CACHES / "netlist" / "robot.net")
+    assert ["is on two nets; it was left out of" in message for message in said(read_circuit(path)[1], "RS208")] == [True]
+
+
+def test_names_have_letters_that_mean_something_to_the_parser_of_lisp_and_nothing_to_kicad(tmp_path: Path) -> None:
+    path = tmp_path / "a.net"
+    path.write_text(
+        "(export (version D) (components (comp (ref A[1]) (value Arduino_UNO_R3)) (comp (ref 'D1') (value a\\b]c)))\n"
+        "(nets (net (code 1) (name N[0]) (node (ref A[1]) (pin 1)) (node (ref 'D1') (pin 2)))))"
+    )
+    circuit, _ = read_circuit(path)
+    assert [c.title for c in circuit.components] == ["A[1]", "'D1'"]
+    assert [p.value for c in circuit.components for p in c.properties if p.name == "value"] == ["Arduino_UNO_R3", "a\\b]c"]
+    assert [[(c.component.title, c.connectorId) for c in net.connectors if c.component] for net in circuit.nets] == [
+        [("A[1]", "1"), ("'D1'", "2")]
+    ]
+
+
+@pytest.mark.parametrize("deep", ["[" * 10_000, "'" * 10_000])
+def test_other_brackets_are_no_lists_however_many_there_are(deep: str, tmp_path: Path) -> None:
+    circuit, _ = read_circuit(schematic(tmp_path / "a.kicad_sch", uno(), f"(title_block (comment 1 {deep}))", led("D1", 100, 20)))
+    assert [c.title for c in circuit.components] == ["A1", "D1"]
+
+
+def test_a_field_with_a_number_of_thousands_of_digits_is_no_field(tmp_path: Path) -> None:
+    path = tmp_path / "a.sch"
+    path.write_text(
+        f'EESchema Schematic File Version 4\n$Comp\nL R R1\nU 1 1 5A\nP 10 10\nF {"9" * 5_000} "x"\n$EndComp\n$EndSCHEMATC\n'
+    )
+    assert [c.title for c in read_circuit(path)[0].components] == ["R1"]
+
+
 @pytest.mark.parametrize(
     ("text", "cause"),
     [
