@@ -116,6 +116,21 @@ def load_project(folder: Path) -> Project:
         raise SourceError(
             f"the project file cannot be read: {error}", location=Location(str(path)), fix="correct it (TOML 1.0)"
         ) from error
+    return _project(path, text, data)
+
+
+def project_in(path: Path, text: str) -> Project:
+    """What a project file says that has a text.
+
+    Raises:
+        ValueError: it is not TOML.
+        SourceError: it has a key or value that means nothing.
+    """
+    return _project(path, text, toml_of(text))
+
+
+def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
+    folder = path.parent
     _known(path, data, _TABLES, "table")
     migrate = _table(path, data, "migrate")
     _known(path, migrate, _MIGRATE, "key in [migrate]")

@@ -11,7 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TextIO
 
-from robosmi.generate.project_entries import add_to_project
+from robosmi.generate.project_entries import added_to_project
+from robosmi.model.elsewhere import Elsewhere
 from robosmi.project import FILE_NAME
 from robosmi.quoting import terminal
 
@@ -121,22 +122,27 @@ class Answers:
         self.said.setdefault("bind", {}).update(found)
         return found
 
-    def offer(self, folder: Path) -> Path | None:
-        """Offer to keep what was answered in the project file of a folder; the file, if the person wants it.
+    def offer(self, folder: Path) -> Elsewhere:
+        """Offer to keep what was answered in the project file of a folder; what the file is to hold if the person wants it.
 
         Raises:
-            SourceError: the file cannot be read or written.
+            SourceError: the file cannot be read, or would not mean the same with it.
         """
         entries = {table: values for table, values in self.said.items() if values}
         if not entries:
-            return None
-        count = sum(map(len, entries.values()))
-        print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(str(folder / FILE_NAME))}? (y, Enter: no)", file=self.out)
+            return {}
+        change = added_to_project(folder, entries)
+        if change.stays:
+            print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)
+        if not change.files:
+            return {}
+        count, place = sum(map(len, entries.values())), str(folder / FILE_NAME)
+        print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(place)}? (y, Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")
         except EOFError:
-            return None
-        return add_to_project(folder, entries) if wanted else None
+            return {}
+        return change.files if wanted else {}
 
 
 def _named(text: str, names: Sequence[str]) -> str:

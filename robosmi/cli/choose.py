@@ -9,7 +9,6 @@ from robosmi.cli.common import output_folder, pairs
 from robosmi.cli.migrate import filled
 from robosmi.errors import UsageError
 from robosmi.plugins import content
-from robosmi.project import project_of
 from robosmi.report import Report
 
 
@@ -45,5 +44,4 @@ def run(arguments: argparse.Namespace) -> Report:
         arguments.output, answers | dict.fromkeys(arguments.reopen, ""), why=arguments.why, source=arguments.source,
         dry_run=arguments.dry_run, history=arguments.history,
     )  # fmt: skip
-    project = project_of(done.project) if done.project is not None else None
-    return filled(report, done, project.severity if project is not None else {}, project.accept if project is not None else ())
+    return filled(report, done, done.settings.severity, done.settings.accept)

@@ -17,7 +17,7 @@ from typing import Any
 import anyio
 import anyio.abc
 
-from robosmi.cli.root_folder import RootFolder
+from robosmi.cli.root_folder import LONGEST, RootFolder
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
@@ -57,6 +57,9 @@ class Commands:
             command: its name.
             words: its options and arguments.
         """
+        if too_long := next((word for word in words if len(word) > LONGEST), None):
+            message = f"an argument has {len(too_long)} characters: '{too_long[:60]}...'"
+            return refusal(command, "RS901", 2, message, f"give at most {LONGEST} characters")
         own = Path(self._own.name)
         with tempfile.TemporaryDirectory(dir=own, prefix="call-") as temporary:
             program = ["robosmi.cli.confined", str(self.root.path), str(own)] if self.confined else ["robosmi"]

@@ -215,5 +215,5 @@ def _no_options(words: list[str]) -> list[str]:
         UsageError: one begins as an option does.
     """
     if odd := next((word for word in words if word.startswith("-") or not word), None):
-        raise UsageError(f"'{odd}' is no rule and no choice", fix="give a name")
+        raise UsageError(f"'{odd[:60]}' is no rule and no choice", fix="give a name")
     return words

@@ -11,6 +11,7 @@ from robosmi.cli.asking import Answers, may_ask
 from robosmi.cli.common import add_source_options, output_folder, pairs
 from robosmi.cli.progress import progress
 from robosmi.diagnostics import Finding
+from robosmi.model.recovery import recover
 from robosmi.plugins import content
 from robosmi.project import Accepted, project_of
 from robosmi.report import Report
@@ -72,8 +73,12 @@ def configure(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("migrate")
-    project = project_of(arguments.files[0])
+    if not arguments.dry_run:
+        recover(arguments.output)  # what a killed run has begun there may be a change of the project file, too
+    first = arguments.files[0]
+    project = project_of(first)
     answers = Answers() if may_ask(yes=arguments.yes, as_json=arguments.json) else None
+    beside = first if first.is_dir() else first.parent
     with progress() as told:
         done = content("chain", "migrate")(
             arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
@@ -82,10 +87,8 @@ def run(arguments: argparse.Namespace) -> Report:
             dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
             widths=arguments.widths, bench=arguments.bench, verify=arguments.verify,
             ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
+            outside=(lambda: answers.offer(beside)) if answers and not arguments.dry_run else None,
         )  # fmt: skip
-    if answers is not None and not arguments.dry_run:
-        first = arguments.files[0]
-        answers.offer(first if first.is_dir() else first.parent)
     if done.verification is not None and (code := done.verification[1]):
         report.ok, report.failure_code = False, code
     filled(report, done, project.severity, project.accept)

@@ -12,6 +12,9 @@ from pathlib import Path
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
 
+LONGEST = 4096
+"""Characters that a path may have."""
+
 
 class RootFolder:
     """The folder outside of which nothing is read or written.
@@ -40,6 +43,10 @@ class RootFolder:
         Raises:
             UsageError: it leads out of the folder, passes a link, or is no path.
         """
+        if len(text) > LONGEST:
+            raise UsageError(
+                f"'{text[:60]}...' is no path: it has {len(text)} characters", fix="name a file below the root folder"
+            )
         if not text.strip() or "\0" in text:
             raise UsageError("a path is empty, or no path", fix="name a file below the root folder")
         whole = Path(os.path.normpath(self.path / text))

@@ -1,12 +1,15 @@
 """Entries of a `robosmi.toml` that a person keeps, added, changed or taken out with everything else as it stands.
 
 tomlkit keeps comments, order and layout. What was made is read back before it is used; where that does not give what was meant,
-nothing is written. What a project file may say is `robosmi.project`'s business.
+nothing is made. Nothing is written here: the change belongs to the commit of the run that chooses (`model.commit`). What a
+project file may say is `robosmi.project`'s business.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, MutableMapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -17,46 +20,77 @@ from robosmi import inputs
 from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.model.files import write_atomic
-from robosmi.project import FILE_NAME
+from robosmi.model.elsewhere import Elsewhere
+from robosmi.project import FILE_NAME, load_project, project_in
 
 Entries = Mapping[str, Mapping[str, str | None]]
 """Table -> key -> value; None takes the key out."""
 
 
-def add_to_project(folder: Path, entries: Mapping[str, Mapping[str, str]]) -> Path:
-    """Add entries to the project file of a folder, which is made if there is none.
+@dataclass(frozen=True)
+class ProjectChange:
+    """A change of a project file, to be written in the same commit as what a run makes.
+
+    Attributes:
+        files: the file (that to which it leads where it is a link), with what it holds and what it is to hold; empty where it
+            stays as it is.
+        stays: why it stays as it is although something is to be said there; else empty.
+    """
+
+    files: Elsewhere
+    stays: str = ""
+
+
+def added_to_project(folder: Path, entries: Mapping[str, Mapping[str, str]]) -> ProjectChange:
+    """Entries that come to the project file of a folder, which is made if there is none.
 
     Args:
         folder: the folder of the program.
         entries: table -> key -> value; a key that the table has already keeps its value.
 
-    Returns:
-        The file.
-
     Raises:
-        SourceError: the file cannot be read or written, or an entry cannot be added without changing others.
+        SourceError: the file cannot be read, means nothing, or an entry cannot be added without changing others.
     """
     path = folder / FILE_NAME
     before = _values(_text(path), path)
     new = {t: {k: v for k, v in values.items() if _held(before.get(t, {}), k) is None} for t, values in entries.items()}
-    write_atomic(path, project_with(path, new).encode("utf-8"))
-    return path
+    return changed_project(folder, new)
 
 
-def project_with(path: Path, entries: Entries) -> str:
-    """The text of a project file with entries added, changed or taken out; that of a new one where there is none.
+def changed_project(folder: Path, entries: Entries) -> ProjectChange:
+    """The project file of a folder with entries added, changed or taken out; it is made if there is none and something is said.
+
+    A link stays a link: what it leads to is changed. A file that is read-only, or whose folder is, stays as it is.
 
     Raises:
-        SourceError: the file cannot be read, or an entry cannot be set without changing others.
+        SourceError: the file cannot be read, means nothing, or an entry cannot be set without changing others.
     """
+    load_project(folder)
+    path = folder / FILE_NAME
     text = _text(path)
+    made = _with_all(text, path, entries)
+    place, there = Path(os.path.realpath(path)) if path.is_symlink() else path, path.exists()
+    if made == text or not (there or any(value for values in entries.values() for value in values.values())):
+        return ProjectChange({})
+    if there and (not place.stat().st_mode & 0o222 or not os.access(place, os.W_OK)):
+        return ProjectChange({}, f"{place} is read-only")
+    if not os.access(place.parent, os.W_OK):
+        return ProjectChange({}, f"the folder {place.parent} is read-only")
+    return ProjectChange({place: (text.encode("utf-8") if there else None, made.encode("utf-8"))})
+
+
+def _with_all(text: str, path: Path, entries: Entries) -> str:
+    """The text of a project file with entries set.
+
+    Raises:
+        SourceError: the file is no TOML, or an entry cannot be set without changing others.
+    """
     before = _values(text, path)
     try:
         made = text
         for table, values in entries.items():
             made = with_entries(made, table, values)
-        right = _values(made, path) == _meant(before, entries)
+        right = _values(made, path) == _meant(before, entries) and project_in(path, made) is not None
     except (TOMLKitError, ValueError, SourceError):
         right = False
     if not right:

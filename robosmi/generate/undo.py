@@ -11,10 +11,8 @@ from __future__ import annotations
 
 import base64
 import json
-import os
 import zlib
-from collections.abc import Collection, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -26,7 +24,9 @@ from robosmi.generate.manifest import Manifest
 from robosmi.generate.places import Places
 from robosmi.inputs import SETTINGS, read_bytes
 from robosmi.model.commit import update
-from robosmi.model.files import digest, within, write_atomic
+from robosmi.model.elsewhere import Elsewhere
+from robosmi.model.elsewhere import changes as file_changes
+from robosmi.model.files import digest, within
 from robosmi.model.recovery import at_work
 from robosmi.model.runs import STATE, keep, kept
 
@@ -51,7 +51,7 @@ def keep_before(
     places: Places,
     contents: Mapping[str, bytes],
     removed: Collection[str] = (),
-    outside: Mapping[Path, tuple[bytes | None, bytes | None]] | None = None,
+    outside: Elsewhere | None = None,
 ) -> None:
     """Keep the state of a folder for a run that is about to write and remove these files; nothing where it changes nothing.
 
@@ -68,7 +68,7 @@ def keep_before(
     after: dict[str, bytes | None] = {**contents, **dict.fromkeys(removed)}
     before = {name: places.look(name) for name in sorted(after)}
     changed = [name for name in before if before[name] != after[name]]
-    beyond = {os.path.abspath(path): pair for path, pair in (outside or {}).items() if pair[0] != pair[1]}
+    beyond = {str(path): pair for path, pair in file_changes(outside or {}).items()}
     if not changed and not beyond:
         return
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
@@ -114,52 +114,15 @@ def undo(folder: Path) -> Undone:
             manifest.note(folder, contents[MANIFEST])
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
         keep_before(folder, places, contents, removed, put_back)
-        with written_outside(put_back):
-            update(folder, contents, removed, places.seen)
+        update(folder, contents, removed, places.seen, put_back)
     restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
     gone = [str(path) for path, (_, old) in put_back.items() if old is None]
     return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
 
 
-@contextmanager
-def written_outside(files: Mapping[Path, tuple[bytes | None, bytes | None]]) -> Iterator[None]:
-    """Write files outside of an output folder before what is done within this, and put them back where that fails.
-
-    Args:
-        files: path -> what it holds, and what it is to hold; None for no file.
-
-    Raises:
-        SourceError: a file cannot be written, or was changed since it was read.
-    """
-    done: list[Path] = []
-    try:
-        for path, (old, new) in files.items():
-            if _bytes(path) != old:
-                fix = "do it again"
-                raise StoppedError("it was changed meanwhile; nothing was written", location=Location(str(path)), fix=fix)
-            done.append(path)
-            _put(path, new)
-        yield
-    except BaseException:
-        for path in done:
-            _put(path, files[path][0])
-        raise
-
-
-def _put(path: Path, data: bytes | None) -> None:
-    try:
-        if data is None:
-            path.unlink(missing_ok=True)
-        elif _bytes(path) != data:
-            write_atomic(path, data)
-    except OSError as error:
-        fix = "check its permissions"
-        raise SourceError(f"cannot be written: {error.strerror}", location=Location(str(path)), fix=fix) from error
-
-
 def _bytes(path: Path) -> bytes | None:
     try:
-        return read_bytes(path, SETTINGS)
+        return read_bytes(path, SETTINGS, follow=False)
     except FileNotFoundError:
         return None
     except OSError as error:

@@ -2,7 +2,8 @@
 
 All new contents are put beside their places first, then a journal says what goes where, then they are moved; what was begun is
 finished (or thrown away, if there was no journal yet) by `recovery`, which every run calls first. So each file is the old or
-the new one, whole, at any time, and after the next run all are of one kind. A folder that is new appears in one step.
+the new one, whole, at any time, and after the next run all are of one kind. A folder that is new appears in one step. Files
+outside of the folder may belong to a commit (`elsewhere`).
 This holds when a process is killed; nothing is promised for a machine that loses power.
 """
 
@@ -13,16 +14,17 @@ import json
 import secrets
 import stat
 from collections.abc import Callable, Collection, Mapping
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import ParamSpec, TypeVar
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ChangedMeanwhileError, InternalError, SourceError, StoppedError
+from robosmi.model.elsewhere import Elsewhere, changes, drop, wait
 from robosmi.model.files import within
 from robosmi.model.open_folder import OpenFolder, in_the_way
 from robosmi.model.recovery import JOURNAL, STAGE, at_work, beside_of, finish, uninterrupted, writing
-from robosmi.model.runs import bind, forget, own_stage
+from robosmi.model.runs import alone, bind, forget, own_stage
 
 Seen = Mapping[str, bytes | None]
 """What a run has read in a folder before it decided: relative path -> bytes, None where no file was."""
@@ -48,7 +50,13 @@ def again_when_changed(run: Callable[_Given, _Made]) -> Callable[_Given, _Made]:
     return repeated
 
 
-def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = (), seen: Seen | None = None) -> None:
+def update(
+    folder: Path,
+    contents: Mapping[str, bytes],
+    removed: Collection[str] = (),
+    seen: Seen | None = None,
+    elsewhere: Elsewhere | None = None,
+) -> None:
     """Bring files of a folder up to date, all or none. A file that has its bytes already is left untouched.
 
     Args:
@@ -56,6 +64,7 @@ def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
         contents: relative path -> bytes.
         removed: relative paths of files that go.
         seen: what the run has read there; what it says nothing about is not checked.
+        elsewhere: files outside of the folder that belong to the commit.
 
     Raises:
         SourceError: the folder cannot be written, or something is in the way.
@@ -69,10 +78,16 @@ def update(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
         if folder.is_dir():
             with writing(folder), OpenFolder(folder) as held:
                 contents = {name: data for name, data in contents.items() if not held.has(name, data)}
-        commit(folder, contents, removed, seen)
+        commit(folder, contents, removed, seen, elsewhere)
 
 
-def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str] = (), seen: Seen | None = None) -> None:
+def commit(
+    folder: Path,
+    contents: Mapping[str, bytes],
+    removed: Collection[str] = (),
+    seen: Seen | None = None,
+    elsewhere: Elsewhere | None = None,
+) -> None:
     """Write and remove files of a folder, all or none.
 
     Args:
@@ -80,30 +95,34 @@ def commit(folder: Path, contents: Mapping[str, bytes], removed: Collection[str]
         contents: relative path -> bytes. The paths were checked (see `places`).
         removed: relative paths of files that go.
         seen: what the run has read there; what it says nothing about is not checked.
+        elsewhere: files outside of the folder that belong to the commit: what each holds, and what it is to hold.
 
     Raises:
-        SourceError: the folder cannot be written, or something is in the way.
+        SourceError: a folder cannot be written, or something is in the way.
         StoppedError: another run is writing there, somebody has changed a file since it was read, or a file is read-only.
     """
-    if not contents and not removed:
+    elsewhere = changes(elsewhere or {})
+    if not contents and not removed and not elsewhere:
         return
     if folder.exists() and not folder.is_dir():
         raise SourceError("the output path is a file", location=Location(str(folder)), fix="give another output folder")
     for name in (*contents, *removed):
         if not within(name) or name.partition("/")[0].casefold().startswith(STAGE):
             raise InternalError(f"'{name}' would be written outside of the output folder '{folder}', or where files wait")
-    with writing(folder):
+    with writing(folder), ExitStack() as others:
         folder.parent.mkdir(parents=True, exist_ok=True)
-        with at_work(folder):
-            if folder.exists():
-                with OpenFolder(folder) as held, held.locked():
-                    _write(held, contents, removed, seen or {})
-            else:
-                _appear(folder, contents)
+        others.enter_context(at_work(folder))
+        for around in sorted({path.parent for path in elsewhere}):
+            others.enter_context(alone(around))
+        if folder.exists():
+            with OpenFolder(folder) as held, held.locked():
+                _write(held, contents, removed, seen or {}, elsewhere)
+        else:
+            _appear(folder, contents, elsewhere)
 
 
-def _appear(folder: Path, contents: Mapping[str, bytes]) -> None:
-    """A new folder: made beside its place, moved there in one step."""
+def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: Elsewhere) -> None:
+    """A new folder: made beside its place, moved there in one step; a journal in it says what files elsewhere wait for that."""
     beside = beside_of(folder)
     _no_file_is_a_folder(folder, contents)
     with OpenFolder(folder.parent) as above:
@@ -117,14 +136,24 @@ def _appear(folder: Path, contents: Mapping[str, bytes]) -> None:
                 own_stage(beside, stage.identity())
                 for name, data in contents.items():
                     stage.write(name, data)
+                if elsewhere:
+                    run, journal = _journal({}, ())
+                    stage.write(JOURNAL, journal)
+                    wait(folder, run, elsewhere)
+                    _untouched_elsewhere(elsewhere)
+                    bind(folder, journal)
                 with uninterrupted():
-                    above.move(beside.name, folder.name)
+                    above.move(beside.name, folder.name)  # from here on the new files win
                     forget(beside)
         except BaseException:  # a person's interruption, too
             with suppress(OSError), uninterrupted():
+                drop(folder)
                 above.remove_folder(beside.name)
                 forget(beside)
             raise
+    if elsewhere:
+        with OpenFolder(folder) as held, held.locked(), uninterrupted():
+            finish(held)
 
 
 def _no_file_is_a_folder(folder: Path, names: Collection[str]) -> None:
@@ -159,7 +188,20 @@ def _untouched(held: OpenFolder, names: Collection[str], seen: Seen) -> None:
         raise kind(f"{message}; nothing was written", location=Location(f"{held.path}/{name}"), fix=fix)
 
 
-def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen) -> None:
+def _untouched_elsewhere(files: Elsewhere) -> None:
+    """The same of files outside of the folder."""
+    for path, (old, _) in files.items():
+        with OpenFolder(path.parent) as around:
+            _untouched(around, [path.name], {path.name: old})
+
+
+def _journal(moved: Mapping[str, str], removed: Collection[str]) -> tuple[str, bytes]:
+    """A name for the run, and its journal."""
+    run = secrets.token_hex(16)
+    return run, json.dumps({"run": run, "move": moved, "remove": sorted(removed)}).encode()
+
+
+def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen, elsewhere: Elsewhere) -> None:
     places = {name: f"new/{number}" for number, name in enumerate(contents)}
     _no_file_is_a_folder(held.path, contents)
     for name in contents:  # once the journal is there, every file must be moved
@@ -173,12 +215,15 @@ def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[
             for name, place in places.items():
                 there = held.look(name)
                 stage.write(place, contents[name], stat.S_IMODE(there.st_mode) if there is not None else None)
-            moved = {place: name for name, place in places.items()}
-            journal = json.dumps({"run": secrets.token_hex(16), "move": moved, "remove": sorted(removed)}).encode()
+            run, journal = _journal({place: name for name, place in places.items()}, removed)
             stage.write("journal", journal)
+            if elsewhere:
+                wait(held.path, run, elsewhere)
+                _untouched_elsewhere(elsewhere)
             _untouched(held, [*contents, *removed], seen)
     except BaseException:  # a person's interruption, too
         with suppress(OSError), uninterrupted():
+            drop(held.path)
             held.remove_folder(STAGE)
             forget(held.path / STAGE)
         raise

@@ -18,6 +18,7 @@ from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.inputs import RECORD
+from robosmi.model.elsewhere import drop, take_places
 from robosmi.model.files import within
 from robosmi.model.open_folder import OpenFolder, in_the_way
 from robosmi.model.runs import alone, forget, is_bound, is_own_stage, release
@@ -54,7 +55,7 @@ def recover(folder: Path) -> None:
     with alone(folder), writing(folder):
         if os.path.lexists(beside):
             with OpenFolder(folder.parent) as above:
-                _throw_away(above, beside.name)
+                _throw_away(above, beside.name, folder)
         if os.path.lexists(folder / STAGE):
             with OpenFolder(folder) as held, held.locked(), uninterrupted():
                 finish(held)
@@ -122,9 +123,9 @@ def finish(held: OpenFolder) -> None:
     with _stage(held, STAGE):
         pass
     if held.look(JOURNAL) is None:
-        _throw_away(held, STAGE)
+        _throw_away(held, STAGE, held.path)
         return
-    moves, removed = _journal(held)
+    moves, removed, run = _journal(held)
     for place, name in moves.items():
         try:
             held.move(f"{STAGE}/{place}", name)
@@ -133,8 +134,10 @@ def finish(held: OpenFolder) -> None:
                 raise  # moved already by the run that was killed
     for name in removed:
         held.remove(name)
+    take_places(held.path, run)
     held.remove(JOURNAL)
     release(held.path)
+    drop(held.path)
     if held.look(STAGE) is not None:  # the journal may have been all that was left
         held.remove_folder(STAGE)
     forget(held.path / STAGE)
@@ -153,8 +156,13 @@ def _stage(above: OpenFolder, name: str) -> OpenFolder:
     return above.inner(name)
 
 
-def _throw_away(above: OpenFolder, name: str) -> None:
+def _throw_away(above: OpenFolder, name: str, folder: Path) -> None:
     """Remove a folder of waiting files that a killed run has left before it had a journal, or one that is empty.
+
+    Args:
+        above: where it is.
+        name: its name.
+        folder: the output folder that the files were for.
 
     Raises:
         StoppedError: a run is at work there, or no run of this user has made it: what is in it may be a person's.
@@ -163,6 +171,7 @@ def _throw_away(above: OpenFolder, name: str) -> None:
     path = above.path / name
     with _stage(above, name) as stage, stage.locked():
         if is_own_stage(path, stage.identity()):
+            drop(folder)
             above.remove_folder(name)
             forget(path)
         elif not stage.is_empty():
@@ -175,8 +184,8 @@ def _throw_away(above: OpenFolder, name: str) -> None:
             above.remove_folder(name)
 
 
-def _journal(held: OpenFolder) -> tuple[dict[str, str], list[str]]:
-    """What a journal of this user's own says: place in the stage -> relative path, and the relative paths that go.
+def _journal(held: OpenFolder) -> tuple[dict[str, str], list[str], object]:
+    """What a journal of this user's own says: place in the stage -> relative path, the relative paths that go, the run's name.
 
     Raises:
         StoppedError: no run of this user made it for this folder, or a path of it leads out of the folder.
@@ -188,7 +197,7 @@ def _journal(held: OpenFolder) -> tuple[dict[str, str], list[str]]:
             found = json_of(data.decode())
             moves, removed = dict(found["move"]), list(found["remove"])
             if all(within(name) for name in (*moves, *moves.values(), *removed)):
-                return moves, removed
+                return moves, removed, found.get("run")
             why = "and names files outside of the folder"
     except (OSError, ValueError, KeyError, TypeError) as error:
         why = f"and cannot be read ({error})"

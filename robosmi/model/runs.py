@@ -115,13 +115,14 @@ def is_noted(path: Path, data: bytes) -> bool:
     return hashlib.sha256(data).hexdigest() in noted.split()
 
 
-STATE, SOURCES = "undo", "sources"
-"""What is kept of output folders: what one held before its last change, and where the sources of its migration lie."""
-_KEPT = {STATE: OUTPUT, SOURCES: RECORD}
+STATE, SOURCES, ELSEWHERE = "undo", "sources", "elsewhere"
+"""What is kept of output folders: what one held before its last change, where the sources of its migration lie, and which files
+outside of it wait for the commit that is going on."""
+_KEPT = {STATE: OUTPUT, SOURCES: RECORD, ELSEWHERE: RECORD}
 
 
 def keep(folder: Path, what: str, text: str) -> None:
-    """Keep something of an output folder (`STATE` or `SOURCES`) in the user's data.
+    """Keep something of an output folder (`STATE`, `SOURCES` or `ELSEWHERE`) in the user's data.
 
     Raises:
         SourceError: there is no place for it.
@@ -137,6 +138,11 @@ def kept(folder: Path, what: str) -> str:
         ValueError: it is no text.
     """
     return read_text(_place(os.path.realpath(folder), what), _KEPT[what])
+
+
+def unkeep(folder: Path, what: str) -> None:
+    """Forget what `keep` kept of an output folder."""
+    _place(os.path.realpath(folder), what).unlink(missing_ok=True)
 
 
 def own_stage(folder: Path, found: os.stat_result | None = None) -> None:

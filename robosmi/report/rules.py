@@ -23,6 +23,8 @@ FOLDER = "rules"
 """Where in a folder of platform data the files of rules are."""
 _TEXTS = ("name", "meaning", "do", "example")
 _KEYS = {*_TEXTS, "severity", "says", "exit_code"}
+_LONGEST = 100
+"""Characters that a name of a rule may have where one is looked for."""
 _FENCE = re.compile(r"^```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -100,6 +102,9 @@ def rule_called(word: str, rules: dict[str, FindingRule]) -> FindingRule:
     Raises:
         UsageError: no rule is called so; the error names those that come nearest.
     """
+    if len(word) > _LONGEST:
+        message = f"no rule is called '{word[:_LONGEST]}...', a name of {len(word)} characters"
+        raise UsageError(message, fix="robosmi explain, without a rule, lists all")
     wanted = _plain(word)
     known = {_plain(rule.id): rule for rule in rules.values()} | {_plain(rule.name): rule for rule in rules.values()}
     if rule := known.get(wanted) or known.get(f"rs{wanted}"):

@@ -11,7 +11,7 @@ import pytest
 
 from robosmi.cli.asking import Answers, ask_libraries, ask_ports, may_ask
 from robosmi.errors import SourceError
-from robosmi.generate.project_entries import add_to_project, with_entries
+from robosmi.generate.project_entries import added_to_project, with_entries
 from robosmi.plugins import content
 from robosmi.project import defaults, load_project
 from robosmi.recommend.history import History
@@ -104,9 +104,10 @@ def test_answers_for_ports_are_taken_and_kept_in_the_project_file(line_follower:
     project.write_text(text.replace('leftQTI = "D10"\n', ""))
     replies = iter(["D10", "y"])
     answers = Answers(answer=lambda _: next(replies), out=io.StringIO())
-    made = content("chain", "migrate")([line_follower], tmp_path / "out", ask_ports=answers.ports)
+    made = content("chain", "migrate")(
+        [line_follower], tmp_path / "out", ask_ports=answers.ports, outside=lambda: answers.offer(line_follower.parent)
+    )
     assert {b.name: b.choice for b in made.models.plan.portBindings}["leftQTI"] == "HIH40302ReadP1"
-    assert answers.offer(line_follower.parent) == project
     kept = project.read_text()
     assert load_project(project.parent).bind["leftQTI"] == "D10"
     assert [line for line in text.splitlines() if "#" in line] == [line for line in kept.splitlines() if "#" in line]
@@ -133,7 +134,7 @@ def test_a_file_in_which_entries_would_change_others_stays_as_it_is(text: str, t
     path = tmp_path / "robosmi.toml"
     path.write_text(text)
     with pytest.raises(SourceError):
-        add_to_project(tmp_path, {"bind": {"LED": "D8"}})
+        added_to_project(tmp_path, {"bind": {"LED": "D8"}})
     assert path.read_text() == text
 
 
@@ -147,7 +148,9 @@ def test_a_file_in_which_entries_would_change_others_stays_as_it_is(text: str, t
 )
 def test_entries_are_added_in_whatever_form_the_table_has(text: str, made: str, tmp_path: Path) -> None:
     (tmp_path / "robosmi.toml").write_text(text)
-    assert add_to_project(tmp_path, {"bind": {"LED": "D8"}}).read_text() == made
+    files = added_to_project(tmp_path, {"bind": {"LED": "D8"}}).files
+    new = dict(files).get(tmp_path / "robosmi.toml", (b"", text.encode()))[1]
+    assert new == made.encode()
 
 
 def test_a_role_of_a_library_is_set_where_toml_takes_it_for_a_table() -> None:

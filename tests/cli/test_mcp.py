@@ -163,6 +163,21 @@ def test_words_are_no_options(commands: Commands) -> None:
     ask(commands, talk)
 
 
+def test_arguments_that_nobody_means_are_refused_shortly(commands: Commands) -> None:
+    async def talk(call: Call) -> None:
+        long = "x" * 2_000_000
+        for name, arguments in (
+            ("explain", {"rule": long}), ("explain", {"rule": f"-{long}"}), ("choose", {"out": "out", "answers": {long: "D9"}}),
+            ("choose", {"out": "out", "answers": {"eye": "D9"}, "why": long}), ("analyse", {"files": [long]}),
+            ("migrate", {"files": ["blink.c"], "out": "out", "bind": [f"eye={long}"]}),
+        ):  # fmt: skip
+            answer = await call(name, **arguments)
+            assert answer["exit_code"] == 2
+            assert len(str(answer)) < 1000
+
+    ask(commands, talk)
+
+
 def compiled_thief(commands: Commands) -> str:
     """All that is said of a sketch that includes the secret."""
     root = commands.root.path

@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import json
 import os
+import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from threading import Thread
@@ -158,6 +159,24 @@ def test_a_link_in_the_folder_leads_to_no_text_from_elsewhere(out: Path, tmp_pat
     outcome = run("report", out, "-o", tmp_path / "report.html")
     assert outcome.code == 3
     assert not (tmp_path / "report.html").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize("what", ["the plan", "the models' folder", "the picture", "the record"])
+def test_no_link_in_the_folder_shows_another_migration(what: str, out: Path, tmp_path: Path) -> None:
+    other = tmp_path / "blink" / "other"
+    shutil.copytree(out, other)
+    names = {"the plan": "models/plan.xmi", "the models' folder": "models", "the picture": "models/verification.svg"}
+    place = out / names.get(what, ".robosmi.json")
+    if what == "the models' folder":
+        shutil.rmtree(place)
+    else:
+        place.unlink(missing_ok=True)
+    place.symlink_to(other / place.relative_to(out))
+    outcome = run("report", out, "-o", tmp_path / "report.html")
+    assert outcome.code == 3, outcome.err
+    assert "link" in outcome.err
+    assert run("open", out, "--no-browser", "--json").code == 3
 
 
 def test_templates_in_the_folder_are_not_run(out: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -112,6 +112,13 @@ def test_explain_of_an_unknown_rule_is_wrong_usage() -> None:
     assert "RS230 (ShortCircuit)" in outcome.err
 
 
+def test_a_name_that_no_rule_can_have_is_refused_shortly() -> None:
+    outcome = run("explain", "number-too-wide" * 7000)
+    assert outcome.code == 2
+    assert "a name of 105000 characters" in outcome.err
+    assert len(outcome.err) < 400
+
+
 def test_a_project_describes_rules_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     own = tmp_path / ".robosmi" / "platform_repo" / "rules"
     own.mkdir(parents=True)

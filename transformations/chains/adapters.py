@@ -20,7 +20,7 @@ from robosmi.metamodels import migration, platform
 from robosmi.model.files import write_atomic
 from robosmi.project import FILE_NAME, defaults, load_project
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.chains.models import FOLDER, PLAN, load_models
+from robosmi.transformations.chains.models import stored_models
 from robosmi.transformations.chains.own_adapters import check_saved
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, AdapterPiece, adapter_file
@@ -150,7 +150,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         SourceError: the folder has no plan, or there is no project file for `project`.
         PlatformDataError: an adapter file that is there is wrong, or a body makes none or does not compile.
     """
-    plan = load_models(output / FOLDER / PLAN).plan
+    plan = stored_models(output).plan
     folder = _folder(output, whose)
     ending = ENDING_OF[str(plan.target.language) if plan.target is not None else "C++"]
     texts = [inputs.read_text(path, inputs.SOURCE) for path in _sources(output / str(plan.name))]

@@ -17,7 +17,7 @@ from robosmi.generate.places import Places
 from robosmi.model.files import digest
 from robosmi.model.runs import alone
 from robosmi.transformations.chains.edited_plan import STORED, only_choices_differ
-from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.models import stored_models
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.m2m.stored_choices import GONE, NOTHING, StoredChoices, choices_of_persons
@@ -57,7 +57,7 @@ def adopt(output: Path) -> Adopted:
         if manifest.files.get(STORED) == digest(data) and b'chosenBy="person"' not in data:
             return Adopted(inputs=read)
         try:
-            models = load_models(place)
+            models = stored_models(output)
             refuse_nonsense(models.plan)
             settle(models.plan, models.files)
         except RobosmiError as error:

@@ -17,17 +17,17 @@ from typing import Any
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
 from robosmi.generate.places import Places
-from robosmi.generate.project_entries import key_of, project_with
-from robosmi.inputs import SETTINGS, read_bytes
+from robosmi.generate.project_entries import ProjectChange, changed_project, key_of
 from robosmi.metamodels import migration
+from robosmi.model.commit import again_when_changed
 from robosmi.model.files import digest
 from robosmi.model.recovery import at_work, look_only
 from robosmi.model.runs import alone
-from robosmi.project import FILE_NAME, load_project
+from robosmi.project import FILE_NAME, Project, load_project
 from robosmi.query import Q
 from robosmi.transformations.chains.edited_plan import STORED
 from robosmi.transformations.chains.migrate import migrate
-from robosmi.transformations.chains.models import MigrationModels, load_models
+from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.renewed import renew_findings
 from robosmi.transformations.chains.sources import last_run, project_folder
@@ -54,11 +54,13 @@ class Chosen(Generated):
     Attributes:
         chosen: the identities of what was chosen, with their values; an empty value leaves the choice open again.
         project: the project file that has the values, too; None where there is none.
+        settings: what the project file beside the sources says.
         command: what to type for the same.
     """
 
     chosen: dict[str, str] = field(default_factory=dict)
     project: Path | None = None
+    settings: Project = field(default_factory=Project)
     command: str = ""
 
     def result(self) -> dict[str, Any]:
@@ -84,6 +86,7 @@ class Chosen(Generated):
         return [*lines, *self.diff.splitlines()]
 
 
+@again_when_changed
 def choose(
     output: str | Path,
     answers: Mapping[str, str],
@@ -108,7 +111,7 @@ def choose(
 
     Raises:
         UsageError: there is no such choice or value.
-        SourceError: the folder holds no plan, or it cannot be read or written.
+        SourceError: the folder holds no plan, or it or the project file cannot be read, or the folder not be written.
         StoppedError: the plan is not the one that was seen, another run is at work, or a person's edit would be lost.
     """
     folder = Path(output)
@@ -121,7 +124,7 @@ def choose(
     with alone(folder) if dry_run else at_work(folder):
         data = Places(folder).read(STORED) or b""
         _hold(folder, data, seen)
-        models = load_models(folder / STORED)
+        models = stored_models(folder)
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         chosen = {}
@@ -132,13 +135,16 @@ def choose(
         settle(models.plan, models.files)
         renew_findings(models.plan)
         place, reason = project_folder(folder, models.plan, Path(source) if source is not None else None)
-        project = place / FILE_NAME if place is not None else None
-        outside = _project_change(models, chosen, project) if project is not None else {}
-        made = produce(models, folder, inputs={STORED: data}, outside=outside, dry_run=dry_run, diff=True)
-    if project is None:
-        models.notes.append(_stays(folder, reason))
+        settings, change = Project(), ProjectChange({}, reason)
+        if place is not None:
+            settings = load_project(place)
+            change = _project_change(models, chosen, place, settings)
+        made = produce(models, folder, inputs={STORED: data}, outside=change.files, dry_run=dry_run, diff=True)
+    if change.stays:
+        models.notes.append(_stays(folder, change.stays, known=place is not None))
     remember(made, history)
-    return Chosen(**vars(made), chosen=chosen, project=project, command=command_for(folder, chosen, why))
+    project = place / FILE_NAME if place is not None and not change.stays else None
+    return Chosen(**vars(made), chosen=chosen, project=project, settings=settings, command=command_for(folder, chosen, why))
 
 
 def _hold(folder: Path, data: bytes, seen: str | None) -> None:
@@ -163,7 +169,7 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
     """
     with alone(folder) if dry_run else at_work(folder):
         _hold(folder, Places(folder).read(STORED) or b"", seen)
-        models = load_models(folder / STORED)
+        models = stored_models(folder)
         place, reason = project_folder(folder, models.plan)
         run = last_run(folder)
         components = {f"{ROLE}{c.elementId}": c for c in (models.circuit.components if models.circuit is not None else ())}
@@ -181,16 +187,19 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
             entries = ", ".join(f'"{name}" = "{role}"' for name, role in said.items())
             fix = f"write under [roles] in {FILE_NAME} beside the program: {entries}; then migrate again"
             raise SourceError(f"a role is read with the drawing: {reason}", location=Location(str(folder / STORED)), fix=fix)
-        project = place / FILE_NAME
+        known, project = load_project(place), place / FILE_NAME
         entries_now = {key_of(project, "roles", (name,), name): role for name, role in said.items()}
-        old = read_bytes(project, SETTINGS) if project.exists() else None
-        outside = {project: (old, project_with(project, {"roles": entries_now}).encode("utf-8"))}
-        known = load_project(place)
+        change = changed_project(place, {"roles": entries_now})
+        if change.stays:
+            fix = "make it writable, then choose again"
+            raise SourceError(f"a role is kept there, and {change.stays}", location=Location(str(project)), fix=fix)
         roles = {name: role for name, role in {**known.roles, **entries_now}.items() if role is not None}
         files, arguments = run
-        made = migrate(files, folder, project=replace(known, roles=roles), outside=outside, dry_run=dry_run, **arguments)
+        made = migrate(
+            files, folder, project=replace(known, roles=roles), outside=lambda: change.files, dry_run=dry_run, **arguments
+        )
     chosen = dict(answers)
-    return Chosen(**vars(made), chosen=chosen, project=project, command=command_for(folder, chosen))
+    return Chosen(**vars(made), chosen=chosen, project=project, settings=known, command=command_for(folder, chosen))
 
 
 def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str = "") -> None:
@@ -247,20 +256,20 @@ def _library(plan: migration.MigrationPlan, name: str) -> Any:
     return Q(plan.target.libraries).select_one(lambda library: library.name == chosen.name)
 
 
-def _project_change(
-    models: MigrationModels, chosen: Mapping[str, str], project: Path
-) -> dict[Path, tuple[bytes | None, bytes | None]]:
-    """The project file with what was chosen: what it holds, and what it is to hold."""
+def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: Path, settings: Project) -> ProjectChange:
+    """The project file of a folder with what was chosen, and why it stays as it is where it has to."""
     entries: dict[str, dict[str, str | None]] = {}
     for identity, value in chosen.items():
         decision = the_choice(models.plan, identity).decision
         how = answer(models.plan, decision)
-        key = key_of(project, how.table, names_of(decision), how.subject)
+        key = key_of(folder / FILE_NAME, how.table, names_of(decision), how.subject)
         entries.setdefault(how.table, {})[key] = value or None
-    old = read_bytes(project, SETTINGS) if project.exists() else None
-    if old is None and not any(value for values in entries.values() for value in values.values()):
-        return {}
-    return {project: (old, project_with(project, entries).encode("utf-8"))}
+    change = changed_project(folder, entries)
+    tables = {"bind": settings.bind, "libraries": settings.libraries}
+    others = [f'{key} = "{tables[t][key]}"' for t, values in entries.items() for key in values if key in tables[t]]
+    if change.stays and others:
+        return replace(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
+    return change
 
 
 def names_of(decision: migration.Decision) -> tuple[str, ...]:
@@ -271,9 +280,11 @@ def names_of(decision: migration.Decision) -> tuple[str, ...]:
     return (str(component.title), f"#{component.elementId}") if component is not None else ()
 
 
-def _stays(folder: Path, reason: str) -> Finding:
+def _stays(folder: Path, reason: str, *, known: bool) -> Finding:
+    """Says that a choice is in the plan alone; `known` where the project file is known and only not to be written."""
     message = f"the choice is in the plan alone, not in {FILE_NAME}: {reason}"
-    fix = "give --source FILE, or migrate again from the sources; the choice is taken over from the plan"
+    way = "make it writable and choose again" if known else "give --source FILE, or migrate again from the sources"
+    fix = f"{way}; the choice is taken over from the plan"
     return Finding(STAYS, Severity.info, message, Location(str(folder / STORED)), fix=fix)
 
 

@@ -20,6 +20,8 @@ from robosmi.errors import UsageError
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.commit import again_when_changed
+from robosmi.model.elsewhere import Elsewhere
+from robosmi.model.recovery import recover
 from robosmi.plugins import content
 from robosmi.project import Project, defaults, project_of
 from robosmi.recommend.history import ForgivingHistory
@@ -31,7 +33,7 @@ from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
 from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.library_steps import earlier, library_decisions, ranker
 from robosmi.transformations.chains.models import MigrationModels
-from robosmi.transformations.chains.output import Generated, Outside, produce, remember
+from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters
 from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
@@ -336,7 +338,7 @@ def migrate(
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
     verify: bool = False,
-    outside: Outside | None = None,
+    outside: Callable[[], Elsewhere] | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> Generated:
@@ -352,13 +354,15 @@ def migrate(
         ask: asks a person: open choices (`libraries[]` of the contract) -> component -> library; None to ask nobody.
         ask_ports: the same for ports: open ones (`bindings[]` of the contract), what may be answered -> port -> pin.
         verify: compare what was made with the original at the end; the verdict is a finding of the plan.
-        outside: files elsewhere that belong to the run; see `produce`.
+        outside: asked, once persons have answered, for the files elsewhere that belong to the run; see `produce`.
 
     Raises:
         SourceError: an input cannot be read or used, or the output cannot be written.
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
+    if not dry_run:
+        recover(Path(output))  # what a killed run has begun there may be a change of the project file, too
     chosen, adopted = dict(libraries or {}), adopt(Path(output))
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
@@ -377,7 +381,8 @@ def migrate(
                 run.give(bind={**(bind or {}), **pins})
                 models = run.value("models")
         models.notes += adopted.notes
-        made = produce(models, Path(output), inputs=adopted.inputs, outside=outside, dry_run=dry_run, strict=strict)
+        beyond = outside() if outside is not None else {}
+        made = produce(models, Path(output), inputs=adopted.inputs, outside=beyond, dry_run=dry_run, strict=strict)
     if made.written:
         told: dict[str, Any] = {
             "hardware": Path(hardware) if hardware is not None else None,

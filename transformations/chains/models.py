@@ -117,6 +117,23 @@ def load_models(path: Path) -> MigrationModels:
     return MigrationModels(plan, program, plan.circuit, repository, files, places)
 
 
+def stored_models(output: Path) -> MigrationModels:
+    """Read the plan that an output folder holds, with its models and sources; nothing outside of the folder is read.
+
+    Raises:
+        SourceError: the plan lies outside of the folder, by a link, or as for `load_models`.
+        ModelError: a model contradicts its metamodel.
+    """
+    path = output / FOLDER / PLAN
+    root = os.path.realpath(output)
+    if os.path.commonpath([os.path.realpath(path), root]) != root:
+        raise SourceError(
+            "the plan lies outside of the output folder, by a link", location=Location(str(path)),
+            fix="put a copy of it and its models into the folder, or make the plan again with migrate",
+        )  # fmt: skip
+    return load_models(path)
+
+
 def _checked(path: Path, entry: migration.Input) -> bytes:
     file = path.parent / entry.path
     root = os.path.realpath(path.parent)

@@ -22,9 +22,10 @@ from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, refo
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.record import Record
 from robosmi.generate.text_form import read
-from robosmi.generate.undo import keep_before, written_outside
+from robosmi.generate.undo import keep_before
 from robosmi.metamodels import migration, trace
 from robosmi.model.commit import update
+from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.recovery import at_work, look_only
 from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
@@ -40,8 +41,6 @@ from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
 
-Outside = Mapping[Path, tuple[bytes | None, bytes | None]]
-"""Files outside of an output folder that a run writes: what each holds, and what it is to hold."""
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
 KINDS = {
@@ -138,7 +137,7 @@ def produce(
     output: Path,
     *,
     inputs: Mapping[str, bytes | None] | None = None,
-    outside: Outside | None = None,
+    outside: Elsewhere | None = None,
     dry_run: bool = False,
     strict: bool = False,
     diff: bool = False,
@@ -207,8 +206,7 @@ def produce(
             everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
             keep_before(output, places, everything, going, outside)
             manifest.note(output, everything[MANIFEST])
-            with written_outside(outside or {}):
-                update(output, everything, going, places.seen)
+            update(output, everything, going, places.seen, outside)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     changes = _diff(places, contents, going, "would change" if dry_run else "changed") if dry_run or diff else ""
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=changes)

@@ -22,7 +22,7 @@ from robosmi.model.recovery import at_work
 from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.edited_plan import STORED
 from robosmi.transformations.chains.generate import generate
-from robosmi.transformations.chains.models import FOLDER, MigrationModels, load_models
+from robosmi.transformations.chains.models import FOLDER, MigrationModels, stored_models
 from robosmi.transformations.m2t import page_code, page_sections
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.choices import choices
@@ -77,7 +77,7 @@ class PlanPage:
             SourceError, ModelError: the plan cannot be read.
         """
         if not live or not self.sections or self.plan != self.now():
-            self._make(load_models(self.output / STORED), live=live)
+            self._make(stored_models(self.output), live=live)
         return str(
             self._templates.text(
                 "page.html.j2", live=live, plan=self.plan, head=_head(live, nonce), foot=_script(nonce),
@@ -106,7 +106,7 @@ class PlanPage:
             state, message = "refused", _told(error)
         try:
             if self.plan != self.now():
-                self._make(load_models(self.output / STORED))
+                self._make(stored_models(self.output))
         except RobosmiError as error:
             return {"state": "refused", "message": _told(error)}
         same = before[1] if shown == before[0] else {}
@@ -144,7 +144,7 @@ class PlanPage:
 
     def _tick(self, key: str, *, done: bool) -> None:
         """Tick something on the bench's list in the report, and let the plan know."""
-        models = load_models(self.output / STORED)
+        models = stored_models(self.output)
         places, name = Places(self.output), f"{models.plan.name}/{REPORT}"
         text = (places.look(name) or b"").decode("utf-8", AS_BYTES)
         wanted = tuple(key.split(" ", 1))

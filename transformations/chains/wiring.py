@@ -20,7 +20,7 @@ from robosmi.model.commit import update
 from robosmi.model.files import write_atomic
 from robosmi.plugins import content
 from robosmi.query import Q
-from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
+from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.m2m.wokwi_wiring import wokwi_wiring
 from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.pin_table import pin_table
@@ -66,7 +66,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
         SourceError: there is no plan, it has no drawing, or the form cannot say it.
         StoppedError: a file in the folder is there already and is another.
     """
-    models = load_models(output / FOLDER / PLAN)
+    models = stored_models(output)
     makes: Callable[[MigrationModels, Path, Path], Handed] = content(FORM, form)
     made = makes(models, output, path)
     if "" in made.files:

@@ -1,0 +1,147 @@
+"""What becomes of a choice where the project file is a link, read-only, not to be read, or not there: nothing is half-written."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.cli.asking import Answers
+from robosmi.generate.undo import undo
+from robosmi.plugins import content
+from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.page import PlanPage
+from tests.running import run, tree
+
+PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
+SETTINGS = '# mine\n[migrate]\ntarget = "uno"\n'
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    """A folder with a program, its project file, and its migration in `out`."""
+    folder = tmp_path / "robot"
+    folder.mkdir()
+    (folder / "blink.c").write_text(PROGRAM)
+    (folder / "robosmi.toml").write_text(SETTINGS)
+    robosmi.migrate([folder / "blink.c"], folder / "out")
+    return folder
+
+
+def in_plan(robot: Path) -> tuple[str, str]:
+    """What the plan says of the port, and who said so."""
+    (binding,) = load_models(robot / "out" / "models" / "plan.xmi").plan.portBindings
+    return str(binding.choice), str(binding.chosenBy.name)
+
+
+def test_a_linked_project_file_is_written_through_and_stays_a_link(robot: Path, tmp_path: Path) -> None:
+    shared = tmp_path / "shared.toml"
+    project = robot / "robosmi.toml"
+    project.rename(shared)
+    project.symlink_to("../shared.toml")
+    outcome = run("choose", robot / "out", "eye=D9", "--json")
+    assert outcome.code == 0, outcome.err
+    assert "RS415" not in outcome.rules()
+    assert project.is_symlink()
+    assert shared.read_text() == f'{SETTINGS}\n[bind]\neye = "D9"\n'
+    assert in_plan(robot) == ("D9", "person")
+    assert str(shared) in undo(robot / "out").restored
+    assert project.is_symlink()
+    assert shared.read_text() == SETTINGS
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["robot", "shared.toml"]
+
+
+@pytest.mark.parametrize("what", ["the file", "its folder"])
+def test_where_it_is_read_only_the_choice_stays_in_the_plan_and_that_is_said(
+    what: str, robot: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = robot / "robosmi.toml"
+    project.write_text(f'{SETTINGS}[bind]\neye = "D4"\n')
+    if what == "the file":
+        project.chmod(0o444)
+    else:  # root may write into any folder, so that the system is not asked
+        monkeypatch.setattr(
+            "robosmi.generate.project_entries.os.access", lambda path, _, **more: bool(more) or Path(path) != robot
+        )
+    outcome = run("choose", robot / "out", "eye=D9", "--json")
+    assert outcome.code == 0, outcome.err
+    (said,) = [f for f in outcome.document["findings"] if f["rule"] == "RS415"]
+    assert f'{project if what == "the file" else robot} is read-only, and says eye = "D4", which counts' in said["message"]
+    assert said["fix"].startswith("make it writable and choose again")
+    assert outcome.result["project_file"] is None
+    page = PlanPage(robot / "out")
+    page.document(live=True, nonce="x")
+    told = page.act("choose", {"id": "port:eye", "value": "D10", "plan": page.plan})
+    assert told["state"] == "saved"
+    assert "in the plan alone" in told["message"]
+    assert in_plan(robot) == ("D10", "person")
+    assert project.read_text() == f'{SETTINGS}[bind]\neye = "D4"\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[bind\n", "line 1"),
+        ("[binds]\n", "'binds' is no table"),
+        ('bind = "D9"\n', "[bind]"),
+        ("[bind]\neye = 3\n", "[bind] must hold texts only"),
+        ("\xff", "cannot be read"),
+    ],
+)
+def test_one_that_means_nothing_stops_before_anything_is_written(text: str, said: str, robot: Path) -> None:
+    (robot / "robosmi.toml").write_bytes(text.encode("latin-1"))
+    before = tree(robot)
+    page = PlanPage(robot / "out")
+    page.document(live=True, nonce="x")
+    told = page.act("choose", {"id": "port:eye", "value": "D9", "plan": page.plan})
+    assert (told["state"], said in told["message"]) == ("refused", True)
+    words: list[list[str | Path]] = [["choose", robot / "out", "eye=D9"], ["migrate", robot / "blink.c", "-o", robot / "out"]]
+    for command in words:
+        outcome = run(*command)
+        assert outcome.code == 3
+        assert said in outcome.err
+    assert tree(robot) == before
+
+
+def test_a_link_that_leads_nowhere_stops_before_anything_is_written(robot: Path) -> None:
+    (robot / "robosmi.toml").unlink()
+    (robot / "robosmi.toml").symlink_to("gone.toml")
+    before = tree(robot / "out")
+    outcome = run("choose", robot / "out", "eye=D9")
+    assert outcome.code == 3
+    assert "a link to a file that is not there" in outcome.err
+    assert tree(robot / "out") == before
+    assert not (robot / "gone.toml").exists()
+
+
+def test_the_mode_and_the_line_ends_of_the_file_stay(robot: Path) -> None:
+    project = robot / "robosmi.toml"
+    project.write_bytes(SETTINGS.replace("\n", "\r\n").encode())
+    project.chmod(0o640)
+    assert run("choose", robot / "out", "eye=D9").code == 0
+    assert project.stat().st_mode & 0o777 == 0o640
+    assert project.read_bytes() == f'{SETTINGS}\n[bind]\neye = "D9"\n'.replace("\n", "\r\n").encode()
+
+
+@pytest.mark.parametrize("kept", ["y", ""])
+def test_what_is_answered_at_a_prompt_is_written_with_the_plan_and_undone_with_it(kept: str, robot: Path) -> None:
+    replies = iter(["D9", kept])
+    answers = Answers(answer=lambda _: next(replies), out=io.StringIO())
+    before = tree(robot)
+    content("chain", "migrate")([robot / "blink.c"], robot / "out", ask_ports=answers.ports, outside=lambda: answers.offer(robot))
+    assert in_plan(robot) == ("D9", "person")
+    assert ('eye = "D9"' in (robot / "robosmi.toml").read_text()) == (kept == "y")
+    undo(robot / "out")
+    assert tree(robot) == before
+
+
+def test_a_prompt_does_not_offer_what_cannot_be_kept(robot: Path) -> None:
+    (robot / "robosmi.toml").chmod(0o444)
+    out = io.StringIO()
+    replies = iter(["D9"])
+    answers = Answers(answer=lambda _: next(replies), out=out)
+    content("chain", "migrate")([robot / "blink.c"], robot / "out", ask_ports=answers.ports, outside=lambda: answers.offer(robot))
+    assert "kept in the plan alone" in out.getvalue()
+    assert in_plan(robot) == ("D9", "person")
