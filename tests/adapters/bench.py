@@ -30,6 +30,7 @@ NOTHING_TO_DO = {
     "simpletools.h/ee_config",  # the memory is in the microcontroller and has no pins
     "abdrive360.h/drive_suppress_eeprom",  # nothing of the drive is kept in it
     "servo360.h/servo360_monitorRun", "servo360.h/servo360_monitorEnd",  # the library as it is shipped leaves its monitor out
+    "pthread.h/pthread_set_affinity_thiscog_np",  # a thread never leaves its cog here
 }  # fmt: skip
 """Adapters with empty bodies, with the reason: no case tells them from broken ones."""
 

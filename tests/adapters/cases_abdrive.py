@@ -79,6 +79,8 @@ void loop() {{}}
     began = [at for at, _ in trace.pulses("D5")]
     gaps = [late - early for early, late in pairwise(began)][2:]  # it begins with two pulses, and stands until the first speed
     assert gaps == pytest.approx([20_000] * len(gaps), abs=12)
+    left, right = ([width for _, width in trace.pulses(pin)][5:] for pin in ("D5", "D6"))
+    assert max(left) - min(left) > 1.5 * (max(right) - min(right))  # the left wheel alone changes its speed again and again
 
 
 @proves(*d("goto", "getTicks", "gotoMode", "gotoStatus", "encoderPins"))

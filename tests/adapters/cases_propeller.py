@@ -77,7 +77,7 @@ void setup() { Serial.begin(115200);
 @proves(*p("waitpeq"), in_c=False)  # there a change reaches the pins with the next wait
 def one_bit_of_a_register_takes_little_time(uno: Uno) -> None:
     program = """
-void setup() { DIRA |= 1L << 26; waitpeq(1 << 5, 1 << 5);
+void setup() { DIRA |= 1L << 26; waitpeq(1 << 5, 3 << 5);
   for (uint8_t turn = 0; turn < 10; turn++) { OUTA |= 1L << 26; OUTA &= ~(1L << 26); } OUTA ^= 1L << 26; OUTA ^= 1L << 26; }
 void loop() {}
 """
@@ -159,3 +159,14 @@ void loop() {}
     told = [int(each) for each in trace.text.split()]
     assert told[:9] == [1, 5, 120, -1, 3, 0, -1, -1, 0]
     assert told[9:] == [pytest.approx(22, abs=1), pytest.approx(30, abs=1)]
+
+
+@proves(*b("rev"))
+def the_lower_bits_are_turned_round(uno: Uno) -> None:
+    program = """
+void show(int32_t value) { Serial.print((uint32_t)value, HEX); Serial.print(' '); }
+void setup() { Serial.begin(115200); show(__builtin_propeller_rev(0x73, 28)); show(__builtin_propeller_rev(1, 0));
+  show(__builtin_propeller_rev(6, 33)); }
+void loop() {}
+"""
+    assert uno.run(program, b("rev"), 20).text.split() == ["C", "80000000", "30000000"]

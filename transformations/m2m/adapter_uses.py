@@ -22,6 +22,8 @@ from robosmi.transformations.queries.signature_text import declare, nothing, par
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
 """Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""
+_BUILTIN = "__builtin_"
+"""How names of functions that a compiler has without a header begin: the target's compiler may have one of the same name."""
 
 
 def called_functions(
@@ -42,6 +44,7 @@ def called_functions(
         for function in [*view.called().values(), *_referenced(view)]:
             there = function.header in target.standard_headers and function.name not in names.absent
             there = there and not _RESERVED.match(function.name) and not adapts(function.name, function.header)
+            there = there or (function.entry is None and function.name in names.same)
             if there or function.name in own or (function.entry is None and not function.calls):
                 continue
             known = found.get(function.name)
@@ -147,7 +150,8 @@ def adapter(
     if target.language == PLAIN_C:  # where a definition names its parameters, and "..." follows one
         wide = wide.named(reserved)
         wide = Signature(wide.name, wide.returns, wide.parameters, wide.variadic and bool(wide.parameters))
-    if not kept and name in names.declared | names.macros:
+    of_the_compiler = function is None and name.startswith(_BUILTIN)
+    if not kept and (of_the_compiler or name in names.declared | names.macros):
         wide = Signature(f"{source}_{name}", wide.returns, wide.parameters, wide.variadic)
     return migration.AdapterUse(
         name=name, signature=raw, targetName=wide.name, result=target_type(wide.returns, own, target.language),

@@ -547,6 +547,19 @@ inline int32_t __builtin_propeller_lockclr(int32_t lockid) {
   return lockclr(lockid);
 }
 
+//# adapter __builtin_propeller_rev
+//#   for: int __builtin_propeller_rev(int value, int cleared)
+//#   kind: oneToMany
+//#   fidelity: the lower 32 less `cleared` bits the other way round, the others 0; five bits of `cleared` count, as in the instruction
+inline int32_t __builtin_propeller_rev(int32_t value, int32_t cleared) {
+  uint32_t left = value, turned = 0;
+  for (uint8_t bits = 32 - (cleared & 31); bits > 0; bits--) {
+    turned = turned << 1 | (left & 1);
+    left >>= 1;
+  }
+  return turned;
+}
+
 //# adapter __builtin_propeller_cogid
 //#   for: int __builtin_propeller_cogid(void)
 //#   mcu: atmega328p atmega32u4 atmega2560

@@ -19,6 +19,12 @@ void __builtin_propeller_waitpne(unsigned int state, unsigned int mask) {
   host_wait_pins(mask, state, 0, HOST_NEVER);
 }
 
+int __builtin_propeller_rev(int value, int cleared) {
+  unsigned turned = 0;
+  for (int bit = 0, bits = 32 - (cleared & 31); bit < bits; bit++) turned |= ((unsigned)value >> bit & 1) << (bits - 1 - bit);
+  return turned;
+}
+
 int cogstart(void (*function)(void *), void *parameter, void *stack, size_t size) {
   (void)stack, (void)size;
   host_call();
