@@ -70,7 +70,7 @@ def answered(
             told = registers.get((select, number(bits[2:8])), [])
             sent = [told[place // 8] >> (7 - place % 8) & 1 if place // 8 < len(told) else 0 for place in range(len(bits) - 8)]
             wanted += [[falls[7 + place] + 0.0001, bit] for place, bit in enumerate(sent)]
-        changes = [each for before, each in zip([[0, 2], *wanted], wanted, strict=False) if before[1] != each[1]]
+        changes = [each for place, each in enumerate(wanted) if not place or wanted[place - 1][1] != each[1]]
         if changes == points:
             break
         points = changes

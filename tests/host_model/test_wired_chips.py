@@ -49,7 +49,8 @@ def test_a_sensor_of_nine_axes_is_read_and_calibrated() -> None:
     told = said(
         "int x, y, z; float t; SAY(imu_init(6, 5, 7, 8)); imu_setAccelScale(8); SAY(imu_getAccelScale()); "
         "imu_readTempCalculated(&t, 0); SAY((int)(t * 10000)); imu_calibrateAG(); imu_getAccelCalibration(&x, &y, &z);"
-        "SAY(x); SAY(z); imu_readAccel(&x, &y, &z); SAY(x); SAY(z); SAY(imu_magAvailable()); SAY(ee_getByte(63280)); SAY(ee_getByte(63294));",
+        "SAY(x); SAY(z); imu_readAccel(&x, &y, &z); SAY(x); SAY(z); SAY(imu_magAvailable());"
+        "SAY(ee_getByte(63280)); SAY(ee_getByte(63294));",
         900, [high], SAY, "lsm9ds1.h",
     )  # fmt: skip
     assert told == ["0", "8", "249375", "-1", "-4097", "0", "4096", "1", str(ord("L")), str(ord("a"))]
