@@ -10,10 +10,12 @@ import json
 import re
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeAlias
 
+Json: TypeAlias = "bool | int | float | str | Sequence[Json] | Mapping[str, Json] | None"
+"""What a text in JSON can say; tuples are written as lists."""
 MOST_PARTS = 100
 """Of a dotted key in TOML. Python's reader goes through all beginnings of a key, so that a long one takes minutes."""
 _TOKEN = re.compile(

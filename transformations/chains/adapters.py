@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.generate.places import free_name
@@ -125,14 +126,14 @@ def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]
     return adapter_index(facts.platform, api.name, beside=beside, language=facts.language), api
 
 
-def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Any]:
+def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
     return {
         "function": piece.name, "header": piece.header, "kind": RELATIONS.get(piece.relation, ""), "source": index.kept_by(piece),
         "status": "care" if piece.limits else "filled", "limits": list(piece.limits),
     }  # fmt: skip
 
 
-def _whole(piece: AdapterPiece) -> dict[str, Any]:
+def _whole(piece: AdapterPiece) -> dict[str, Json]:
     return {
         "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": list(piece.needs), "mcus": list(piece.mcus),
         "path": piece.location.path, "line": piece.location.line, "text": piece.text,

@@ -13,6 +13,7 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, StoppedError
 from robosmi.generate import Generation
@@ -73,7 +74,7 @@ class Generated:
     written: bool
     new_choices: list[migration.LibraryChoice] = field(default_factory=list)
     notes: list[Finding] = field(default_factory=list)
-    verification: tuple[dict[str, Any], int] | None = None
+    verification: tuple[dict[str, Json], int] | None = None
     diff: str = ""
 
     @property

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs, templates
+from robosmi.data_text import Json
 from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError
 from robosmi.generate import Gen
 from robosmi.generate.manifest import Manifest
@@ -85,7 +86,7 @@ class PlanPage:
             )
         )  # fmt: skip
 
-    def act(self, what: str, about: Mapping[str, Any]) -> dict[str, Any]:
+    def act(self, what: str, about: Mapping[str, Json]) -> dict[str, Json]:
         """Do what a person asks for on the page.
 
         Args:
@@ -116,7 +117,7 @@ class PlanPage:
             **{name: self.facts[name] for name in ("open", "decided", "progress")},
         }  # fmt: skip
 
-    def _do(self, what: str, about: Mapping[str, Any], shown: str) -> tuple[str, str, str]:
+    def _do(self, what: str, about: Mapping[str, Json], shown: str) -> tuple[str, str, str]:
         """Do it; what is said of it, the command for the same, and the diff."""
         if what == "choose":
             identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))

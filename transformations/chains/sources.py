@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.errors import UsageError
 from robosmi.metamodels import migration
 from robosmi.model.files import digest
@@ -21,7 +21,11 @@ from robosmi.model.runs import SOURCES, keep, kept
 
 
 def remember_sources(
-    output: Path, plan: migration.MigrationPlan, places: dict[str, str], files: Sequence[str | Path], arguments: Mapping[str, Any]
+    output: Path,
+    plan: migration.MigrationPlan,
+    places: dict[str, str],
+    files: Sequence[str | Path],
+    arguments: Mapping[str, Json],
 ) -> None:
     """Keep where the sources of a plan lie, and how they were migrated.
 

@@ -19,6 +19,7 @@ from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
 from robosmi.metamodels import ccode, migration
 from robosmi.model.files import write_atomic
+from robosmi.model.strict import Element
 from robosmi.transformations.chains.models import MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
@@ -333,7 +334,7 @@ def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan) -> list[
     return found
 
 
-def _unit(element: Any) -> str:
+def _unit(element: Element | None) -> str:
     while element is not None and not isinstance(element, ccode.SourceUnit):
         element = element.eContainer()
     return str(element.path) if element is not None else ""

@@ -64,21 +64,21 @@ def CountsAsBefore(unit: ccode.SourceUnit) -> Any:
     )
 
 
-def _may_be_high(m: Move, expression: Any) -> bool:
+def _may_be_high(m: Move, expression: ccode.Expression | None) -> bool:
     if not _is_char(m, expression):
         return False
     value = m.ranges.of(expression)
     return value is None or not value.within(0, 0x7F)
 
 
-def _is_out(m: Move, expression: Any) -> bool:
+def _is_out(m: Move, expression: ccode.Expression | None) -> bool:
     if isinstance(expression, ccode.CharacterLiteral):
         return False
     value = m.ranges.of(expression)
     return value is not None and value.single and value.given and not value.within(0, 0x7F)
 
 
-def _is_char(m: Move, expression: Any) -> bool:
+def _is_char(m: Move, expression: ccode.Expression | None) -> bool:
     if not isinstance(expression, (ccode.NameReference, ccode.Index, ccode.Member, ccode.Unary, ccode.Call)):
         return False
     if isinstance(expression, ccode.Unary) and expression.operator != "*":

@@ -10,6 +10,7 @@ from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.constraints.code_move import FLOW, move, moved, place, the_move, together
 from robosmi.transformations.queries.cores import reached, written
@@ -145,7 +146,7 @@ def DoesNotWait(unit: ccode.SourceUnit) -> Any:
     return together(f"what is repeated for ever waits in {names}, while code on other cores has to go on", waits)
 
 
-def _is_busy(element: Any) -> bool:
+def _is_busy(element: Element) -> bool:
     """Whether it is a loop that does nothing until something outside of the program changes."""
     if not isinstance(element, ccode.Loop) or element.condition is None or element.endless:
         return False

@@ -5,6 +5,7 @@ How much memory a program takes is no constraint: it is told with what the board
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from robosmi.diagnostics import Severity
@@ -62,7 +63,7 @@ def _grows(element: Any, above: tuple[int, ...]) -> ccode.Loop | None:
     return next((found for each in function.calls if (found := _grows(each, (*above, id(function)))) is not None), None)
 
 
-def _gives_back(bodies: list[Any]) -> bool:
+def _gives_back(bodies: Iterable[ccode.Statement | None]) -> bool:
     return any(isinstance(each, ccode.Call) and each.calleeName in _GIVING for each in reached(bodies))
 
 
@@ -103,7 +104,7 @@ def _name(record: ccode.Record) -> str:
     return next((f"'{d.name}'" for d in named), f"the structure of line {record.line}")
 
 
-def _as_bytes(expression: Any) -> ccode.Record | None:
+def _as_bytes(expression: ccode.Expression) -> ccode.Record | None:
     """The structure that an expression takes as bytes: its size for what copies memory, or a pointer to it as one to numbers."""
     if isinstance(expression, ccode.SizeOf):
         return _measured(expression) if _copies(expression) else None
@@ -127,7 +128,7 @@ def _declared(spelling: str) -> ccode.Declaration | None:
     return next((d for d in declared if isinstance(d, (ccode.Record, ccode.Typedef)) and d.name == name), None)
 
 
-def _record_of_value(expression: Any) -> ccode.Record | None:
+def _record_of_value(expression: ccode.Expression | None) -> ccode.Record | None:
     if isinstance(expression, ccode.NameReference):
         declared = getattr(expression.target, "valueType", None)
         return record_of(declared) if declared is not None and not declared.pointerDepth else None
@@ -136,7 +137,7 @@ def _record_of_value(expression: Any) -> ccode.Record | None:
     return None
 
 
-def _pointed_at(expression: Any) -> ccode.Record | None:
+def _pointed_at(expression: ccode.Expression | None) -> ccode.Record | None:
     """The structure that a pointer points to, as far as its declaration tells."""
     if isinstance(expression, ccode.Unary) and expression.operator == "&":
         inner = expression.operand
@@ -151,8 +152,8 @@ def _pointed_at(expression: Any) -> ccode.Record | None:
 
 def _copies(size: ccode.SizeOf) -> bool:
     """Whether a size is an argument of a function that takes memory as bytes, alone or times a number."""
-    element: Any = size
-    parent: Any = element.eContainer()
+    element = size
+    parent = element.eContainer()
     while isinstance(parent, (ccode.Cast, ccode.Binary)) and getattr(parent, "operator", "*") == "*":
         parent = parent.eContainer()
     if not isinstance(parent, ccode.Call):

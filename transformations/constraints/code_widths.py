@@ -11,6 +11,7 @@ from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.transformations.constraints.code_move import Move, is_narrower, move, moved, place, the_move, together
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Number
@@ -121,7 +122,7 @@ def _fits(one: Any) -> Any:
     return Fail(f"{_shown(value, one, top)} does not fit into {goes[1]} of {goes[0].bits} bits on the target")
 
 
-def _hands_on(parent: Any, one: Any) -> bool:
+def _hands_on(parent: Element, one: ccode.Located) -> bool:
     if isinstance(parent, ccode.Unary):
         return parent.operator in ("+", "-")
     if isinstance(parent, ccode.Binary):
@@ -176,7 +177,7 @@ def StaysWithinInt(b: ccode.Binary) -> Any:
     found = _passes(m, b)
     if found is None or not found[0]:
         return True
-    parent: Any = b.eContainer()
+    parent = b.eContainer()
     while isinstance(parent, ccode.Unary):
         parent = parent.eContainer()
     outer = _passes(m, parent) if isinstance(parent, ccode.Binary) and parent.operator in ARITHMETIC else None
@@ -190,7 +191,7 @@ def MayPassInt(unit: ccode.SourceUnit) -> Any:
     """No product or shift of values from outside may pass the target's int."""
     m = the_move()
     view = m.view(unit)
-    some: list[Any] = [b for b in view.of_kind(ccode.Binary) if b.operator in ARITHMETIC and _may_pass(m, b)]
+    some: list[ccode.Located] = [b for b in view.of_kind(ccode.Binary) if b.operator in ARITHMETIC and _may_pass(m, b)]
     some += [a for a in view.of_kind(ccode.Assignment) if a.operator[:-1] in ARITHMETIC and _may_leave(m, a)]
     some.sort(key=lambda e: int(e.startOffset))
     return not some or together(
@@ -243,7 +244,7 @@ def _fits_already(m: Move, b: ccode.Binary) -> bool:
 
 def _is_mask(m: Move, b: ccode.Binary) -> bool:
     """Whether 16 bits that an operation sets are only tested or combined: 1 << 15 as a bit."""
-    parent: Any = b.eContainer()
+    parent = b.eContainer()
     return isinstance(parent, ccode.Binary) and parent.operator in ("&", "|", "^") and _narrow(m, parent) is not None
 
 
@@ -276,7 +277,7 @@ def _is_far_by(m: Move, operator: str, left: Range | None, right: Range | None, 
     return factor is not None and factor.given and max(abs(factor.low), abs(factor.high)) >= _LARGE
 
 
-def _is_cut(m: Move, expression: Any) -> bool:
+def _is_cut(m: Move, expression: ccode.Located) -> bool:
     """Whether only the low bits of a value count: a mask, a narrow variable or a conversion to one takes the others away."""
     for one, parent in _upwards(expression):
         if isinstance(parent, ccode.Binary) and parent.operator in _CUT:
@@ -305,7 +306,7 @@ def _is_cut(m: Move, expression: Any) -> bool:
     return False
 
 
-def _upwards(expression: Any) -> Iterator[tuple[Any, Any]]:
+def _upwards(expression: Element) -> Iterator[tuple[Element, Element]]:
     one, parent = expression, expression.eContainer()
     while parent is not None:
         yield one, parent
@@ -323,7 +324,7 @@ def KeepsItsSize(unit: ccode.SourceUnit) -> Any:
 
 
 def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
-    measured: Any = size.measured
+    measured = size.measured
     if measured is None and isinstance(size.operand, ccode.NameReference):
         measured = getattr(size.operand.target, "valueType", None)
     kind = of_use(measured)
@@ -339,7 +340,7 @@ def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
 
 def _is_measure(size: ccode.SizeOf) -> bool:
     """Whether the size counts elements, or memory that is as big as what is put into it."""
-    parent: Any = size.eContainer()
+    parent = size.eContainer()
     while isinstance(parent, (ccode.Binary, ccode.Cast)):
         if isinstance(parent, ccode.Binary) and parent.operator == "/":
             return True

@@ -11,6 +11,7 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration, platform
 from robosmi.model import EmfModel
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind, root_of
 from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing, fault, worst_first
@@ -53,13 +54,13 @@ def plan_rules() -> frozenset[str]:
     return frozenset(constraint.id for constraint in _both.declared())
 
 
-def of_plan(element: Any) -> migration.MigrationPlan | None:
+def of_plan(element: Element) -> migration.MigrationPlan | None:
     """The plan of an element, or None if it is in none."""
     found = root_of(element)
     return found if isinstance(found, migration.MigrationPlan) else None
 
 
-def is_drawn(element: Any) -> bool:
+def is_drawn(element: Element) -> bool:
     """Whether there is a drawing."""
     plan = of_plan(element)
     return plan is not None and plan.circuit is not None
@@ -74,7 +75,7 @@ def wired(plan: migration.MigrationPlan) -> Wiring:
     return known
 
 
-def place(element: Any) -> Any:
+def place(element: Element) -> Any:
     """The drawing of a plan's element."""
     plan = of_plan(element)
     return drawing(plan.circuit.components[0]) if plan is not None and plan.circuit is not None else None

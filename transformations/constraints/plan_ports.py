@@ -57,7 +57,7 @@ def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
     return binding.pin or (binding.connection.pin if binding.connection is not None else None)
 
 
-def named(decision: Any) -> str:
+def named(decision: migration.Decision) -> str:
     """A decision as a message names it."""
     if isinstance(decision, migration.PortBinding):
         return f"port '{decision.name}'" if decision.name else f"port P{decision.sourcePin}"

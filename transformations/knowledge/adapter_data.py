@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.files import write_atomic
@@ -97,8 +97,8 @@ def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]])
     return f'{head[:-1]}, "pieces": [\n{text}\n]}}\n'
 
 
-def _piece(piece: AdapterPiece, headers: Mapping[str, Sequence[str]]) -> dict[str, Any]:
-    row: dict[str, Any] = {"kind": piece.kind, "name": piece.name, "line": piece.location.line}
+def _piece(piece: AdapterPiece, headers: Mapping[str, Sequence[str]]) -> dict[str, Json]:
+    row: dict[str, Json] = {"kind": piece.kind, "name": piece.name, "line": piece.location.line}
     for key, default in _DEFAULTS.items():
         value = getattr(piece, key)
         if value == default:

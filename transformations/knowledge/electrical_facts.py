@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import hardware
@@ -205,7 +206,7 @@ def _is_right(key: str, value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(v, kind) for v in value)
 
 
-def _damaged(path: str, device: Mapping[str, Any], why: str) -> PlatformDataError:
+def _damaged(path: str, device: Mapping[str, Json], why: str) -> PlatformDataError:
     return PlatformDataError(
         f"an entry for '{device.get('kind', '')}' cannot be used: {why}",
         location=Location(path),

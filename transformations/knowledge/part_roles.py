@@ -13,6 +13,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import PartNames, Phrases, names
 from robosmi.transformations.knowledge.role_rules import RoleRules, curated_entries, role_rules
@@ -152,10 +153,10 @@ def _same_tool(named: str, tool: str) -> bool:
     return not named or not tool or named == tool
 
 
-def _id_clue(part_id: str, tool: str, rule: Mapping[str, Any]) -> str:
+def _id_clue(part_id: str, tool: str, rule: Mapping[str, Json]) -> str:
     return next((f"the part's id has '{text}' in it" for text in _of_tool(rule.get("ids", ()), tool) if text in part_id), "")
 
 
-def _family_clue(family: str, tool: str, rule: Mapping[str, Any]) -> str:
+def _family_clue(family: str, tool: str, rule: Mapping[str, Json]) -> str:
     found = any(fnmatchcase(family, pattern) for pattern in _of_tool(rule.get("families", ()), tool))
     return f"family '{family}'" if found else ""

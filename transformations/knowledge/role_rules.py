@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.plugins import registry
@@ -93,7 +94,7 @@ def _rules(path: str, changed: int) -> RoleRules:
 
 
 @cache
-def _curated(path: str, changed: int) -> dict[tuple[str, str], Mapping[str, Any]]:
+def _curated(path: str, changed: int) -> dict[tuple[str, str], Mapping[str, Json]]:
     return {key: entry for entry in _entries(path, "part", _CURATED_KEYS) for key in _by_tool(entry.get("ids", ()))}
 
 
@@ -129,7 +130,7 @@ def _entries(path: str, key: str, keys: Sequence[str]) -> Sequence[Mapping[str, 
     return entries
 
 
-def _check_role(entry: Mapping[str, Any], path: str) -> None:
+def _check_role(entry: Mapping[str, Json], path: str) -> None:
     if entry.get("role") not in ROLES or not entry.get("why"):
         raise PlatformDataError(
             f"an entry has the role '{entry.get('role', '')}' and the reason '{entry.get('why', '')}'",
@@ -153,7 +154,7 @@ def _problem(entry: Mapping[str, Any], keys: Sequence[str], tools: Collection[st
     return ""
 
 
-def _fits(key: str, value: Any) -> bool:
+def _fits(key: str, value: Json) -> bool:
     if key in _FLAGS:
         return isinstance(value, bool)
     if key in ("role", "why"):
@@ -165,7 +166,7 @@ def _fits(key: str, value: Any) -> bool:
     return _texts(value)
 
 
-def _texts(value: Any) -> bool:
+def _texts(value: Json) -> bool:
     return isinstance(value, list) and all(isinstance(text, str) for text in value)
 
 

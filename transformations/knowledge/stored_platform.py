@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.metamodels import platform as pf
 from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
 from robosmi.transformations.knowledge.platform_model import COMPILER, DIRECTIONS, RELATIONS
@@ -22,7 +22,7 @@ class StoredFacts:
 
     def __init__(self, model: pf.Platform) -> None:
         self.origin = f"stored model of {model.name}"
-        self.settings: dict[str, Any] = {
+        self.settings: dict[str, Json] = {
             "name": str(model.name),
             "language": str(model.language),
             "int_bits": model.intBits,
@@ -33,10 +33,10 @@ class StoredFacts:
             "has_cogs": model.hasCogs,
             "parser": {"attribute_macros": list(model.attributeMacros)},
         }
-        self.headers: dict[str, dict[str, Any]] = {}
+        self.headers: dict[str, dict[str, Json]] = {}
         self.entries: dict[str, list[ApiEntry]] = {}
         self.pins: dict[tuple[str, str], PinFacts] = {}
-        self.functions: dict[str, dict[str, Any]] = {}
+        self.functions: dict[str, dict[str, Json]] = {}
         self.symbols: dict[str, dict[str, str]] = {}
         self.code_arguments: dict[str, int] = {}
         self.library_cores: dict[str, Sequence[str]] = {}

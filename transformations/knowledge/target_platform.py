@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from robosmi import inputs, resources
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
@@ -247,7 +246,7 @@ def _is_called(full_name: str, platform_name: str, board: str, project: Path | N
     return full_name in (table.text("fqbn", ""), *table.texts("fqbn_also", ()))
 
 
-def _whole(own: dict[str, Any], place: Path, prefix: str, project: Path | None) -> DataTable:
+def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None) -> DataTable:
     table = DataTable(place, own, prefix)
     for key in own:
         if key not in _KEYS:

@@ -106,7 +106,7 @@ def _open_size(element: Any, choice: str, text: SourceText) -> list[Replacement]
     return [(found.start(1), found.end(1), "")] if found else []
 
 
-def _branch_out(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _branch_out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     """What a condition encloses goes, up to the next directive that belongs to it."""
     depth, start = 0, text.line_end(element.endOffset)
     for directive in text.unit.conditionals:
@@ -174,7 +174,7 @@ def _insert(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
     return lambda element, choice, text: [(element.startOffset, element.startOffset, words)]
 
 
-def _share_one(variable: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _share_one(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """One of several names of a declaration; its sizes stand behind the name."""
     place = variable.endOffset
     return [(place, place, " __attribute__((weak))")]
@@ -189,7 +189,7 @@ def _zero_value(element: ccode.Located, choice: str, text: SourceText) -> list[R
     return [(element.endOffset, element.endOffset, f" = {choice}")]
 
 
-def _assign_behind(variable: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _assign_behind(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     place = name_place(variable, text.data) + len(variable.name.encode())
     return [(place, place, f"; {choice}")]
 

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, trace
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.page_sections import chunked
@@ -28,7 +29,7 @@ class _Line:
         return self.identity, self.text, " ".join(self.links), self.why
 
 
-def side_by_side(plan: migration.MigrationPlan, sources: Mapping[str, bytes], texts: Mapping[str, str]) -> dict[str, Any]:
+def side_by_side(plan: migration.MigrationPlan, sources: Mapping[str, bytes], texts: Mapping[str, str]) -> dict[str, Json]:
     """Both sides: `source` and `target`, each a list of files with their lines in runs.
 
     Args:
@@ -82,5 +83,5 @@ def _why(disposition: migration.Disposition) -> str:
     return f"{disposition.action.name} ({', '.join(disposition.rules)}): {'; '.join(disposition.reasons)}"
 
 
-def _files(files: Mapping[str, list[_Line]]) -> list[dict[str, Any]]:
+def _files(files: Mapping[str, list[_Line]]) -> list[dict[str, Json]]:
     return [{"name": path.rpartition("/")[2], "chunks": chunked([line.row() for line in lines])} for path, lines in files.items()]

@@ -10,8 +10,9 @@ import base64
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding
-from robosmi.metamodels import migration
+from robosmi.metamodels import migration, platform
 from robosmi.query import Q
 from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import first_screen, task_place
@@ -29,7 +30,7 @@ CHUNK = 25
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
 
 
-def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
+def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Json]:
     """How much works, and how many constructs have each verdict."""
     screen = first_screen(plan, sources)
     counts = verdict_counts(constructs(plan, sources))
@@ -60,7 +61,7 @@ def _role(told: Mapping[str, Any], output: str) -> dict[str, Any]:
 
 def _choice(
     plan: migration.MigrationPlan, one: Choice, told: Mapping[str, Any], sources: Mapping[str, bytes], output: str
-) -> dict[str, Any]:
+) -> Mapping[str, Json]:
     decision, how = one.decision, answer(plan, one.decision)
     pins = {c.name: c for c in plan.connections}
     port = isinstance(decision, migration.PortBinding)
@@ -96,7 +97,7 @@ def _on(connection: migration.Connection) -> str:
     return f"{pin}: {wires} of {component.title}{f' ({component.partTitle})' if component.partTitle else ''}"
 
 
-def _facts(library: Any) -> str:
+def _facts(library: platform.Library) -> str:
     """What the dialog of the paper says of a library (figure 5): version, header, where it runs, what it needs and takes."""
     facts = [
         f"version {library.version}" if library.version else "",
@@ -114,7 +115,7 @@ def write(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> dict[str, 
     return {"tasks": [_body(plan, task, texts) for task in Work(plan).write]}
 
 
-def _body(plan: migration.MigrationPlan, task: migration.PlanTask, texts: Mapping[str, str]) -> dict[str, Any]:
+def _body(plan: migration.MigrationPlan, task: migration.PlanTask, texts: Mapping[str, str]) -> dict[str, Json]:
     use = next((e for e in task.elements if isinstance(e, migration.AdapterUse)), None)
     known = []
     if use is not None:
@@ -205,7 +206,7 @@ def _image(picture: str) -> str:
     return f"data:image/svg+xml;base64,{base64.b64encode(picture.encode()).decode()}"
 
 
-def verdict(plan: migration.MigrationPlan, picture: str, places: dict[str, str]) -> dict[str, Any]:
+def verdict(plan: migration.MigrationPlan, picture: str, places: dict[str, str]) -> dict[str, Json]:
     """What comparing the sketch with the original has shown, if that was done."""
     told = [finding_row(f) for f in said(Q(plan.findings), places) if f.rule in VERDICT_RULES]
     return {"told": told, "picture": _image(picture) if picture and told else ""}

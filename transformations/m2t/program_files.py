@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.errors import UsageError
 from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, migration
@@ -100,11 +101,11 @@ def program_files(
         }
 
     @g.rule(template=templates.project, target=f"{plan.name}/{templates.project_file}")
-    def Project() -> dict[str, Any]:
+    def Project() -> Mapping[str, Json]:
         return {"plan": plan, **project}
 
     @g.rule(domain=list(templates.more), template=lambda name: templates.more[name], target=lambda name: f"{plan.name}/{name}")
-    def Tools(_: str) -> dict[str, Any]:
+    def Tools(_: str) -> Mapping[str, Json]:
         return {"plan": plan, **project}
 
     trial = f"{plan.name}_bench"
@@ -116,7 +117,7 @@ def program_files(
         return {"plan": plan, **bench(plan)}
 
     @g.rule(domain=benches, template=templates.project, target=f"{BENCH}/{trial}/{templates.project_file}")
-    def BenchProject(_: str) -> dict[str, Any]:
+    def BenchProject(_: str) -> Mapping[str, Json]:
         return {"plan": plan, **project, "libraries": [], "chosen": []}
 
     @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")

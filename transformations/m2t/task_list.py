@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.first_screen import FirstScreen, first_screen, task_place
@@ -93,7 +94,7 @@ def _is_task(finding: migration.PlanFinding, plan: migration.MigrationPlan) -> b
     return wanted[0] is not None and any((task.rule, task.path, task.line) == wanted for task in plan.tasks)
 
 
-def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, Any]:
+def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, Json]:
     return {
         "message": task.message,
         "rule": task.rule,
@@ -147,17 +148,17 @@ def _library(choice: migration.LibraryChoice) -> dict[str, str]:
     }
 
 
-def _group(unit: ccode.SourceUnit, judged: Sequence[Construct]) -> dict[str, Any]:
+def _group(unit: ccode.SourceUnit, judged: Sequence[Construct]) -> dict[str, Json]:
     return _table(unit.path.rpartition("/")[2], [c for c in judged if c.unit is unit])
 
 
-def _outside(judged: Sequence[Construct]) -> list[dict[str, Any]]:
+def _outside(judged: Sequence[Construct]) -> list[dict[str, Json]]:
     """What the program uses and does not declare, at the line of its first use."""
     mine = [c for c in judged if c.unit is None]
     return [_table("used and declared elsewhere (line of the first use)", mine)] if mine else []
 
 
-def _table(title: str, mine: Sequence[Construct]) -> dict[str, Any]:
+def _table(title: str, mine: Sequence[Construct]) -> dict[str, Json]:
     rows = [
         {"line": c.line or "", "element": c.title, "code": not c.title.startswith("#"), "verdict": VERDICT_WORDS[c.verdict],
          "reason": _BELOW if c.unit is None and c.verdict == CARE else c.reason, "effort": c.effort}
@@ -181,7 +182,7 @@ def _counts(judged: Sequence[Construct]) -> str:
     return f"{counts['total']} construct{'s' * (counts['total'] != 1)}: {summed or 'none'}."
 
 
-def _adapter(adapter: migration.AdapterUse) -> dict[str, Any]:
+def _adapter(adapter: migration.AdapterUse) -> dict[str, Json]:
     header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
     piece = adapter.adapter
     return {

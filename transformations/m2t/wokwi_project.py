@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from robosmi.data_text import Json
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, WokwiWiring
@@ -61,7 +63,7 @@ def project_files(
     return files
 
 
-def _part(part: DrawnPart, number: int) -> dict[str, Any]:
+def _part(part: DrawnPart, number: int) -> dict[str, Json]:
     place = number - 1
     left = 0 if number == 0 else _LEFT + _COLUMN * (place // _ROWS)
     top = 0 if number == 0 else _ROW * (place % _ROWS)

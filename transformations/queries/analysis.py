@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -17,7 +18,7 @@ _STORAGE = {"externStorage": "extern", "staticStorage": "static", "registerStora
 _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
 
 
-def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> dict[str, Any]:
+def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> dict[str, Json]:
     """The contract's `{"units": [...]}`; findings of the analysis itself (RS108, RS109) are added to the list given."""
     units = []
     calls = code.user_calls(program)
@@ -69,7 +70,7 @@ def _finding(
     return Finding(rule, severity, message, place, fix=fix, evidence=evidence or {})
 
 
-def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str, list[ccode.Call]]) -> dict[str, Any]:
+def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str, list[ccode.Call]]) -> dict[str, Json]:
     unit, api = view.unit, view.api
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function)]
     variables = [d for d in unit.declarations if isinstance(d, ccode.Variable)]
@@ -118,7 +119,7 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
     }
 
 
-def _include(include: ccode.Include, api: ApiIndex) -> dict[str, Any]:
+def _include(include: ccode.Include, api: ApiIndex) -> dict[str, Json]:
     name = str(include.header)
     kind = api.header_kind(name)
     return {
@@ -130,7 +131,7 @@ def _include(include: ccode.Include, api: ApiIndex) -> dict[str, Any]:
     }
 
 
-def _function(function: ccode.Function) -> dict[str, Any]:
+def _function(function: ccode.Function) -> dict[str, Json]:
     return {
         "name": str(function.name),
         "line": int(function.line),
@@ -152,7 +153,7 @@ def type_text(use: ccode.TypeUse | None) -> str:
     return f"{use.spelling}{use.arrayDims or ''}" if use is not None else ""
 
 
-def _type(declaration: ccode.Declaration) -> dict[str, Any]:
+def _type(declaration: ccode.Declaration) -> dict[str, Json]:
     if isinstance(declaration, ccode.Record):
         kind = _RECORDS[declaration.recordKind.name]
     else:
@@ -160,7 +161,7 @@ def _type(declaration: ccode.Declaration) -> dict[str, Any]:
     return {"name": str(declaration.name), "kind": kind, "line": int(declaration.line)}
 
 
-def _platform_call(function: code.CalledFunction) -> dict[str, Any]:
+def _platform_call(function: code.CalledFunction) -> dict[str, Json]:
     return {
         "name": function.name,
         "count": len(function.calls),
@@ -173,7 +174,7 @@ def _platform_call(function: code.CalledFunction) -> dict[str, Any]:
     }
 
 
-def _main(unit: ccode.SourceUnit) -> dict[str, Any] | None:
+def _main(unit: ccode.SourceUnit) -> dict[str, Json] | None:
     main = main_program.main_structure(unit)
     if main is None:
         return None

@@ -6,8 +6,9 @@ Reused by rules, templates and commands. They read models and change nothing.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
@@ -144,7 +145,7 @@ def circuit_graph(
     return graph
 
 
-def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
+def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Json]:
     """The result of the command `hardware`, JSON values only (`boards`, `components`, `mappings`, `nets`)."""
     beyond = {c: behind(c) for c in circuit.components if c.driver}
     return {
@@ -176,7 +177,7 @@ def _ends(net: hardware.Net) -> list[dict[str, str]]:
 
 def _mapping(
     connection: migration.Connection, beyond: dict[hardware.Component, tuple[list[hardware.Component], list[hardware.Component]]]
-) -> dict[str, Any]:
+) -> dict[str, Json]:
     board = connection.boardConnectors[0].component if connection.boardConnectors else None
     component = connection.component
     drives, senses = beyond.get(component, ([], [])) if component is not None else ([], [])

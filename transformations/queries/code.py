@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import Q, all_contents
 from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -94,7 +95,7 @@ class CodeView:
         self.program = program
         self.api = api
         self.includes = tuple(str(i.header) for i in unit.includes)
-        self.elements: list[Any] = list(all_contents(unit))
+        self.elements: list[Element] = list(all_contents(unit))
         self.calls: list[ccode.Call] = _distinct(e for e in self.elements if isinstance(e, ccode.Call) and not e.viaMacro)
         self.own_macros: dict[str, ccode.Macro] = {str(m.name): m for m in unit.macros}
         self._functions: dict[str, CalledFunction] | None = None
@@ -189,7 +190,7 @@ class CodeView:
         uses: dict[str, set[int]] = {}
         for element in self.elements:
             if isinstance(element, ccode.NameReference):
-                target: Any = element.target
+                target = element.target
                 if target is None or isinstance(target, ccode.ExternalSymbol):
                     uses.setdefault(str(element.name), set()).add(int(element.line))
             elif isinstance(element, ccode.MacroUse) and element.macro is None:
@@ -320,7 +321,7 @@ def cogs_of(view: CodeView) -> list[CogStart]:
     return sorted(found, key=lambda c: int(c.call.startOffset))
 
 
-def _code_name(argument: Any) -> str:
+def _code_name(argument: ccode.Expression) -> str:
     while True:
         if isinstance(argument, (ccode.Cast, ccode.Unary)) and argument.operand is not None:
             argument = argument.operand
@@ -331,7 +332,7 @@ def _code_name(argument: Any) -> str:
     return str(getattr(argument, "name", None) or getattr(argument, "text", None) or "")
 
 
-def unit_of(element: Any) -> ccode.SourceUnit | None:
+def unit_of(element: Element | None) -> ccode.SourceUnit | None:
     """The unit that an element stands in, None for externals."""
     while element is not None and not isinstance(element, ccode.SourceUnit):
         element = element.eContainer()
@@ -350,7 +351,7 @@ def _distinct(calls: Iterable[ccode.Call]) -> list[ccode.Call]:
     return sorted(found.values(), key=lambda c: int(c.startOffset))
 
 
-def _line(element: Any) -> int:
+def _line(element: Element | None) -> int:
     while element is not None and not isinstance(element, ccode.Located):
         element = element.eContainer()
     return int(element.line) if element is not None else 0

@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
+from robosmi.model.strict import Element
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import reached, written
@@ -49,7 +50,7 @@ class Waiting:
         self._waiting = frozenset(waiting)
         self._known: dict[int, bool] = {}
 
-    def waits(self, statement: Any) -> bool:
+    def waits(self, statement: ccode.Statement | None) -> bool:
         """Whether whoever carries out the statement has waited behind it."""
         if statement is None:
             return False
@@ -71,7 +72,7 @@ class Waiting:
             return self.calls(statement)
         return False
 
-    def calls(self, element: Any) -> bool:
+    def calls(self, element: Element | None) -> bool:
         """Whether an expression calls what waits."""
         if element is None:
             return False
@@ -102,12 +103,12 @@ def gives_way(loop: ccode.Loop, waiting: Waiting) -> bool:
     return any(isinstance(v, (ccode.Variable, ccode.Parameter)) and _changes(v, inside, changed) for v in names)
 
 
-def _changes(variable: Any, inside: Iterable[Any], changed: Mapping[int, Any]) -> bool:
+def _changes(variable: ccode.Declaration, inside: Iterable[Element], changed: Mapping[int, ccode.Declaration]) -> bool:
     """Whether a loop itself changes what its condition asks."""
     if id(variable) in changed:
         return True
     for element in inside:
-        target: Any = element.left if isinstance(element, ccode.Assignment) else None
+        target = element.left if isinstance(element, ccode.Assignment) else None
         if isinstance(element, ccode.Unary) and element.operator in ("++", "--", "&"):
             target = element.operand
         if isinstance(target, ccode.NameReference) and target.target is variable:
@@ -175,7 +176,7 @@ def _counted(loop: ccode.For) -> int:
     return max(0, int(condition.right.value) - int(literals[0]) + (condition.operator == "<="))
 
 
-def _within(element: Any, container: Any) -> bool:
+def _within(element: ccode.Located, container: Any) -> bool:
     return bool(container.startOffset <= element.startOffset < container.endOffset)
 
 

@@ -7,9 +7,9 @@ fault is decided by constraints.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CalledFunction, CodeView, CogStart, cogs_of
@@ -24,9 +24,9 @@ def library_starts(view: CodeView) -> list[CalledFunction]:
     ]
 
 
-def reached(bodies: Iterable[Any]) -> list[Any]:
+def reached(bodies: Iterable[Element | None]) -> list[Element]:
     """Everything in these statements and in the functions of the program that they call, each function once."""
-    found: list[Any] = []
+    found: list[Element] = []
     pending, seen = [b for b in bodies if b is not None], set[int]()
     while pending:
         statement = pending.pop()
@@ -39,11 +39,11 @@ def reached(bodies: Iterable[Any]) -> list[Any]:
     return found
 
 
-def written(elements: Iterable[Any]) -> dict[int, ccode.Variable]:
+def written(elements: Iterable[Element]) -> dict[int, ccode.Variable]:
     """The variables that these elements may change: assigned, counted, or whose address is taken; by identity."""
     found: dict[int, ccode.Variable] = {}
     for element in elements:
-        changed: Any = None
+        changed = None
         if isinstance(element, ccode.Assignment):
             changed = element.left
         elif isinstance(element, ccode.Unary) and element.operator in ("++", "--", "&"):
@@ -106,7 +106,7 @@ def handed_over(call: ccode.Call, api: ApiIndex) -> tuple[ccode.Expression | Non
     handed = meanings.index("handed") if "handed" in meanings else None
     if position is None or handed is None or max(position, handed) >= len(arguments):
         return None, None
-    code: Any = arguments[position]
+    code: ccode.Expression | None = arguments[position]
     while isinstance(code, (ccode.Cast, ccode.Unary)):
         code = code.operand
     target = code.target if isinstance(code, ccode.NameReference) else None

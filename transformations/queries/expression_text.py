@@ -6,9 +6,8 @@ their text from the file itself.
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 
 _LEVELS = ["*/%", "+-", ("<<", ">>"), ("<", ">", "<=", ">="), ("==", "!="), "&", "^", "|", ("&&",), ("||",), ","]
 
@@ -17,7 +16,7 @@ def _level(operator: str) -> int:
     return next((i for i, operators in enumerate(_LEVELS) if operator in operators), 0)
 
 
-def expression_text(element: Any) -> str:
+def expression_text(element: Element | None) -> str:
     """An expression as C text; empty for None."""
     if element is None:
         return ""
@@ -51,7 +50,7 @@ def expression_text(element: Any) -> str:
     return str(getattr(element, "text", ""))
 
 
-def _operand(element: Any, level: int, right: bool) -> str:
+def _operand(element: Element | None, level: int, right: bool) -> str:
     text = expression_text(element)
     if isinstance(element, (ccode.Assignment, ccode.ConditionalExpression)):
         return f"({text})"
@@ -61,6 +60,6 @@ def _operand(element: Any, level: int, right: bool) -> str:
     return text
 
 
-def _tight(element: Any) -> str:
+def _tight(element: Element | None) -> str:
     text = expression_text(element)
     return f"({text})" if isinstance(element, (ccode.Binary, ccode.Assignment, ccode.ConditionalExpression)) else text

@@ -10,6 +10,7 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.argument_places import TokenText
@@ -70,7 +71,7 @@ class FlowReader:
 
     # ---- what things are
 
-    def key(self, thing: Any) -> Hashable:
+    def key(self, thing: Element | None) -> Hashable:
         """The key of a declaration or expression; what is the same thing in two files has one key."""
         if isinstance(thing, (ccode.Variable, ccode.Function)) and isinstance(
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
@@ -83,7 +84,7 @@ class FlowReader:
                 return ("Parameter", self.key(function), list(function.parameters).index(thing))
         return ("element", id(thing))
 
-    def value(self, expression: Any) -> Hashable:
+    def value(self, expression: Element | None) -> Hashable:
         """The key of what an expression gives its value to whom it is passed."""
         if expression is None:  # in text that the parser could not read
             self._unread += 1
@@ -234,8 +235,8 @@ class FlowReader:
         key, use = self.key(variable), variable.valueType
         if record_of(use) is not None and variable.initializer is not None:
             if isinstance(variable.initializer, ccode.InitializerList):
-                for member, given in members_given(use, variable.initializer):
-                    self._give(self._field(str(member.name)), given)
+                for member, value in members_given(use, variable.initializer):
+                    self._give(self._field(str(member.name)), value)
             else:
                 self.flows.keep(self.value(variable.initializer), f"'{variable.name}' is a structure")
             return
@@ -309,7 +310,7 @@ class FlowReader:
         if not text.tokens or view_text(self.sources[view.unit.path], start, end) not in pin.none:
             self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument))
 
-    def _exchanged(self, arguments: Sequence[Any]) -> None:
+    def _exchanged(self, arguments: Sequence[Element]) -> None:
         """What a function that is not followed may bring from one of its arguments to another, or to a function it is given."""
         open_ = [a for a in arguments if gives_access(a)]
         for one in open_[1:]:
@@ -347,7 +348,7 @@ class FlowReader:
                     place = (view.unit.path, argument[0][1], argument[-1][2])
                     self.given.setdefault(place, []).append(("macro parameter", str(macro.name), i))
 
-    def elements_named(self, name: str) -> Iterator[Any]:
+    def elements_named(self, name: str) -> Iterator[Element]:
         """The variables, parameters and enumerators of a name, wherever they are declared."""
         for view in self.views:
             for element in view.elements:

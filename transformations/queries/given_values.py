@@ -10,6 +10,7 @@ from collections.abc import Hashable, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import handed_over
@@ -28,7 +29,7 @@ class GivenValues:
 
     def __init__(self, views: Sequence[CodeView]) -> None:
         self._views = views
-        self._given: dict[Hashable, list[Any]] = {}
+        self._given: dict[Hashable, list[ccode.Located]] = {}
         self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", ())}
         self._functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
@@ -87,7 +88,7 @@ class GivenValues:
         if key is not None and expression is not None:
             self._given.setdefault(key, []).append(expression)
 
-    def _read(self, element: Any, view: CodeView) -> None:
+    def _read(self, element: Element, view: CodeView) -> None:
         if isinstance(element, ccode.Variable):
             self._initialised(element)
         elif isinstance(element, ccode.Assignment):

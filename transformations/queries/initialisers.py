@@ -34,7 +34,7 @@ def _without_name(definition: ccode.Typedef) -> ccode.Record | None:
     return next((record for record in records if start <= record.startOffset < end), None)
 
 
-def says_where(element: Any) -> bool:
+def says_where(element: ccode.Located) -> bool:
     """Whether an element of an initialiser says its member or place: `.name = value`, `[index] = value`."""
     left = element.left if isinstance(element, ccode.Assignment) else None
     return isinstance(left, ccode.Member) or (isinstance(left, ccode.Index) and left.array is None)
@@ -45,7 +45,7 @@ def value_in(element: Any) -> Any:
     return element.right if says_where(element) else element
 
 
-def leaves(expression: Any) -> Iterator[Any]:
+def leaves(expression: Any) -> Iterator[ccode.Expression]:
     """The values in an initialiser, those of nested lists too."""
     if isinstance(expression, ccode.InitializerList):
         for inner in expression.elements:
@@ -54,7 +54,9 @@ def leaves(expression: Any) -> Iterator[Any]:
         yield expression
 
 
-def members_given(use: ccode.TypeUse | None, initialiser: ccode.InitializerList) -> Iterator[tuple[ccode.Field, Any]]:
+def members_given(
+    use: ccode.TypeUse | None, initialiser: ccode.InitializerList
+) -> Iterator[tuple[ccode.Field, ccode.Expression]]:
     """Each value in the initialiser of a structure, or of an array of them, with the member that it goes to.
 
     Where inner braces are left out, any value may go to any member.

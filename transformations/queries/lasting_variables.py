@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
+from robosmi.model.strict import Element
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
 from robosmi.transformations.queries.type_sizes import TypeSizes
@@ -28,7 +29,7 @@ class Share:
 
 
 def lasting_variables(
-    plan: migration.MigrationPlan, live: Sequence[Any], sizes: TypeSizes, ignored: Set[int]
+    plan: migration.MigrationPlan, live: Sequence[Element], sizes: TypeSizes, ignored: Set[int]
 ) -> tuple[list[Share], list[str]]:
     """The variables that take memory, and the names of those whose size the models do not tell.
 
@@ -65,7 +66,7 @@ def lasting_variables(
     return shares, unknown
 
 
-def lasting(plan: migration.MigrationPlan, live: Sequence[Any]) -> Iterator[ccode.Variable]:
+def lasting(plan: migration.MigrationPlan, live: Sequence[Element]) -> Iterator[ccode.Variable]:
     """The variables that last: of files, static ones, and those that are moved out of main."""
     moved = {id(v) for d in plan.dispositions if d.hoisted is not None for v in _declared(d.element)}
     for element in live:
@@ -75,7 +76,7 @@ def lasting(plan: migration.MigrationPlan, live: Sequence[Any]) -> Iterator[ccod
             yield element
 
 
-def _declared(element: Any) -> Iterable[ccode.Variable]:
+def _declared(element: Element | None) -> Iterable[ccode.Variable]:
     return [element] if isinstance(element, ccode.Variable) else all_of_kind(element, ccode.Variable)
 
 
@@ -94,7 +95,7 @@ def _kept(variable: ccode.Variable, references: Sequence[ccode.NameReference]) -
 
 def is_ignored(reference: Any, ignored: Set[int]) -> bool:
     """Whether an expression stands in an argument of which nothing is made."""
-    element: Any = reference
+    element: Element | None = reference
     while isinstance(element, ccode.Expression):
         if id(element) in ignored:
             return True
@@ -108,7 +109,7 @@ def is_ignored(reference: Any, ignored: Set[int]) -> bool:
 
 def way(reference: ccode.NameReference) -> str:
     """What is done at a reference: read, written, both, its address taken, or any element read."""
-    element: Any = reference
+    element: ccode.Located = reference
     indexed = False
     container: Any = element.eContainer()
     while (isinstance(container, ccode.Index) and container.array is element) or isinstance(container, ccode.Member):

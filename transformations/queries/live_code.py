@@ -11,16 +11,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.main_function import main_of
 
 
-def live_elements(plan: migration.MigrationPlan) -> list[Any]:
+def live_elements(plan: migration.MigrationPlan) -> list[Element]:
     """What of a plan's program may be carried out; see `live_in`."""
     return live_in(plan.program.units if plan.program is not None else ())
 
 
-def live_in(units: Sequence[ccode.SourceUnit]) -> list[Any]:
+def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
     """What may be carried out: all in main, in the functions that it leads to, and in initial values of variables used there.
 
     Args:
@@ -31,7 +32,7 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Any]:
     defined = {str(d.name): d for d in declared if isinstance(d, ccode.Function) and d.body is not None}
     defined |= {str(d.name): d for d in declared if isinstance(d, ccode.Variable) and d.storage.name == "unspecified"}
     words = in_macros(units)
-    pending: list[Any] = [main for unit in units if (main := main_of(unit)) is not None]
+    pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
     pending += [d for d in declared if isinstance(d, ccode.Variable) and d.name in words]
     seen, found = {id(each) for each in pending}, list[Any]()
     inside = set[int]()
@@ -49,7 +50,7 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Any]:
     return found
 
 
-def _leads_to(element: Any, defined: Mapping[str, ccode.Declaration]) -> Iterator[Any]:
+def _leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iterator[Element]:
     """The functions and variables that an element names; of those that several files declare, the definition."""
     if isinstance(element, ccode.Call):
         callee = defined.get(str(element.calleeName))

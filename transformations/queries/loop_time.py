@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.query.deep import in_thread
 from robosmi.transformations.queries.main_program import main_structure
@@ -122,7 +123,7 @@ class LoopTimes:
             return self._inside(element).then(self._call(element))
         return self._inside(element)
 
-    def _sequence(self, statements: Iterable[Any]) -> Time:
+    def _sequence(self, statements: Iterable[Element]) -> Time:
         """Statements one after the other, as far as nothing leaves them; what may leave makes the rest optional."""
         time, sure = NOTHING, True
         for statement in statements:
@@ -134,7 +135,7 @@ class LoopTimes:
             sure = sure and not (leaves and isinstance(statement, ccode.If))
         return time
 
-    def _inside(self, element: Any) -> Time:
+    def _inside(self, element: Element | None) -> Time:
         """What stands directly within an element, one after the other."""
         time = NOTHING
         for part in element.eContents if element is not None else ():
@@ -205,7 +206,7 @@ class LoopTimes:
             return Time(0.0, float(function.longestMicroseconds))
         return Time(0.0, 0.0, (Wait(_call_name(call), int(call.line)),))
 
-    def _numbers(self, argument: Any, *, ticks: bool) -> list[int]:
+    def _numbers(self, argument: ccode.Expression | None, *, ticks: bool) -> list[int]:
         """The values of an argument, empty where the text does not give them all; a time from now on counts from now on."""
         values = self._values.of(argument)
         if all(v.number is not None for v in values):
@@ -218,7 +219,7 @@ class LoopTimes:
                     return found
         return []
 
-    def _of_rate(self, expression: Any) -> int | None:
+    def _of_rate(self, expression: ccode.Expression | None) -> int | None:
         """The number that an expression of the clock's rate is, `CLKFREQ / 1000 * 5` for example; None for any other."""
         if isinstance(expression, ccode.NameReference) and str(expression.name) in self._rates:
             return TICKS * 1_000_000

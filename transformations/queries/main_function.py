@@ -102,7 +102,7 @@ def divide(main: ccode.Function, reserved: Collection[str] = (), words: Collecti
     )
 
 
-def _used_in(element: Any, statements: Collection[ccode.Statement]) -> bool:
+def _used_in(element: ccode.Located, statements: Collection[ccode.Statement]) -> bool:
     """Whether a variable is used in these statements, or another element stands in them."""
     places = element.references if isinstance(element, ccode.Variable) else (element,)
     return any(s.startOffset <= place.startOffset < s.endOffset for place in places for s in statements)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 
 
@@ -76,7 +77,7 @@ def _inside(loop: Any, reference: Any) -> bool:
     return bool(loop.startOffset <= reference.startOffset < loop.endOffset)
 
 
-def _in_macro(unit: ccode.SourceUnit, loop: Any, variable: ccode.Variable) -> bool:
+def _in_macro(unit: ccode.SourceUnit, loop: Element, variable: ccode.Variable) -> bool:
     """Whether a macro that is used in the loop names the variable in its body."""
     import re
 
@@ -87,7 +88,7 @@ def _in_macro(unit: ccode.SourceUnit, loop: Any, variable: ccode.Variable) -> bo
     )
 
 
-def exits(loop: Any) -> list[LoopExit]:
+def exits(loop: Element) -> list[LoopExit]:
     """The breaks, returns and gotos that leave a loop, in text order."""
     return sorted((LoopExit(_KINDS[type(e)], int(e.line)) for e in ways_out(loop)), key=lambda e: e.line)
 
@@ -99,7 +100,7 @@ def ways_out(loop: Any) -> list[ccode.Statement]:
     """The statements in a loop that leave it, in text order."""
     found: list[ccode.Statement] = []
     labels = {str(e.name) for e in all_contents(loop) if isinstance(e, ccode.Label)}
-    pending: list[tuple[Any, bool]] = [(loop.body, True)] if loop.body is not None else []
+    pending: list[tuple[ccode.Located, bool]] = [(loop.body, True)] if loop.body is not None else []
     while pending:
         element, own = pending.pop()
         if isinstance(element, ccode.Break):

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.model.strict import Element
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.lasting_variables import Share, lasting_variables
 from robosmi.transformations.queries.live_code import live_elements
@@ -102,7 +103,7 @@ def memory(plan: migration.MigrationPlan) -> Memory:
     )
 
 
-def _pieces(plan: migration.MigrationPlan, live: Sequence[Any]) -> list[platform.Adapter]:
+def _pieces(plan: migration.MigrationPlan, live: Sequence[Element]) -> list[platform.Adapter]:
     """The pieces that what runs makes use of, with those that they need."""
     calls = {id(each) for each in live if isinstance(each, ccode.Call)}
     named = {str(each.name) for each in live if isinstance(each, ccode.NameReference)}
@@ -111,7 +112,7 @@ def _pieces(plan: migration.MigrationPlan, live: Sequence[Any]) -> list[platform
     return closure(piece for piece in (*symbols, *uses, *plan.helpers) if piece is not None)
 
 
-def _adapters(plan: migration.MigrationPlan, live: Sequence[Any], pieces: Sequence[platform.Adapter]) -> Iterator[Share]:
+def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Sequence[platform.Adapter]) -> Iterator[Share]:
     words = [[word for kind, *_, word in tokens(str(piece.text).encode()) if kind != "comment"] for piece in pieces]
     alone = [_NUMBER.fullmatch(str(piece.text).strip()) for piece in pieces]
     own = [number[1] if number is not None else "" for number in alone]
@@ -139,7 +140,7 @@ def _changed(words: Sequence[str]) -> Iterator[str]:
             yield word
 
 
-def _ignored_arguments(use: migration.AdapterUse) -> Iterator[Any]:
+def _ignored_arguments(use: migration.AdapterUse) -> Iterator[Element]:
     """The arguments of which an adapter makes nothing: all where it has no body, else those whose parameters it never names."""
     names = None if use.adapter is None else _parameters(str(use.adapter.text), str(use.adapter.targetName or use.adapter.name))
     for call in use.calls:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence, Set
 from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.transformations.queries.lasting_variables import is_ignored, lasting, way
@@ -20,7 +21,7 @@ _IN_FLASH = (["PSTR"], ["F"])
 _COMPILER = frozenset(["asm", "__asm__", "volatile", "__attribute__", "alignas", "static_assert", "section"])
 
 
-def bytes_of_texts(live: Sequence[Any], ignored: Set[int], pieces: Sequence[platform.Adapter]) -> int:
+def bytes_of_texts(live: Sequence[Element], ignored: Set[int], pieces: Sequence[platform.Adapter]) -> int:
     """Bytes of the texts of program and pieces that stay in data memory: each once, none that another ends with."""
     said = {text for piece in pieces for text in kept_texts(str(piece.text))}
     for element in live:
@@ -34,7 +35,7 @@ def bytes_of_texts(live: Sequence[Any], ignored: Set[int], pieces: Sequence[plat
 
 def _elsewhere(literal: ccode.StringLiteral, ignored: Set[int]) -> bool:
     """Whether a text is no text of its own: what an array begins with, or an argument of which nothing is made."""
-    container: Any = literal.eContainer()
+    container = literal.eContainer()
     if isinstance(container, ccode.InitializerList) and len(container.elements) == 1:
         container = container.eContainer()
     if isinstance(container, ccode.Variable):
@@ -42,7 +43,7 @@ def _elsewhere(literal: ccode.StringLiteral, ignored: Set[int]) -> bool:
     return isinstance(container, ccode.SizeOf) or is_ignored(literal, ignored)
 
 
-def bytes_of_initial_values(plan: migration.MigrationPlan, live: Sequence[Any], sizes: TypeSizes) -> int:
+def bytes_of_initial_values(plan: migration.MigrationPlan, live: Sequence[Element], sizes: TypeSizes) -> int:
     """Bytes of what local arrays begin with, which are copied from data memory each time."""
     others = {id(each) for each in lasting(plan, live)}
     total = 0

@@ -5,14 +5,12 @@ A name counts only while nothing writes to it. What the number is for, others te
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.initialisers import record_of, says_where
 
 
-def _written(reference: Any) -> bool:
+def _written(reference: ccode.Expression) -> bool:
     """Whether a reference to a variable, or to an element of it, changes it."""
     inner, outer = reference, reference.eContainer()
     while isinstance(outer, ccode.Index) and outer.array is inner:

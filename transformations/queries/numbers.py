@@ -171,14 +171,14 @@ class Numbers:
         kind = of_use(use)
         return self.machine.number(kind.base) if kind is not None and (kind.array or not kind.depth) else None
 
-    def _given(self, operand: Any) -> Number | None:
+    def _given(self, operand: ccode.Expression | None) -> Number | None:
         return self._known.get(id(operand)) if operand is not None else None
 
-    def _literal(self, literal: Any) -> Number | None:
+    def _literal(self, literal: ccode.IntegerLiteral) -> Number | None:
         text = str(literal.text).lower()
         return self.machine.constant(int(literal.value), text[len(text.rstrip("ul")) :], decimal=literal.radix == 10)
 
-    def _binary(self, binary: Any) -> Number | None:
+    def _binary(self, binary: ccode.Binary) -> Number | None:
         operator, left, right = str(binary.operator), self._given(binary.left), self._given(binary.right)
         if operator in _TRUTHS:
             return self.machine.integer
@@ -188,7 +188,7 @@ class Numbers:
             return self.machine.promoted(left) if left is not None and not left.real else None
         return self.machine.common(left, right) if left is not None and right is not None else None
 
-    def _unary(self, unary: Any) -> Number | None:
+    def _unary(self, unary: ccode.Unary) -> Number | None:
         operator, operand = str(unary.operator), self._given(unary.operand)
         if operator == "!":
             return self.machine.integer
@@ -196,11 +196,11 @@ class Numbers:
             return self.machine.promoted(operand) if operand is not None else None
         return operand if operator in ("++", "--") else self.typed(type_of(unary, self.functions))
 
-    def _conditional(self, choice: Any) -> Number | None:
+    def _conditional(self, choice: ccode.ConditionalExpression) -> Number | None:
         left, right = self._given(choice.whenTrue), self._given(choice.whenFalse)
         return self.machine.common(left, right) if left is not None and right is not None else None
 
-    def _name(self, reference: Any) -> Number | None:
+    def _name(self, reference: ccode.NameReference) -> Number | None:
         target = reference.target
         if isinstance(target, ccode.EnumerationLiteral):
             value = int(target.value)
@@ -231,16 +231,15 @@ class Numbers:
         return found
 
 
-def _operands(expression: Any) -> tuple[Any, ...]:
+def _operands(expression: ccode.Expression) -> tuple[ccode.Expression | None, ...]:
     """What an expression's type depends on."""
-    kind = type(expression)
-    if kind is ccode.Binary:
+    if isinstance(expression, ccode.Binary):
         return (expression.left, expression.right)
-    if kind is ccode.Unary:
+    if isinstance(expression, ccode.Unary):
         return (expression.operand,) if expression.operator != "*" else ()
-    if kind is ccode.Assignment:
+    if isinstance(expression, ccode.Assignment):
         return (expression.left,)
-    return (expression.whenTrue, expression.whenFalse) if kind is ccode.ConditionalExpression else ()
+    return (expression.whenTrue, expression.whenFalse) if isinstance(expression, ccode.ConditionalExpression) else ()
 
 
 _RULES: dict[str, Callable[[Numbers, Any], Number | None]] = {

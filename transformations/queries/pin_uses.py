@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.transformations.knowledge.api_facts import Convention, PinParameter
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.expression_text import expression_text
@@ -110,7 +111,9 @@ def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinPar
             yield PinUse(pin, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
 
 
-def pin_values(parameter: PinParameter, arguments: Sequence[Any], argument: Any, values: Values) -> list[Value]:
+def pin_values(
+    parameter: PinParameter, arguments: Sequence[Element], argument: ccode.Expression | None, values: Values
+) -> list[Value]:
     """The pins that an argument means: each element of an array, all pins of a range or of a row.
 
     Args:

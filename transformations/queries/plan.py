@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
@@ -110,7 +111,7 @@ def element_title(element: ccode.Located) -> str:
     return f"{kind} {name}" if name else kind
 
 
-def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
+def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
     """The program's own functions that are in the sketch, with what became of them."""
     return [
         {"name": d.element.name, "line": d.element.line, "action": d.action.name}
@@ -119,7 +120,7 @@ def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Any]
     ]
 
 
-def binding_json(binding: migration.PortBinding) -> dict[str, Any]:
+def binding_json(binding: migration.PortBinding) -> dict[str, Json]:
     """A port binding in the contract's form."""
     return {
         "name": binding.name,
@@ -146,7 +147,7 @@ def _pin(binding: migration.PortBinding) -> str | None:
     return binding.pin.label if binding.pin is not None else None
 
 
-def library_json(choice: migration.LibraryChoice) -> dict[str, Any]:
+def library_json(choice: migration.LibraryChoice) -> dict[str, Json]:
     """A library choice in the contract's form."""
     component = choice.component
     chosen = choice.chosen
@@ -159,7 +160,7 @@ def library_json(choice: migration.LibraryChoice) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def plan_json(plan: migration.MigrationPlan) -> dict[str, Any]:
+def plan_json(plan: migration.MigrationPlan) -> dict[str, Json]:
     """The contract's `plan`."""
     return {
         "name": plan.name,

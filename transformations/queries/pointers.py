@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.transformations.queries.code import CodeView
 
 
@@ -28,7 +28,7 @@ def pointed_functions(
     return platform, own
 
 
-def gives_access(expression: Any) -> bool:
+def gives_access(expression: Element | None) -> bool:
     """Whether who is given an expression may change what it stands for: an address, an array, a pointer."""
     if isinstance(expression, ccode.Unary):
         return str(expression.operator) == "&"
@@ -36,7 +36,7 @@ def gives_access(expression: Any) -> bool:
     return use is not None and bool(use.arrayDims or use.pointerDepth)
 
 
-def moved_pointer(expression: ccode.Binary) -> Any:
+def moved_pointer(expression: ccode.Binary) -> ccode.Expression | None:
     """The pointer or array that a sum or difference moves along, None where it computes a number."""
     if str(expression.operator) not in ("+", "-"):
         return None

@@ -11,6 +11,7 @@ from collections.abc import Hashable, Iterable, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.given_values import GivenValues
@@ -41,7 +42,7 @@ class PortMasks:
         self._again = False
         """Whether the numbers that were read last depend on themselves."""
 
-    def values(self, expression: Any) -> list[Value]:
+    def values(self, expression: Element | None) -> list[Value]:
         """The values of an expression as `Values` reads them in its unit."""
         return self._values[id(ancestor_of_kind(expression, ccode.SourceUnit))].of(expression)
 
@@ -135,10 +136,10 @@ class PortMasks:
         finally:
             self._active.discard(key)
 
-    def _binary(self, binary: Any) -> int | None:
+    def _binary(self, binary: ccode.Binary) -> int | None:
         return self._combined(binary, str(binary.operator))
 
-    def _assignment(self, assignment: Any) -> int | None:
+    def _assignment(self, assignment: ccode.Assignment) -> int | None:
         operator = str(assignment.operator)
         return self.bits(assignment.right) if operator == "=" else self._combined(assignment, operator.removesuffix("="))
 
@@ -159,7 +160,7 @@ class PortMasks:
             return left | right
         return left if operator == "-" and not right & ~left else None
 
-    def _shifted(self, left: Any, places: set[int] | None, operator: str) -> int | None:
+    def _shifted(self, left: ccode.Expression, places: set[int] | None, operator: str) -> int | None:
         again = self.given.key(left)
         bits = self.bits(left)
         if bits is None or places is None:
@@ -179,7 +180,7 @@ class PortMasks:
         bounds = [n - (o in ("<", "!=")) for o, n, _ in compared if o not in (">", ">=") and n > 0]
         return found & ((1 << max(bounds).bit_length()) - 1) if bounds else None
 
-    def _unary(self, unary: Any) -> int | None:
+    def _unary(self, unary: ccode.Unary) -> int | None:
         operator = str(unary.operator)
         if operator == "!":
             return 1
@@ -188,7 +189,7 @@ class PortMasks:
         key = self.given.key(unary)
         return None if key is None else self._kept(key)
 
-    def _cast(self, cast: Any) -> int | None:
+    def _cast(self, cast: ccode.Cast) -> int | None:
         return self.bits(cast.operand)
 
     def _conditional(self, choice: Any) -> int | None:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
 from robosmi.transformations.queries.values import Values, calculate, passed_arguments
 
@@ -66,7 +67,7 @@ class Ranges:
                 self._depth -= 1
         return self._known[key]
 
-    def _rule(self, expression: Any) -> Range | None:
+    def _rule(self, expression: Element | None) -> Range | None:
         rule = _RULES.get(type(expression).__name__)
         found = rule(self, expression) if rule is not None else None
         if found is not None:
@@ -75,7 +76,7 @@ class Ranges:
         narrow = number is not None and not number.real and number.bits < self.numbers.machine.int_bits
         return Range(number.least, number.most, given=False) if narrow and number is not None else None
 
-    def _binary(self, binary: Any) -> Range | None:
+    def _binary(self, binary: ccode.Binary) -> Range | None:
         operator = str(binary.operator)
         if operator in COMPARISONS or operator in ("&&", "||"):
             return Range(0, 1)
@@ -97,7 +98,7 @@ class Ranges:
             return Range(0, (1 << max(left.high, right.high).bit_length()) - 1, given)
         return None
 
-    def _unary(self, unary: Any) -> Range | None:
+    def _unary(self, unary: ccode.Unary) -> Range | None:
         operand, operator = self.of(unary.operand), str(unary.operator)
         if operator == "!":
             return Range(0, 1)
@@ -108,16 +109,16 @@ class Ranges:
         less = int(operator == "~")
         return Range(-operand.high - less, -operand.low - less, operand.given)
 
-    def _conditional(self, choice: Any) -> Range | None:
+    def _conditional(self, choice: ccode.ConditionalExpression) -> Range | None:
         return _union([self.of(choice.whenTrue), self.of(choice.whenFalse)])
 
-    def _cast(self, cast: Any) -> Range | None:
+    def _cast(self, cast: ccode.Cast) -> Range | None:
         inner, number = self.of(cast.operand), self.numbers.of(cast)
         if number is None or number.real or inner is None:
             return None
         return inner if inner.within(number.least, number.most) else None
 
-    def _name(self, reference: Any) -> Range | None:
+    def _name(self, reference: ccode.NameReference) -> Range | None:
         target = reference.target
         if isinstance(target, ccode.EnumerationLiteral):
             return Range(int(target.value), int(target.value))
@@ -133,7 +134,7 @@ class Ranges:
             return Range(number, number) if number is not None else None
         return None
 
-    def _variable(self, variable: Any) -> Range | None:
+    def _variable(self, variable: ccode.Variable | ccode.Parameter) -> Range | None:
         """What is assigned to a variable anywhere; None where something else may write it."""
         use = variable.valueType
         if use is None or use.arrayDims or use.pointerDepth:
@@ -155,7 +156,7 @@ class Ranges:
         if self._seen_elsewhere(variable):
             return None
         for reference in variable.references:
-            parent: Any = reference.eContainer()
+            parent: Element | None = reference.eContainer()
             if isinstance(parent, ccode.Assignment) and parent.left is reference:
                 found.append(self.of(parent.right) if parent.operator == "=" else None)
             elif isinstance(parent, ccode.Unary) and parent.operator in ("++", "--", "&"):
@@ -170,7 +171,7 @@ class Ranges:
             return False
         return variable.storage is ccode.Storage.externStorage or variable.name in self._shared
 
-    def _counted(self, step: Any, variable: Any) -> Range | None:
+    def _counted(self, step: ccode.Unary, variable: ccode.Declaration) -> Range | None:
         """Where a for loop lets its counter come to: the bound of its condition."""
         loop: Any = step.eContainer()
         up = step.operator == "++"
@@ -188,7 +189,7 @@ class Ranges:
         past = int(operator in ("<=", ">="))
         return Range(bound.low, bound.high + past) if up else Range(bound.low - past, bound.high)
 
-    def _index(self, index: Any) -> Range | None:
+    def _index(self, index: ccode.Index) -> Range | None:
         """The elements of an array with its values in the text, of which none is written."""
         array = index.array
         target = array.target if isinstance(array, ccode.NameReference) else None
@@ -204,10 +205,10 @@ class Ranges:
         if self._seen_elsewhere(target):
             return None
         for reference in target.references:
-            use: Any = reference.eContainer()
+            use = reference.eContainer()
             if not (isinstance(use, ccode.Index) and use.array is reference) and not isinstance(use, ccode.SizeOf):
                 return None
-            outer: Any = use.eContainer()
+            outer = use.eContainer()
             written = isinstance(outer, ccode.Assignment) and outer.left is use
             if written or (isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&")):
                 return None
@@ -227,7 +228,7 @@ def _union(ranges: Sequence[Range | None]) -> Range | None:
     return Range(min(r.low for r in known), max(r.high for r in known), all(r.given for r in known))
 
 
-def _constant(_: Ranges, literal: Any) -> Range:
+def _constant(_: Ranges, literal: ccode.IntegerLiteral) -> Range:
     return Range(int(literal.value), int(literal.value))
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.transformations.queries.values import LIMIT, RUNTIME, Value, Values, passed_arguments
 
 _UP = {"<": -1, "<=": 0, ">": 0, ">=": -1, "!=": -1, "==": 0}
@@ -21,7 +22,7 @@ _DOWN = {">": 1, ">=": 0, "<": 0, "<=": 1, "!=": 1, "==": 0}
 class ReachedValues(Values):
     """Values that expressions of one program may have."""
 
-    def _counter(self, reference: Any, variable: Any) -> list[Value] | None:
+    def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         found = super()._counter(reference, variable)
         return found if found is not None and RUNTIME not in found else None
 
@@ -30,7 +31,7 @@ class ReachedValues(Values):
             return [RUNTIME]
         return self._all_given(variable, [variable.initializer] if variable.initializer is not None else [])
 
-    def _parameter(self, parameter: Any) -> list[Value]:
+    def _parameter(self, parameter: ccode.Parameter) -> list[Value]:
         function = parameter.eContainer()
         if isinstance(function, ccode.Function) and function.references:
             return [RUNTIME]  # who has the function as a value may pass anything
@@ -65,7 +66,7 @@ class ReachedValues(Values):
         known = [number for number in numbers if number is not None]
         return self._stepped(target, known, steps) if known and len(known) == len(numbers) else [RUNTIME]
 
-    def _step_of(self, expression: Any, operator: str) -> int | None:
+    def _step_of(self, expression: ccode.Expression | None, operator: str) -> int | None:
         """By how much an assignment steps, None where the text does not say it."""
         values = self.of(expression)
         number = values[0].number if len(values) == 1 else None
@@ -110,11 +111,11 @@ class ReachedValues(Values):
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "!=": "!=", "==": "=="}
 
 
-def _own_step(expression: Any, target: Any) -> tuple[str, Any] | None:
+def _own_step(expression: Element | None, target: Any) -> tuple[str, Any] | None:
     """Operator and step of an expression such as `pin + 1` that is given to the name in it."""
     if not isinstance(expression, ccode.Binary) or str(expression.operator) not in ("+", "-"):
         return None
-    left: Any = expression.left
+    left = expression.left
     return (
         (str(expression.operator), expression.right) if isinstance(left, ccode.NameReference) and left.target is target else None
     )

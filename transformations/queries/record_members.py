@@ -7,16 +7,19 @@ parameter or field of the type. Members of members become records within.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TypeAlias
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.code import CodeView
 
+Tree: TypeAlias = "dict[str, Tree]"
+"""A member's name -> the members that are used of it."""
+
 
 def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, bytes]) -> list[str]:
     """Declarators of the members that are used, `int32_t x`, sorted by name."""
-    tree: dict[str, Any] = {}
+    tree: Tree = {}
     for view in views:
         named: tuple[ccode.Variable | ccode.Parameter | ccode.Field, ...] = (
             *view.of_kind(ccode.Variable),
@@ -42,7 +45,7 @@ def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, byt
     return _declarators(tree)
 
 
-def _chain(words: list[str], i: int, tree: dict[str, Any]) -> None:
+def _chain(words: list[str], i: int, tree: Tree) -> None:
     """Follow `[..].a[..].b` from a place behind a name."""
     i = _behind_brackets(words, i)
     if words[i : i + 2] == ["=", "{"]:
@@ -75,7 +78,7 @@ def _behind_brackets(words: list[str], i: int) -> int:
     return i
 
 
-def _declarators(tree: dict[str, Any]) -> list[str]:
+def _declarators(tree: Tree) -> list[str]:
     made = []
     for name, inner in sorted(tree.items()):
         within = {k: v for k, v in inner.items() if k not in ("[]", "()")}

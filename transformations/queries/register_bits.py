@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
@@ -54,9 +55,9 @@ def _add(
         found.setdefault((number, name, use.line), use)
 
 
-def _bits(reference: Any, masks: PortMasks, whole: int) -> int | None:
+def _bits(reference: ccode.NameReference, masks: PortMasks, whole: int) -> int | None:
     """The bits that one use of a register changes or looks at."""
-    parent: Any = reference.eContainer()
+    parent = reference.eContainer()
     if not isinstance(parent, ccode.Assignment) or parent.left is not reference:
         return _looked_at(reference, masks, 0, set())
     operator = str(parent.operator)
@@ -91,7 +92,7 @@ def _looked_at(value: Any, masks: PortMasks, shifted: int, seen: set[int]) -> in
     return union(_looked_at(one, masks, shifted, seen | {id(parent)}) for one in takers)
 
 
-def _takers(value: Any, parent: Any, masks: PortMasks) -> list[Any]:
+def _takers(value: Element, parent: Element, masks: PortMasks) -> list[Element]:
     """The expressions that have a value later on: uses of the variable or parameter that keeps it, calls that return it."""
     if isinstance(parent, ccode.Variable) and not (parent.valueType is not None and parent.valueType.arrayDims):
         return [reference for reference in parent.references if not _is_written(reference)]
@@ -108,8 +109,8 @@ def _takers(value: Any, parent: Any, masks: PortMasks) -> list[Any]:
     return []
 
 
-def _is_written(reference: Any) -> bool:
-    container: Any = reference.eContainer()
+def _is_written(reference: ccode.NameReference) -> bool:
+    container = reference.eContainer()
     return isinstance(container, ccode.Assignment) and container.left is reference
 
 
@@ -138,6 +139,6 @@ def _changed(masks: PortMasks, expression: Any, register: Any, cleared: int = 0)
     return _mask(masks, expression, cleared)
 
 
-def _mask(masks: PortMasks, expression: Any, cleared: int = 0) -> int | None:
+def _mask(masks: PortMasks, expression: Element | None, cleared: int = 0) -> int | None:
     """All bits of the values of an expression; with `cleared`, those of its complement. None where a value is not known."""
     return masks.cleared(expression, cleared) if cleared else masks.bits(expression)

@@ -40,7 +40,7 @@ class ValueUses:
             if isinstance(element, _VALUES):
                 self._use(element, view)
 
-    def _use(self, expression: Any, view: CodeView) -> None:
+    def _use(self, expression: ccode.Expression, view: CodeView) -> None:
         """Keep the flow of a value that goes where it is not followed."""
         if isinstance(expression, ccode.Unary) and str(expression.operator) not in ("*", "&"):
             return
@@ -59,7 +59,7 @@ class ValueUses:
         if why:
             self.reader.flows.keep(self.reader.value(expression), why, computed=gives_access(expression))
 
-    def _why_kept(self, expression: Any, parent: Any, view: CodeView) -> str:
+    def _why_kept(self, expression: ccode.Expression, parent: Any, view: CodeView) -> str:
         kind = type(parent).__name__
         if kind in _HARMLESS or (kind == "Index" and parent.array is expression):
             return ""
@@ -87,7 +87,7 @@ class ValueUses:
             return ""
         return f"{name} is {'an index' if kind == 'Index' else 'tested' if kind in _TESTS else 'used in another way'} {line}"
 
-    def _passed(self, expression: Any, call: ccode.Call, view: CodeView, name: str, line: str) -> str:
+    def _passed(self, expression: ccode.Expression, call: ccode.Call, view: CodeView, name: str, line: str) -> str:
         arguments = list(call.arguments)
         position = next((i for i, a in enumerate(arguments) if a is expression), None)
         if position is None or call.viaMacro:
@@ -100,9 +100,9 @@ class ValueUses:
         return f"{name} goes to '{call.calleeName or 'a function'}' {line}"
 
 
-def _expansion(expression: Any) -> ccode.Call | None:
+def _expansion(expression: ccode.Expression) -> ccode.Call | None:
     """The call, made by a macro, that an expression stands in."""
-    call: Any = expression if isinstance(expression, ccode.Call) else ancestor_of_kind(expression, ccode.Call)
+    call = expression if isinstance(expression, ccode.Call) else ancestor_of_kind(expression, ccode.Call)
     while call is not None and not call.viaMacro:
         call = ancestor_of_kind(call, ccode.Call)
     return call if isinstance(call, ccode.Call) else None

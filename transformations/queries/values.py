@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 
 LIMIT = 64
@@ -66,10 +67,10 @@ class Values:
         finally:
             self._active.discard(key)
 
-    def _integer(self, literal: Any) -> list[Value]:
+    def _integer(self, literal: ccode.IntegerLiteral) -> list[Value]:
         return [Value(int(literal.value), "literal")]
 
-    def _cast(self, cast: Any) -> list[Value]:
+    def _cast(self, cast: ccode.Cast) -> list[Value]:
         return self.of(cast.operand)
 
     def _unary(self, unary: Any) -> list[Value]:
@@ -83,7 +84,7 @@ class Values:
             for v in values
         ]
 
-    def _binary(self, binary: Any) -> list[Value]:
+    def _binary(self, binary: ccode.Binary) -> list[Value]:
         left, right = self.of(binary.left), self.of(binary.right)
         if len(left) * len(right) > LIMIT:
             return [RUNTIME]
@@ -95,7 +96,7 @@ class Values:
                 found.append(RUNTIME if number is None else Value(number, origin))
         return found
 
-    def _name(self, reference: Any) -> list[Value]:
+    def _name(self, reference: ccode.NameReference) -> list[Value]:
         target = reference.target
         if isinstance(target, ccode.EnumerationLiteral):
             return [Value(int(target.value), "constant")]
@@ -125,9 +126,9 @@ class Values:
             return [RUNTIME]
         return [v if v.origin in ("array", "runtime") else Value(v.number, "constant") for v in self.of(assigned[0])]
 
-    def _counter(self, reference: Any, variable: Any) -> list[Value] | None:
+    def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         """The variable of the for loop around a use, None where there is no such loop."""
-        loop: Any = ancestor_of_kind(reference, ccode.For)
+        loop = ancestor_of_kind(reference, ccode.For)
         while loop is not None:
             start = _start(loop, variable)
             if start is not None and _in(loop, reference):
@@ -135,7 +136,7 @@ class Values:
             loop = ancestor_of_kind(loop, ccode.For)
         return None
 
-    def _count(self, loop: Any, variable: Any, start: Any) -> list[Value]:
+    def _count(self, loop: ccode.For, variable: ccode.Variable, start: ccode.Expression | None) -> list[Value]:
         step = self._step(loop.step, variable)
         condition = loop.condition
         if step is None or not isinstance(condition, ccode.Binary) or not _refers(condition.left, variable):
@@ -153,7 +154,7 @@ class Values:
             number += step
         return found if found and len(found) <= LIMIT else [RUNTIME]
 
-    def _step(self, step: Any, variable: Any) -> int | None:
+    def _step(self, step: Any, variable: ccode.Declaration) -> int | None:
         if isinstance(step, ccode.Unary) and _refers(step.operand, variable):
             return {"++": 1, "--": -1}.get(str(step.operator))
         if isinstance(step, ccode.Assignment) and _refers(step.left, variable):
@@ -166,7 +167,7 @@ class Values:
                 return values[0].number if operator == "+=" else -values[0].number
         return None
 
-    def _parameter(self, parameter: Any) -> list[Value]:
+    def _parameter(self, parameter: ccode.Parameter) -> list[Value]:
         """What callers pass, the first caller first; runtime where nobody calls, or where the function changes it."""
         function = parameter.eContainer()
         if any(_written(r) for r in parameter.references) or (isinstance(function, ccode.Function) and function.references):
@@ -177,7 +178,7 @@ class Values:
     def _macro(self, name: str) -> list[Value]:
         return self._guarded(self.macros[name], "macro", lambda m: self._macro_value(str(m.body or "")))
 
-    def _macro_itself(self, macro: Any) -> list[Value]:
+    def _macro_itself(self, macro: ccode.Macro) -> list[Value]:
         return [RUNTIME] if macro.functionLike else self._guarded(macro, "macro", lambda m: self._macro_value(str(m.body or "")))
 
     def _macro_value(self, body: str) -> list[Value]:
@@ -231,7 +232,7 @@ class Values:
             return [Value(int(declaration.value), "constant")]
         return self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else [RUNTIME]
 
-    def _index(self, index: Any) -> list[Value]:
+    def _index(self, index: ccode.Index) -> list[Value]:
         elements = self.elements(index.array)
         if elements is None:
             return [RUNTIME]
@@ -252,7 +253,7 @@ class Values:
         if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
             return None
         for reference in target.references:
-            container: Any = reference.eContainer()
+            container = reference.eContainer()
             if isinstance(container, ccode.Index) and container.array is reference and _written(container):
                 return None
         found: list[Value] = []
@@ -269,7 +270,7 @@ class Values:
         rest = min(int(size[1]), LIMIT) - len(found) if size is not None else 0
         return found + [Value(0, "array")] * max(rest, 0)
 
-    def _place(self, element: Any, following: int) -> int | None:
+    def _place(self, element: Element, following: int) -> int | None:
         """Where an element of an array's initialiser goes: behind the last one, or where `[index] =` says."""
         if not isinstance(element, ccode.Assignment):
             return following
@@ -347,22 +348,22 @@ def _distinct(values: list[Value]) -> list[Value]:
     return list(first.values())
 
 
-def _refers(expression: Any, variable: Any) -> bool:
+def _refers(expression: ccode.Expression | None, variable: ccode.Declaration) -> bool:
     return isinstance(expression, ccode.NameReference) and expression.target is variable
 
 
-def _in(element: Any, reference: Any) -> bool:
+def _in(element: Any, reference: ccode.NameReference) -> bool:
     return element is not None and bool(element.startOffset <= reference.startOffset < element.endOffset)
 
 
-def _written(element: Any) -> bool:
-    container: Any = element.eContainer()
+def _written(element: Element) -> bool:
+    container = element.eContainer()
     if isinstance(container, ccode.Assignment):
         return container.left is element
     return isinstance(container, ccode.Unary) and str(container.operator) in ("++", "--", "&")
 
 
-def _start(loop: Any, variable: Any) -> Any:
+def _start(loop: ccode.For, variable: ccode.Variable) -> ccode.Expression | None:
     """The value that a for loop gives its variable first, None where its first clause does not set it."""
     initial = loop.initial
     if isinstance(initial, ccode.DeclarationStatement):
@@ -377,7 +378,7 @@ def _start(loop: Any, variable: Any) -> Any:
     return None
 
 
-def passed_arguments(parameter: Any) -> list[Any]:
+def passed_arguments(parameter: ccode.Parameter) -> list[Element]:
     """The arguments that callers pass for a parameter, in text order."""
     function = parameter.eContainer()
     if not isinstance(function, ccode.Function):

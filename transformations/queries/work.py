@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.metamodels import migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.answers import answer
@@ -108,7 +109,7 @@ class Work:
         }  # fmt: skip
 
 
-def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
+def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Json]:
     """What the contract's `plan` says of the work: `work`, `needs` (of the board), `verdicts` (sums) and `constructs[]`.
 
     Args:
@@ -124,7 +125,7 @@ def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> di
     }
 
 
-def _answer(plan: migration.MigrationPlan, decision: migration.Decision) -> dict[str, Any]:
+def _answer(plan: migration.MigrationPlan, decision: migration.Decision) -> dict[str, Json]:
     how = answer(plan, decision)
     return {
         "subject": how.subject, "flag": how.flag, "robosmi_toml": {"table": how.table, "line": how.line},

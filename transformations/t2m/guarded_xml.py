@@ -72,7 +72,7 @@ def parse_xml(data: bytes, path: str, what: str, tool: str = "Fritzing", doctype
 
 def line_of(element: etree._Element) -> int:
     """The line that an element stands in."""
-    line: Any = element.sourceline
+    line = element.sourceline
     return line if isinstance(line, int) else 1
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
@@ -164,7 +164,7 @@ def _declared(folder: Path, found: Found) -> dict[str, str]:
     return {}
 
 
-def _from_manifest(data: dict[str, Any]) -> dict[str, str]:
+def _from_manifest(data: dict[str, Json]) -> dict[str, str]:
     """PlatformIO's library.json in the words of library.properties."""
 
     def joined(value: object) -> str:

@@ -10,9 +10,8 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.packed_lines import packed_lines
@@ -50,7 +49,7 @@ def _row(line: str, place: Location) -> tuple[str, HeaderApi]:
         raise SourceError(f"this line does not say what a header declares: {error}", location=place, fix=_FIX) from error
 
 
-def header_api(row: Mapping[str, Any]) -> HeaderApi:
+def header_api(row: Mapping[str, Json]) -> HeaderApi:
     """What one header declares, in one spelling. Putting it into that spelling again changes nothing.
 
     Raises:

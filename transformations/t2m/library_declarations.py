@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.transformations.knowledge.api_spelling import joined
 from robosmi.transformations.knowledge.api_tokens import (
     MOST_NAMES,
@@ -63,7 +64,7 @@ class _Scan:
         return "::".join([*(scope.name for scope in self.scopes if scope.name), name])
 
 
-def declarations(data: bytes) -> dict[str, Any]:
+def declarations(data: bytes) -> dict[str, Json]:
     """What a header declares, in the form of a row of facts: `classes`, `functions`, `constants`, `enums`.
 
     Args:

@@ -16,7 +16,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.model.packed_lines import packed_lines
@@ -67,7 +67,7 @@ def _rows(path: Path) -> Iterator[dict[str, Any]]:
         raise SourceError(f"cannot be read: {error}", location=place, fix=_FIX) from error
 
 
-def _checked(row: Any, place: Location) -> dict[str, Any]:
+def _checked(row: Any, place: Location) -> dict[str, Json]:
     """The row, if it has what an index needs."""
     if not isinstance(row, dict) or not isinstance(row.get("name"), str) or not row["name"]:
         raise SourceError("this line is not a library with a name", location=place, fix=_FIX)

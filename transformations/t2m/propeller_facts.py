@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs, resources
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.transformations.knowledge.api_spelling import tidy
 
 PLATFORM = "propeller"
@@ -52,7 +52,7 @@ def write(folder: Path, target: Path) -> list[Path]:
         target: the platform's folder.
     """
 
-    def line(value: Any) -> str:
+    def line(value: Json) -> str:
         return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
 
     api = api_facts(json_of(inputs.read_text(folder / "api_db.json", inputs.DATA)))

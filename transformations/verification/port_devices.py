@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs, resources
+from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration
 from robosmi.project import read_data
 from robosmi.query import all_contents
@@ -218,7 +219,7 @@ def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: b
     return "", ""
 
 
-def at_rest(device: str, kinds: frozenset[str]) -> dict[str, Any]:
+def at_rest(device: str, kinds: frozenset[str]) -> Mapping[str, Json]:
     """What a device shows while nothing happens: setting -> value.
 
     Args:

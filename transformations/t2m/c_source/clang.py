@@ -147,7 +147,7 @@ class ClangLibrary:
     """libclang's functions without the prefix `clang_`, typed for ctypes."""
 
     def __init__(self, path: str) -> None:
-        library: Any = CDLL(path)
+        library = CDLL(path)
         for name, (arguments, result) in _SIGNATURES.items():
             function = library[f"clang_{name}"]
             function.argtypes = arguments
@@ -214,14 +214,14 @@ def parse(
     return unit.value if code == 0 and unit.value else None
 
 
-def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, Any], int]) -> None:
+def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, int | None], int]) -> None:
     """Visit the children of a cursor; the callback answers 0 to stop, 1 to go on, 2 to go into the child first.
 
     Raises:
         BaseException: what the callback raised; the visit ends with it.
     """
 
-    def guarded(cursor: Cursor, parent: Cursor, data: Any) -> int:
+    def guarded(cursor: Cursor, parent: Cursor, data: int | None) -> int:
         try:
             return callback(cursor, parent, data)
         except BaseException as error:
@@ -277,7 +277,7 @@ def macro_names(unit: int) -> set[str]:
     """The names of all macros that are defined anywhere in a unit."""
     found: set[str] = set()
 
-    def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+    def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
         if cursor.kind == MACRO_DEFINITION:
             found.add(library().text(library().getCursorSpelling(cursor)))
         return 1

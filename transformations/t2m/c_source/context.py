@@ -17,6 +17,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL
 from robosmi.transformations.t2m.c_source.parsing import Parsed
 from robosmi.transformations.t2m.c_source.source import ReadSource
@@ -115,20 +116,20 @@ class UnitContext:
         """The number of the last token that starts before the offset; -1 for none."""
         return bisect_left(self._starts, offset) - 1
 
-    def name_offset(self, cursor: Any) -> int:
+    def name_offset(self, cursor: Cursor) -> int:
         """Where a declaration's name stands in the file, -1 elsewhere."""
         return self.parsed.reader.offset(self.lib.getCursorLocation(cursor))
 
-    def spelling(self, cursor: Any) -> str:
+    def spelling(self, cursor: Cursor) -> str:
         """The name of a cursor."""
         text: str = self.lib.text(self.lib.getCursorSpelling(cursor))
         return text
 
-    def pointer(self, cursor: Any) -> int:
+    def pointer(self, cursor: Cursor) -> int:
         """What identifies a declaration."""
         return cursor.data[0] or 0
 
-    def register(self, cursor: Any, element: ccode.Declaration) -> None:
+    def register(self, cursor: Cursor, element: ccode.Declaration) -> None:
         """Remember which element stands for a declaration."""
         self.declared[self.pointer(cursor)] = element
 

@@ -106,7 +106,7 @@ def _argument_type(lib: Any, kind: Any) -> str:
     return "int"
 
 
-def _literal_type(argument: Any) -> str:
+def _literal_type(argument: ccode.Expression) -> str:
     if isinstance(argument, ccode.StringLiteral):
         return "const char *"
     return "double" if isinstance(argument, ccode.FloatingLiteral) else "int"
@@ -120,13 +120,13 @@ def _common(types: list[str]) -> str:
     return next((t for t in types if t != "int"), "int")
 
 
-def _is_format(argument: Any) -> bool:
+def _is_format(argument: ccode.Expression) -> bool:
     return isinstance(argument, ccode.StringLiteral) and "%" in str(argument.text)
 
 
 def _value_type(call: ccode.Call) -> str | None:
     """The type that the value of a call must fit, None where it is not used."""
-    container: Any = call.eContainer()
+    container = call.eContainer()
     if isinstance(container, ccode.ExpressionStatement):
         return None
     if isinstance(container, ccode.For) and (container.step is call):
@@ -137,7 +137,7 @@ def _value_type(call: ccode.Call) -> str | None:
     if isinstance(container, ccode.Variable) and container.valueType is not None:
         return str(container.valueType.spelling).replace("const ", "") or "int"
     if isinstance(container, ccode.Assignment) and isinstance(container.left, ccode.NameReference):
-        target: Any = container.left.target
+        target = container.left.target
         if (
             isinstance(target, (ccode.Variable, ccode.Parameter))
             and target.valueType is not None

@@ -8,13 +8,13 @@ that no header declares are inferred in `inference`.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
 from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source import cursor_kinds
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.macros import header_of
@@ -87,7 +87,7 @@ class Linker:
         return own
 
     @staticmethod
-    def _declared_signature(context: UnitContext, cursor: Any, name: str) -> str:
+    def _declared_signature(context: UnitContext, cursor: Cursor, name: str) -> str:
         if cursor.kind not in FUNCTION_KINDS:
             return f"{name}(...)"
         text: str = context.lib.text(context.lib.getCursorPrettyPrinted(cursor, None))
@@ -97,7 +97,7 @@ class Linker:
         return text
 
     @staticmethod
-    def _builtin_signature(context: UnitContext, cursor: Any, name: str) -> str:
+    def _builtin_signature(context: UnitContext, cursor: Cursor, name: str) -> str:
         """The signature that the parser itself knows of a library function, empty for a function that it knows nothing of."""
         if cursor.kind not in FUNCTION_KINDS:
             return ""
@@ -144,7 +144,7 @@ class Linker:
         """The variable or enumerator of that name that a header among the units declares; a definition in another unit first."""
         return self._header_values.get(name)
 
-    def _external_symbol(self, context: UnitContext, reference: ccode.NameReference, cursor: Any) -> ccode.Declaration | None:
+    def _external_symbol(self, context: UnitContext, reference: ccode.NameReference, cursor: Cursor) -> ccode.Declaration | None:
         name = str(reference.name)
         header = header_of(context, cursor)
         if header is None and not context.parsed.prelude.declares(name):
@@ -234,7 +234,7 @@ def _type_headers(context: UnitContext) -> dict[str, str]:
 
 
 def _use(reference: ccode.NameReference) -> str:
-    container: Any = reference.eContainer()
+    container = reference.eContainer()
     if isinstance(container, ccode.Assignment) and container.left is reference:
         return "writtenUse"
     if isinstance(container, ccode.Index) and container.array is reference:

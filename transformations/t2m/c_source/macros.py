@@ -12,6 +12,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 
@@ -124,7 +125,7 @@ def uses(context: UnitContext) -> list[ccode.MacroUse]:
     return sorted(found, key=lambda use: int(use.startOffset))
 
 
-def header_of(context: UnitContext, cursor: Any) -> str | None:
+def header_of(context: UnitContext, cursor: Cursor | None) -> str | None:
     """The header that a declaration stands in, as it is included; empty for our prelude, None for the file itself."""
     if cursor is None:
         return None

@@ -162,17 +162,17 @@ class OnDemandProgram(TypedModel):
         """
         return resolve(identity, [self.program]) if identity.startswith("/") else None
 
-    def id_of(self, element: Any) -> str:
+    def id_of(self, element: Element) -> str:
         """The fragment of an element, the same as in the stored model."""
         return fragment_of(element, [self.program])
 
-    def owns(self, element: Any) -> bool:
+    def owns(self, element: Element) -> bool:
         """Whether the element is in this program."""
         return isinstance(element, Element) and root_of(element) is self.program
 
     # Links
 
-    def _link(self, unit: Unit, element: Any, feature: Any) -> Any:
+    def _link(self, unit: Unit, element: Element, feature: Any) -> Any:
         """The value of a cross reference."""
         found = self._near(unit, element, feature.name) if not feature.many else None
         if found is None:

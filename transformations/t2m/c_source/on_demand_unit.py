@@ -17,9 +17,11 @@ from robosmi.metamodels import ccode
 from robosmi.model.features import all_features
 from robosmi.model.on_demand import Promise, settle, stand_in
 from robosmi.model.ordering import post_order
+from robosmi.model.strict import Element
 from robosmi.model.structure import contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.grammar import BUILDERS
 from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
@@ -133,11 +135,11 @@ class Unit:
             pending += contents(pending.pop())
         return coverage.calls(self.context)
 
-    def settled(self, element: Any) -> Any:
+    def settled(self, element: Element) -> Any:
         """An element that was just built, read-only and with promises in the place of its links."""
         return settle(element, self._linked)
 
-    def _linked(self, owner: Any, feature: Any) -> Any:
+    def _linked(self, owner: Element, feature: Any) -> Any:
         return self._link_of(self, owner, feature)
 
     def _settled_all(self, elements: Any) -> list[Any]:
@@ -155,7 +157,7 @@ class Unit:
             self.__dict__["_counted"] = total
         return known
 
-    def declared(self, cursor: Any) -> Any:
+    def declared(self, cursor: Cursor) -> Any:
         """The element that was built for a declaration's cursor, or None; those at file scope are built for this."""
         len(self.element.declarations)
         return self.context.declared.get(self.context.pointer(cursor))
@@ -189,7 +191,7 @@ def in_building_order(unit: Unit) -> None:
     context.references.sort(key=lambda entry: rank.get(id(entry[0]), -1))
 
 
-def _parts(element: Any) -> list[Any]:
+def _parts(element: Element) -> list[Any]:
     """What an element contains, in the order in which it is built."""
     parts = contents(element)
     if isinstance(element, ccode.DoWhile):

@@ -143,7 +143,7 @@ class TreeReader:
         lib = clang.library()
         found: dict[str, str] = {}
 
-        def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+        def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             what = _OWN.get(cursor.kind)
             if what and self.offset(lib.getCursorLocation(cursor)) >= 0:
                 found[lib.text(lib.getCursorSpelling(cursor))] = what
@@ -159,7 +159,7 @@ class TreeReader:
         extent, expansion, place = self.extent, self._expansion, self._extent
         last = self.base + self.length
 
-        def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+        def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             kind = cursor.kind
             if kind in _NOT_READ:  # most cursors by far
                 return 1
@@ -184,7 +184,7 @@ class TreeReader:
         first, last = self.base, (self.base + self.length if self._back is None else -1)
         stack: list[Node] = []
 
-        def visitor(cursor: Cursor, parent: Cursor, data: Any) -> int:
+        def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             try:
                 raw = bytes(parent)
                 while stack[-1].raw != raw:

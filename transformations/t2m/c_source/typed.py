@@ -15,6 +15,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds, type_kinds
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.expansion import Definition, Expanded, definition
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
 from robosmi.transformations.t2m.c_source.invocation import VIRTUAL
@@ -319,7 +320,7 @@ class _Reader:
         """What the values of an enumeration are promoted to on the target, in C++."""
         values: list[int] = []
 
-        def visitor(cursor: Any, parent: Any, data: Any) -> int:
+        def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:
             if cursor.kind == _LITERAL:
                 values.append(int(self.lib.getEnumConstantDeclValue(cursor)))
             return 1

@@ -12,6 +12,7 @@ from typing import Any
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 from robosmi.transformations.t2m.c_source import type_kinds
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 
 _SIGNED = frozenset(
@@ -57,7 +58,7 @@ class Specifiers:
     constant: bool
 
 
-def storage(context: UnitContext, cursor: Any) -> ccode.Storage:
+def storage(context: UnitContext, cursor: Cursor) -> ccode.Storage:
     """Storage class of a declaration."""
     literal: ccode.Storage = getattr(ccode.Storage, _STORAGES.get(context.lib.Cursor_getStorageClass(cursor), "unspecified"))
     return literal
@@ -201,7 +202,7 @@ def declarator(context: UnitContext, spec: Specifiers, name_offset: int) -> tupl
 
 
 def type_use(
-    context: UnitContext, cursor: Any, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None
+    context: UnitContext, cursor: Cursor, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None
 ) -> ccode.TypeUse:
     """The type of a declaration.
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import zipfile
 from pathlib import Path
-from typing import Any
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -17,6 +16,7 @@ from robosmi.errors import SourceError
 from robosmi.model import zip_archive
 from robosmi.model.files import write_atomic
 from robosmi.model.plain_xml import XmlModel
+from robosmi.model.strict import Element
 
 from .container import MAX_BYTES, MAX_ENTRIES, read_container
 
@@ -28,7 +28,7 @@ class DrawingModel(XmlModel):
         root, name, path: as for `XmlModel`.
     """
 
-    def __init__(self, root: Any, name: str = "M", path: Path | None = None) -> None:
+    def __init__(self, root: Element, name: str = "M", path: Path | None = None) -> None:
         super().__init__(root, name, path)
         self.archive = b""
         self.sketch_name = ""

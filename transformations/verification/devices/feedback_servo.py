@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
+from robosmi.data_text import Json
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
 _CYCLE_US = 1e6 / 910
@@ -23,7 +24,7 @@ class FeedbackServo(PulseDriven):
     mark = 30.0
 
     pin_names = ("servo", "feedback")
-    setting_names: ClassVar[Mapping[str, Any]] = {
+    setting_names: ClassVar[Mapping[str, Json]] = {
         "degrees": 90.0, "neutral_us": 1500.0, "dead_us": 20.0, "degrees_per_s_per_us": 4.88,
     }  # fmt: skip
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
-from typing import Any, ClassVar
+from typing import ClassVar
 
+from robosmi.data_text import Json
 from robosmi.verify.bench import Device, Level
 
 
@@ -18,7 +19,7 @@ class SerialLine(Device):
     """
 
     optional_pin_names = ("receive", "transmit")
-    setting_names: ClassVar[Mapping[str, Any]] = {"baud": 9600, "mode": 0, "points": ()}
+    setting_names: ClassVar[Mapping[str, Json]] = {"baud": 9600, "mode": 0, "points": ()}
 
     def start(self) -> None:
         """Idle high, and send at each point."""
@@ -62,7 +63,7 @@ class AnsweringLine(Device):
     """
 
     pin_names = ("line",)
-    setting_names: ClassVar[Mapping[str, Any]] = {"baud": 19200, "answers": {}, "delay_ms": 2.0}
+    setting_names: ClassVar[Mapping[str, Json]] = {"baud": 19200, "answers": {}, "delay_ms": 2.0}
 
     def start(self) -> None:
         """Hold the line high, as its pull-up does: a program may let go of it without one of its own."""

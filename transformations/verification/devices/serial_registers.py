@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
+from robosmi.data_text import Json
 from robosmi.verify.bench import Device, Level
 
 
@@ -19,7 +20,7 @@ class SerialRegisters(Device):
     """
 
     pin_names = ("select", "clock", "data_in", "data_out")
-    setting_names: ClassVar[Mapping[str, Any]] = {"content": (), "step": None, "page": None}
+    setting_names: ClassVar[Mapping[str, Json]] = {"content": (), "step": None, "page": None}
 
     def start(self) -> None:
         """Wait to be selected."""

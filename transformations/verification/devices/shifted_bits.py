@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
+from robosmi.data_text import Json
 from robosmi.transformations.verification.devices.levels import value_at
 from robosmi.verify.bench import Device, Level
 from robosmi.verify.simulation import DeviceEvent
@@ -25,7 +26,7 @@ class ShiftedBits(Device):
 
     pin_names = ("clock",)
     optional_pin_names = ("data_out", "data_in")
-    setting_names: ClassVar[Mapping[str, Any]] = {"points": ()}
+    setting_names: ClassVar[Mapping[str, Json]] = {"points": ()}
     reacts_to = (0,)
 
     def start(self) -> None:

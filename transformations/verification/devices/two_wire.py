@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any, ClassVar
 
+from robosmi.data_text import Json
 from robosmi.verify.bench import Bench, Device
 
 
@@ -18,7 +19,7 @@ class _Memory(Device):
     pointer_bytes = 1
     cells: int
 
-    def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Any]) -> None:
+    def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Json]) -> None:
         super().__init__(bench, number, pins, settings)
         self.address = int(self.settings["address"])
         content = bytes(self.settings["content"])
@@ -62,7 +63,7 @@ class Eeprom(_Memory):
     pointer_bytes = 2
     cells = 65536
     page = 128
-    setting_names: ClassVar[Mapping[str, Any]] = {"address": 0x50, "content": (), "busy_ms": 5.0}
+    setting_names: ClassVar[Mapping[str, Json]] = {"address": 0x50, "content": (), "busy_ms": 5.0}
 
     def start(self) -> None:
         """Be ready."""

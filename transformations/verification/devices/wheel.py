@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
+from robosmi.data_text import Json
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
 _STEP_US = 1000.0
@@ -22,7 +23,7 @@ class Wheel(PulseDriven):
     mark = 16.0
 
     optional_pin_names = ("encoder",)
-    setting_names: ClassVar[Mapping[str, Any]] = {"neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0}
+    setting_names: ClassVar[Mapping[str, Json]] = {"neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0}
 
     def start(self) -> None:
         """Stand still."""

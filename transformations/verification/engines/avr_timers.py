@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.verify.simulation import Wave
 
 FAST, PHASE, CLEAR, NORMAL = "fast", "phase", "clear", "normal"
@@ -47,7 +48,7 @@ class Timers:
         registers: the addresses whose writes have to be told.
     """
 
-    def __init__(self, facts: Mapping[str, Mapping[str, Any]], pins: Mapping[str, str], clock_hz: int) -> None:
+    def __init__(self, facts: Mapping[str, Mapping[str, Json]], pins: Mapping[str, str], clock_hz: int) -> None:
         self.waves: list[Wave] = []
         self._clock_hz = clock_hz
         self._labels = {port: label for label, port in pins.items()}
