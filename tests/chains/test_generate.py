@@ -67,6 +67,21 @@ def test_a_second_run_changes_no_byte_and_touches_no_file(again: str, case_study
     assert {path: path.stat().st_mtime_ns for path in output.rglob("*") if path.is_file()} == times
 
 
+def test_a_port_that_nobody_gives_a_function_is_no_fault_of_the_plan(tmp_path: Path) -> None:
+    source = tmp_path / "library.c"
+    source.write_text(
+        '#include "simpletools.h"\nint ask(int pin) { low(pin); return pulse_in(pin, 1); }\nint main() { pause(1); }\n'
+    )
+    robosmi.migrate([source], tmp_path / "out")
+    plan = tmp_path / "out" / "models" / "plan.xmi"
+    [flow] = robosmi.load_model(plan).portFlows
+    assert ([call.calleeName for call in flow.calls], list(flow.bindings), flow.anything) == (["low", "pulse_in"], [], False)
+    assert run("generate", plan, "-o", tmp_path / "again").code == 0
+    assert (tmp_path / "again" / "library" / "library.ino").read_text() == (
+        tmp_path / "out" / "library" / "library.ino"
+    ).read_text()
+
+
 def test_two_migrations_into_two_folders_are_equal(case_study: Path, tmp_path: Path) -> None:
     robosmi.migrate([case_study], tmp_path / "a")
     robosmi.migrate([case_study], tmp_path / "b")

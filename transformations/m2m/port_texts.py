@@ -29,6 +29,8 @@ def port_changes(
 ) -> list[migration.PortFlow]:
     """The flows of a plan, and the changes of text that they and the bindings want.
 
+    A flow without a number, such as the parameter of a function that nobody calls, is one too: its calls were looked at.
+
     Args:
         ports: the program's ports.
         bindings: a decision for each; they are given their changes.
@@ -56,7 +58,7 @@ def port_changes(
                     changes += _look_up(argument, around) if around is not None else []
                     left = [f"'{argument.function}' has to look up the numbers of its array itself"] if around is None else []
                     each.flow.kept[:0] = [text for text in left if text not in each.flow.kept]
-        if each.numbers or changes:
+        if each.numbers or changes or any(argument.call is not None for argument in each.flow.arguments):
             found.append(_flow(each, changes, numbers))
     return found
 
@@ -85,7 +87,7 @@ def _flow(
         chosenBy=migration.ChosenBy.rule,
         confidence=1.0,
         evidence=why,
-        anything=each.anything,
+        anything=each.anything and bool(each.numbers or changes),
         bindings=[numbers[n] for n in each.numbers if n in numbers],
         calls=list({id(a.call): a.call for a in each.flow.arguments if a.call is not None}.values()),
         changes=changes,
