@@ -52,7 +52,8 @@ class Variation:
         noise: by how much each cost differs at random, as a part of it: 0.1 is up to 10 % either way.
         late_us: by how many microseconds at most a call that waits ends later.
         early_part: the part of its time by which a call that waits ends earlier, as where a clock is fast.
-        line_part: the part by which the console's line is faster: what prints all the time comes round more often.
+        line_part: the part by which the console's line is faster: what prints all the time comes round more
+            often; a negative part makes it slower.
     """
 
     seed: int = 0

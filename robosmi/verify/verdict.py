@@ -68,7 +68,7 @@ class CallsAround:
     """The calls of the source where a difference is.
 
     Attributes:
-        made: the call that makes what differs, as far as that is known: the last one of a function of that channel.
+        made: the last call of a function of that channel, which need not be the cause: a wait beside it may be.
         around: other calls near it, by time.
     """
 
@@ -92,7 +92,7 @@ class Verdict:
         racy_branches: branches that only those reach, `file:line`.
         missed_branches: branches that no scenario reaches, `file:line`.
         binding: the ports with their pins and devices on both sides.
-        functions: channel -> the platform's functions that make it.
+        functions: channel -> the platform's functions that use it.
         not_compared: ports that are not compared: lines of buses, and what is not wired on the target.
         calls: those of the source around the first difference.
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
@@ -243,11 +243,13 @@ class Verdict:
             lines.append(f"    {difference.message}")
             functions = self.functions.get(difference.channel, ())
             if self.calls.made is not None:
-                lines.append(f"    made by {self.calls.made}")
+                lines.append(f"    called for that channel by the source: {self.calls.made}")
             elif functions:
-                lines.append(f"    made by {', '.join(functions)}")
+                lines.append(f"    functions of that channel: {', '.join(functions)}")
             if self.calls.around:
-                lines.append(f"    calls around it: {', '.join(map(str, self.calls.around))}")
+                lines.append(f"    called around it: {', '.join(map(str, self.calls.around))}")
+            if self.calls.made is not None or functions:
+                lines.append("    (which of these the cause is, if it is one of them, cannot be seen from outside)")
             lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]
         lines += [f"  {reason}" for reason in self.all_reasons()]
         if self.racy:

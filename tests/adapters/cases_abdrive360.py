@@ -45,6 +45,20 @@ void loop() {{}}
     assert [turned(trace, 0) / 5.625, turned(trace, 1) / 5.625] == pytest.approx(told[13:], abs=2)
 
 
+@proves(*d("goto"))
+def drives_with_feedback_notice_that_wheels_stand(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); drive_encoderPins(A0, A1); drive_gotoMode(0);
+  for (int ways = 0; ways < 3; ways++) {{ uint32_t begun = millis(); drive_goto(24, 24); say(millis() - begun); }} }}
+void loop() {{}}
+"""
+    ports = {**PORTS, "abdrive360.left_encoder": "255", "abdrive360.right_encoder": "255"}
+    trace = replace(uno, ports=ports).run(program, d("goto", "gotoMode", "encoderPins"), 6_000, SERVOS)
+    took = [int(each) for each in trace.text.split()]
+    assert len(took) == 3
+    assert max(took) < 1530  # a wheel whose angle trembles by its last digit stands: up to 0.3 s later without it
+
+
 @proves(*d("rampStep", "getTicksCalc", "servoPins", "setMaxSpeed", "setRampStep", "feedback"))
 def drives_without_feedback_go_as_calculated(uno: Uno) -> None:
     used = d("rampStep", "getTicksCalc", "servoPins", "setMaxSpeed", "setRampStep", "feedback", "goto", "gotoMode")

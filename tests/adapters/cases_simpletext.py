@@ -259,3 +259,23 @@ void loop() {}
 """
     trace = uno.run(program, ["simpletext.h/_scanf_getl", "simpletext.h/_scanf_getf"], 40)
     assert trace.text.split("|")[:-1] == [",4 -123", "g 127", " 2 5", "765 987", "none 987", "V 25"]
+
+
+@proves(*t("print", "putStr", "putDec", "putChar", "writeChar"))
+def the_program_goes_on_when_its_text_is_sent(uno: Uno) -> None:
+    program = """
+void setup() {
+  uint32_t begun[6];
+  delay(5);
+  begun[0] = micros(); print("%s", "forty characters that take three ms....."); begun[1] = micros();
+  putStr("twenty characters..."); begun[2] = micros(); putDec(-1234567); begun[3] = micros(); putChar('c');
+  begun[4] = micros(); writeChar(simpleterm_pointer(), 'w'); begun[5] = micros();
+  putLine("");
+  for (uint8_t each = 0; each < 5; each++) { putDec((begun[each + 1] - begun[each]) / 10); putChar(' '); }
+}
+void loop() {}
+"""
+    used = t("print", "putStr", "putDec", "putChar", "writeChar", "putLine", "simpleterm_pointer")
+    took = [10 * int(each) for each in uno.run(program, used, 40).text.splitlines()[1].split()]
+    for us, characters in zip(took, (40, 20, 8, 1, 1), strict=True):
+        assert 85 * characters <= us < 110 * characters + 200

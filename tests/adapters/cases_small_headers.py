@@ -1,4 +1,4 @@
-"""soundimpact.h, colormath.h and stacktest.h. Semantics of the libraries' sources (Simple-Libraries 1cc167c10)."""
+"""soundimpact.h, colormath.h, stacktest.h and exit. Semantics of the libraries' sources (Simple-Libraries 1cc167c10)."""
 
 from __future__ import annotations
 
@@ -57,3 +57,16 @@ void setup() { Serial.begin(115200); int32_t *cog = cog_runStackTest(little, 50)
 void loop() {}
 """
     assert cogs(uno, program, STACKS, slots=1) == "11" + "0" + "1" + "51" + "1" + "0"
+
+
+@proves("stdlib.h/exit")
+def what_a_program_has_begun_goes_on_when_it_exits(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); tone(9, 500); Serial.print("a text that is still on its way when the program ends");
+  c_exit(3); Serial.print("gone on"); }
+void loop() { Serial.print("again"); }
+"""
+    trace = uno.run(program, ["stdlib.h/exit"], 60)
+    assert trace.text == "a text that is still on its way when the program ends"
+    assert trace.state == "running"
+    assert [wave.hz for wave in trace.waves if wave.pin == "D9"][-1:] == [500.0] or len(trace.pulses("D9")) > 20

@@ -18,6 +18,7 @@ import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
+from itertools import islice
 from pathlib import Path
 
 from tests.faults.campaign import STUDIES, Outcome, Study, executed
@@ -70,7 +71,7 @@ def run(study: Study, count: int, seed: int, jobs: int, kept: Path) -> dict[str,
     waiting = in_turns(there, seed)
     with ThreadPoolExecutor(jobs) as pool:
         while made.counted < count:
-            batch = [fault for fault, _ in zip(waiting, range(min(2 * jobs, count - made.counted)), strict=False)]
+            batch = list(islice(waiting, min(2 * jobs, count - made.counted)))
             if not batch:
                 break
             for fault, outcome in pool.map(judge, batch):

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from robosmi.verify.comparison import ChannelComparison, FirstDifference
+from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.verdict import ScenarioVerdict, Verdict
+from robosmi.verify.verdict import CallsAround, ScenarioVerdict, Verdict
 
 CRASH = FirstDifference(400.0, "program", "the migrated program crashes", None, None)
 
@@ -58,3 +59,18 @@ def test_stand_ins_for_libraries_are_said() -> None:
     assert said in found.sentence()
     assert f"  {said}" in found.lines()
     assert said not in Verdict(scenarios=[told("no-difference-found", "same")]).sentence()
+
+
+def test_a_call_beside_a_difference_is_not_called_its_cause() -> None:
+    late = FirstDifference(100.0, "P5", "high lasts 102 ms instead of 107 ms", None, None)
+    channel = ChannelComparison("P5", "different", late)
+    scenario = ScenarioVerdict(Scenario("s", 1000.0, {}), "different", (channel,), 1000.0)
+    made, waits = LibraryCall(0.0, "high", "a.c", 5, False), LibraryCall(50.0, "print", "a.c", 7, True)
+    for found in (
+        Verdict(scenarios=[scenario], calls=CallsAround(made, (waits,))),
+        Verdict(scenarios=[scenario], functions={"P5": ("high",)}),
+    ):
+        said = "\n".join(found.lines())
+        assert "high" in said
+        assert "made by" not in said
+        assert "cannot be seen from outside" in said

@@ -1,7 +1,7 @@
-"""Where in the source a difference comes from: the call that makes what differs, and the calls around it, which wait or decide.
+"""What the source calls where a difference is: for that channel, and around it, where calls wait or decide.
 
-An adapter that is wrong is one of a function that is called there. Which of them it is cannot be told from outside: a lamp that
-is on for too short a time was switched by one function, and the wait between was another.
+An adapter that is wrong is often one of a function that is called there. Which of them it is cannot be told from outside, and
+each may be innocent: a lamp that is on for too short a time was switched by one function, and the wait between was another.
 """
 
 from __future__ import annotations

@@ -122,6 +122,35 @@ def test_a_servo_notes_the_marks_that_it_passes(way: list[float], marks: list[in
     assert [event.value for event in servo.bench.events] == marks
 
 
+class Clocked(Quiet):
+    """A bench whose time goes from one action to the next, and which notes when a pin is made high."""
+
+    def __init__(self, pins: list[str], clock_hz: int) -> None:
+        super().__init__(pins, clock_hz)
+        self.rises: dict[str, list[float]] = {pin: [] for pin in pins}
+
+    def set_level(self, pin: str, level: int | None) -> None:
+        """Note it."""
+        if level == 1:
+            self.rises[pin].append(self.now)
+
+
+def test_the_signals_of_two_servos_are_not_in_step() -> None:
+    bench = Clocked(["D2", "D3", "D9", "D10"], 16_000_000)
+    bench.connect(
+        [
+            DeviceUse("feedback_servo", {"servo": "D9", "feedback": "D2"}),
+            DeviceUse("feedback_servo", {"servo": "D10", "feedback": "D3"}),
+        ]
+    )
+    while bench.now < 500_000 and (later := bench.wake()) is not None:
+        bench.cycle = later
+    first, second = bench.rises["D2"], bench.rises["D3"]
+    apart = [min(abs(rise - other) for other in second) for rise in first[1:]]
+    together = [at for at, distance in enumerate(apart) if distance < 10]
+    assert 0 < len(together) < len(apart) / 25
+
+
 def test_serial_registers_are_written_and_read(job_of: Run, engine: str) -> None:
     pins = {"select": "D5", "clock": "D6", "data_in": "D7", "data_out": "D8"}
     devices = [DeviceUse("serial_registers", pins, {"content": [1, 2, 0x53, 0xA7, 5]})]

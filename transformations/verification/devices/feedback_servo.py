@@ -8,7 +8,8 @@ from typing import ClassVar
 from robosmi.data_text import Json
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
-_CYCLE_US = 1e6 / 910
+_HZ, _HZ_APART = 910.0, 0.013
+"""What the data sheet says of the signal, within 5 %; by what part of it two servos differ."""
 _LEAST_DUTY, _MOST_DUTY = 0.029, 0.971
 
 
@@ -17,7 +18,8 @@ class FeedbackServo(PulseDriven):
 
     Settings: `degrees`, where it stands at first, counted counter-clockwise; `neutral_us` and `dead_us`, the width at which it
     stands and how far a pulse must be from there to turn it; `degrees_per_s_per_us`, its speed for each microsecond beyond;
-    longer pulses turn it counter-clockwise. Without pulses for 50 ms it stands. Each 30 degrees of its way are noted
+    longer pulses turn it counter-clockwise. The signals of two servos are never in step: each has a frequency of its own, some
+    per cent from that of the first. Without pulses for 50 ms it stands. Each 30 degrees of its way are noted
     as `at`, where it has got to as `degrees` at the end.
     """
 
@@ -33,6 +35,7 @@ class FeedbackServo(PulseDriven):
         super().start()
         self._speed = self._told = 0.0
         self._degrees = float(self.settings["degrees"])
+        self._cycle_us = 1e6 / (_HZ * (1 + _HZ_APART * self.number))
         self._tell()
 
     def pulse(self, width_us: float) -> None:
@@ -49,8 +52,8 @@ class FeedbackServo(PulseDriven):
         self.moved_to(self._degrees)
         duty = _MOST_DUTY - self._degrees % 360 / 360 * (_MOST_DUTY - _LEAST_DUTY)
         self.bench.set_level(self.pins["feedback"], 1)
-        self.bench.at(self.bench.now + duty * _CYCLE_US, lambda: self.bench.set_level(self.pins["feedback"], 0))
-        self.bench.at(self.bench.now + _CYCLE_US, self._tell)
+        self.bench.at(self.bench.now + duty * self._cycle_us, lambda: self.bench.set_level(self.pins["feedback"], 0))
+        self.bench.at(self.bench.now + self._cycle_us, self._tell)
 
     def ended(self) -> None:
         """Note where it has got to."""

@@ -83,6 +83,7 @@ struct Uninterrupted {  // interrupts are off as long as it lives
 //#   needs: S360_POSITION Uninterrupted servo.h/frames simpletools.h/PinWatch
 //#   ram: 8
 const int16_t turn360 = 4096;
+const uint8_t still360 = 100;  // units/s: a wheel that stands, since edges are known to 0.4 us
 
 struct Gains360 {  // in 1/1000
   int32_t proportional, integral, derivative, most;
@@ -216,7 +217,7 @@ struct Servo360 : PinWatch {
       speed_asked = approaching ? 0 : left < 0 ? -speed_top : speed_top;
     }
     turn();
-    if (abs(left) < speed_step / (units * 50) || (approaching && !speed_measured)) {
+    if (abs(left) < speed_step / (units * 50) || (approaching && abs(speed_measured) <= still360)) {
       speed_asked = speed = 0;
       set_point = goal;
       mode = S360_POSITION;

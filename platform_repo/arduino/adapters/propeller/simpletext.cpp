@@ -101,6 +101,7 @@ struct text_t {
   int32_t terminalEcho;
   char ecA, ecB;    // these end a line when they are written
   char ecsA, ecsB;  // and this is sent then; 0 for nothing
+  bool waits;       // until a byte is sent: the terminal does, lines that a cog sends do not
 };
 
 //# type terminal
@@ -111,8 +112,8 @@ typedef text_t terminal;
 //# helper console
 //#   needs: text_t
 //#   setup: Serial.begin(115200);
-//#   ram: 10
-static text_t console = {&Serial, 0, '\r', '\n', '\n', 0};
+//#   ram: 11
+static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
 
 //# variable dport_ptr
 //#   needs: text_t console
@@ -186,7 +187,7 @@ inline void simpleterm_close() {
 inline terminal *simpleterm_open() {
   if (dport_ptr) return dport_ptr;
   Serial.begin(115200);
-  console = {&Serial, 0, '\r', '\n', '\n', 0};
+  console = {&Serial, 0, '\r', '\n', '\n', 0, true};
   dport_ptr = &console;
   delay(1000);
   return dport_ptr;
@@ -222,25 +223,42 @@ inline void simpleterm_set(text_t *ptr) {
 
 // ---------------------------------------------------------------- single bytes and characters
 
+//# helper sendChar
+//#   needs: text_t
+//#   fidelity: one that ends a line is sent as the device's line end; it does not wait
+inline void sendByte(text_t *device, char c) {
+  if (device && device->port) device->port->write((uint8_t)c);
+}
+
+inline void sendChar(text_t *device, char c) {
+  if (!device) return;
+  if (c != device->ecA && c != device->ecB) return sendByte(device, c);
+  if (device->ecsA) sendByte(device, device->ecsA);
+  if (device->ecsB) sendByte(device, device->ecsB);
+}
+
+inline void waitSent(text_t *device) {  // the program goes on when the terminal has its text, as there
+  if (device && device->port && device->waits) device->port->flush();
+}
+
 //# adapter writeByte
 //#   for: void writeByte(text_t *p, char c)
 //#   kind: oneToOne
-//#   needs: text_t
+//#   needs: text_t sendChar
 //#   fidelity: exact: the byte as it is
 inline void writeByte(text_t *device, char c) {
-  if (device && device->port) device->port->write((uint8_t)c);
+  sendByte(device, c);
+  waitSent(device);
 }
 
 //# adapter writeChar
 //#   for: void writeChar(text_t *device, char c)
 //#   kind: oneToMany
-//#   needs: text_t writeByte
+//#   needs: text_t sendChar
 //#   fidelity: exact: one that ends a line is sent as the device's line end
 inline void writeChar(text_t *device, char c) {
-  if (!device) return;
-  if (c != device->ecA && c != device->ecB) return writeByte(device, c);
-  if (device->ecsA) writeByte(device, device->ecsA);
-  if (device->ecsB) writeByte(device, device->ecsB);
+  sendChar(device, c);
+  waitSent(device);
 }
 
 //# adapter putByte
@@ -302,7 +320,7 @@ inline int32_t getChar() {
 // ---------------------------------------------------------------- writing texts and numbers
 
 //# helper TextOut
-//#   needs: text_t writeChar
+//#   needs: text_t sendChar
 //#   fidelity: where a text goes, a device or memory; it counts its characters. A character 0 ends what a device gets, as there
 struct TextOut {
   text_t *device;
@@ -312,11 +330,12 @@ struct TextOut {
 
   explicit TextOut(text_t *to) : device(to), memory(0), count(0), room(0), ended(false) {}
   explicit TextOut(char *to, int32_t size = 32767) : device(0), memory(to), count(0), room(size), ended(false) {}
+  ~TextOut() { waitSent(device); }
   void put(char c) {
     if (memory && count < room) memory[count] = c;
     else if (memory) ended = true;
     else if (!c) ended = true;
-    else if (!ended) writeChar(device, c);
+    else if (!ended) sendChar(device, c);
     count++;
   }
   void put(const char *text) {

@@ -124,7 +124,7 @@ void host_spend(host_time ticks) {
   advance(ticks);
 }
 
-void host_send_for(host_time ticks) { host_spend(ticks - (host_time)(ticks * settings.line_part)); }
+void host_send_for(host_time ticks) { host_spend((host_time)(ticks * (1 - settings.line_part))); }
 
 void host_turns(unsigned turns) { host_spend((host_time)turns * settings.block_ticks); }
 

@@ -241,26 +241,28 @@ struct text_t {
   int32_t terminalEcho;
   char ecA, ecB;    // these end a line when they are written
   char ecsA, ecsB;  // and this is sent then; 0 for nothing
+  bool waits;       // until a byte is sent: the terminal does, lines that a cog sends do not
 };
 
-static text_t console = {&Serial, 0, '\r', '\n', '\n', 0};
+static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
 
 // Exact: the device of print and its like, 0 when it is closed
 static text_t *dport_ptr = &console;
 
-// void writeByte(text_t *p, char c)
-// Exact: the byte as it is
-inline void writeByte(text_t *device, char c) {
+// One that ends a line is sent as the device's line end; it does not wait
+inline void sendByte(text_t *device, char c) {
   if (device && device->port) device->port->write((uint8_t)c);
 }
 
-// void writeChar(text_t *device, char c)
-// Exact: one that ends a line is sent as the device's line end
-inline void writeChar(text_t *device, char c) {
+inline void sendChar(text_t *device, char c) {
   if (!device) return;
-  if (c != device->ecA && c != device->ecB) return writeByte(device, c);
-  if (device->ecsA) writeByte(device, device->ecsA);
-  if (device->ecsB) writeByte(device, device->ecsB);
+  if (c != device->ecA && c != device->ecB) return sendByte(device, c);
+  if (device->ecsA) sendByte(device, device->ecsA);
+  if (device->ecsB) sendByte(device, device->ecsB);
+}
+
+inline void waitSent(text_t *device) {  // the program goes on when the terminal has its text, as there
+  if (device && device->port && device->waits) device->port->flush();
 }
 
 // Where a text goes, a device or memory; it counts its characters. A character 0 ends what a device gets, as there
@@ -272,11 +274,12 @@ struct TextOut {
 
   explicit TextOut(text_t *to) : device(to), memory(0), count(0), room(0), ended(false) {}
   explicit TextOut(char *to, int32_t size = 32767) : device(0), memory(to), count(0), room(size), ended(false) {}
+  ~TextOut() { waitSent(device); }
   void put(char c) {
     if (memory && count < room) memory[count] = c;
     else if (memory) ended = true;
     else if (!c) ended = true;
-    else if (!ended) writeChar(device, c);
+    else if (!ended) sendChar(device, c);
     count++;
   }
   void put(const char *text) {
