@@ -13,8 +13,7 @@ import stat
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
 _MB = 1024 * 1024
 _FLAGS = os.O_RDONLY
@@ -24,8 +23,7 @@ _NO_LINK: int = getattr(os, "O_NOFOLLOW", 0)
 _ODD = {stat.S_IFIFO: "a named pipe", stat.S_IFCHR: "a device", stat.S_IFBLK: "a device", stat.S_IFSOCK: "a socket"}
 
 
-@dataclass(frozen=True, slots=True)
-class Kind:
+class Kind(NamedTuple):
     """A kind of file: what it is called in messages, and how many bytes it may have."""
 
     name: str

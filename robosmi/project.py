@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi import inputs, resources
 from robosmi.data_text import toml_of
@@ -24,8 +24,7 @@ FILE_NAME = "robosmi.toml"
 LEVELS = ("off", "info", "warning", "error")
 
 
-@dataclass(frozen=True)
-class Accepted:
+class Accepted(NamedTuple):
     """A finding that the user has looked at and accepts: rule, element (its URI or name) and the reason."""
 
     rule: str
@@ -33,8 +32,7 @@ class Accepted:
     reason: str
 
 
-@dataclass(frozen=True)
-class ServoTrim:
+class ServoTrim(NamedTuple):
     """What a person has measured of a servo that turns on.
 
     Attributes:

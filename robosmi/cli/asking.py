@@ -11,7 +11,6 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TextIO
 
-from robosmi.generate.project_entries import added_to_project
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.project import FILE_NAME
 from robosmi.quoting import terminal
@@ -131,6 +130,8 @@ class Answers:
         entries = {table: values for table, values in self.said.items() if values}
         if not entries:
             return {}
+        from robosmi.generate.project_entries import added_to_project  # most runs ask nothing
+
         change = added_to_project(folder, entries)
         if change.stays:
             print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)

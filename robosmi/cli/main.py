@@ -100,17 +100,18 @@ class _Parser(argparse.ArgumentParser):
 
 
 def build_parser(command: str | None = None) -> argparse.ArgumentParser:
-    """The parser, with the options of one command only (all others are listed with their summaries).
+    """The parser of one command, or of the program with a summary of each command.
 
     Args:
-        command: the command whose options are wanted, or None for the summaries alone.
+        command: the command whose options are wanted; anything else for the summaries.
     """
     from robosmi import __version__
 
     parser = _Parser(prog="robosmi", description="Move robot software between microcontroller boards with models.")
     parser.add_argument("--version", action="version", version=f"robosmi {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=_Parser)
-    for name, summary in COMMANDS.items():
+    for name in [command] if command is not None and command in COMMANDS else list(COMMANDS):
+        summary = COMMANDS[name]
         sub = commands.add_parser(
             name, help=summary, description=summary[0].upper() + summary[1:] + ".", epilog=f"example: {EXAMPLES[name]}",
             formatter_class=_Help,
@@ -191,9 +192,10 @@ def _collect_less() -> None:
     """Look for garbage in circles less often, and not at the end: a command is over before it pays (a fifth of a migration).
 
     What models refer to in circles lives as long as the command, so Python's default of a look after every 700 new objects
-    finds nothing, again and again; at its end the system takes all memory back.
+    finds nothing, again and again; at its end the system takes all memory back. A migration of a small program makes fewer than
+    200,000 that stay.
     """
-    gc.set_threshold(50_000, 20, 20)
+    gc.set_threshold(200_000, 20, 20)
     atexit.register(gc.freeze)
 
 

@@ -101,7 +101,7 @@ def run(arguments: argparse.Namespace) -> Report:
 
 def filled(report: Report, made: GeneratedReport, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
     """The report of a generation, whether from sources or from a stored plan."""
-    report.result, report.findings, report.tasks = made.result(), list(made.findings), list(made.tasks())
+    report.rest, report.findings, report.tasks = made.result, list(made.findings), list(made.tasks())
     report.artifacts = made.artifacts()
     report.lines = made.lines()
     report.judge(severity, accept)

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi import quoting
 from robosmi.generate import data_places
@@ -49,8 +48,7 @@ NOWHERE = ""
 """The place of an expression that could not be quoted, such as the name of a tag."""
 
 
-@dataclass(frozen=True, slots=True)
-class Language:
+class Language(NamedTuple):
     """A language of templates.
 
     Attributes:

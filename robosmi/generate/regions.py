@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
+from typing import NamedTuple
 
 PROTECTED, CONTROLLED = "protected", "controlled"
 
@@ -88,8 +89,7 @@ class Region:
         return replace(other, line=self.line)
 
 
-@dataclass(frozen=True)
-class BrokenMarker:
+class BrokenMarker(NamedTuple):
     """A marker that no region has: where it stands, its region's id, and what is wrong with it.
 
     Attributes:
@@ -208,8 +208,7 @@ def _partition(text: str, style: CommentStyle, first_line: int, broken: list[Bro
     return pieces
 
 
-@dataclass(frozen=True)
-class Merged:
+class Merged(NamedTuple):
     """What `merge` gives.
 
     Attributes:

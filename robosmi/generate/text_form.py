@@ -8,7 +8,7 @@ from __future__ import annotations
 import codecs
 import re
 from collections import Counter
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.generate.three_way import line_map
 from robosmi.model.files import digest
@@ -16,8 +16,7 @@ from robosmi.model.files import digest
 _END = re.compile(r"\r\n|\r|\n")
 
 
-@dataclass(frozen=True)
-class FileText:
+class FileText(NamedTuple):
     """The text of a file and its form.
 
     Attributes:

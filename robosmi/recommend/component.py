@@ -11,6 +11,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.data_text import json_of
@@ -110,8 +111,7 @@ def _kind(value: object) -> str:
     return names.get(type(value), "a number")
 
 
-@dataclass(frozen=True)
-class _Reader:
+class _Reader(NamedTuple):
     """Takes values of one kind out of an object, or says which key is wrong."""
 
     given: dict[str, object]

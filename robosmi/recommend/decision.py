@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.evidence import Evidence
@@ -28,8 +28,7 @@ surely another device says otherwise; the best candidate's evidence; whether a d
 best candidate's lead over the second."""
 
 
-@dataclass(frozen=True, slots=True)
-class DecisionModel:
+class DecisionModel(NamedTuple):
     """Coefficients, in the order of `FEATURES`.
 
     Attributes:

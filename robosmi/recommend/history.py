@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi import resources
 from robosmi.errors import RobosmiError, UsageError
@@ -52,8 +52,7 @@ class HistoryEntry:
     component: str = ""
 
 
-@dataclass(frozen=True)
-class Targets:
+class Targets(NamedTuple):
     """The targets whose earlier choices count for one: those for itself; where there are none, those for its like.
 
     Attributes:

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import accumulate
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -85,8 +85,7 @@ class Library:
         return next((file for file in self.main if is_named_like(file, self.name)), self.main[0])
 
 
-@dataclass(frozen=True, slots=True)
-class Header:
+class Header(NamedTuple):
     """One public header: its number, that of its library, its bare file name, and whether a program includes it."""
 
     id: int

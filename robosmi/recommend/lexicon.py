@@ -10,9 +10,8 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, cast, get_args
+from typing import Literal, NamedTuple, cast, get_args
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -29,8 +28,7 @@ stands for any ending. `is`: names of other entries, apart by +."""
 _FIX = f"write {','.join(COLUMNS)}; names apart by |"
 
 
-@dataclass(frozen=True, slots=True)
-class KnownDevice:
+class KnownDevice(NamedTuple):
     """One entry.
 
     Attributes:
@@ -108,8 +106,7 @@ class Lexicon:
         return list(found.items())
 
 
-@dataclass(frozen=True, slots=True)
-class _Row:
+class _Row(NamedTuple):
     names: tuple[str, ...]
     kinds: tuple[str, ...]
     need: Need

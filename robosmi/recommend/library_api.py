@@ -10,15 +10,14 @@ import json
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.data_text import json_of
 
 _LARGEST = 1 << 26  # bytes; the largest library of the shipped index has 0.4 MB
 
 
-@dataclass(frozen=True, slots=True)
-class ApiFunction:
+class ApiFunction(NamedTuple):
     """A free function or a method.
 
     Attributes:
@@ -132,8 +131,7 @@ class HeaderApi:
             raise ValueError(f"it lacks or misuses {error}") from error
 
 
-@dataclass(frozen=True, slots=True)
-class LibraryApi:
+class LibraryApi(NamedTuple):
     """What a library offers; no headers where nothing is known of it.
 
     Attributes:

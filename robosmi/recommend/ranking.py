@@ -7,8 +7,7 @@ the historical configuration data" and gives none; ours is `utility`. Whoever im
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, NamedTuple, Protocol
 
 from robosmi.recommend.component import ComponentQuery
 
@@ -16,8 +15,7 @@ Decision = Literal["library", "optional", "none"]
 """Take a library; a library would help, the core alone does as well; none is needed."""
 
 
-@dataclass(frozen=True, slots=True)
-class Candidate:
+class Candidate(NamedTuple):
     """One library that may serve a component.
 
     Attributes:
@@ -45,8 +43,7 @@ class Candidate:
         }
 
 
-@dataclass(frozen=True, slots=True)
-class Recommendation:
+class Recommendation(NamedTuple):
     """The answer for one component.
 
     Attributes:

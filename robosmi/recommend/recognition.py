@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.lexicon import Lexicon
@@ -27,8 +27,7 @@ BUSES = {"i2c": ("i2c", "iic", "twi", "qwiic", "stemma"), "spi": ("spi",), "seri
 """How devices are spoken to, and the words that say so."""
 
 
-@dataclass(frozen=True, slots=True)
-class Recognised:
+class Recognised(NamedTuple):
     """A device that a part names.
 
     Attributes:

@@ -14,8 +14,7 @@ import math
 import re
 from bisect import bisect_left
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 _WORD = re.compile(r"[^\W_]+")
 
@@ -34,8 +33,7 @@ class Documents(Protocol):
         """The headers in which the word occurs; two empty sequences if in none."""
 
 
-@dataclass(frozen=True, slots=True)
-class Contribution:
+class Contribution(NamedTuple):
     """What one word of the title adds to the score of one header.
 
     Attributes:

@@ -20,6 +20,7 @@ class Report:
     Attributes:
         command: its name.
         result: the command's own part of the document.
+        rest: makes what else belongs to `result`, where that takes work which only a reader of the document wants.
         findings: what is worth knowing.
         tasks: what is left for a person.
         artifacts: files written, {path, kind}.
@@ -31,6 +32,7 @@ class Report:
 
     command: str
     result: dict[str, Any] = field(default_factory=dict)
+    rest: Callable[[], dict[str, Any]] | None = None
     findings: list[Finding] = field(default_factory=list)
     tasks: list[Finding] = field(default_factory=list)
     artifacts: list[dict[str, str]] = field(default_factory=list)
@@ -73,7 +75,7 @@ class Report:
             "schema": SCHEMA,
             "command": self.command,
             "ok": self.ok,
-            "result": self.result,
+            "result": self.result if self.rest is None else self.rest() | self.result,
             "findings": [f.to_json() for f in self.findings],
             "tasks": [t.to_json() for t in self.tasks],
             "artifacts": self.artifacts,

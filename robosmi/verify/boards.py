@@ -7,15 +7,14 @@ compile.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.plugins import content
 
 
-@dataclass(frozen=True)
-class BootLoader:
+class BootLoader(NamedTuple):
     """What takes programs on a board.
 
     Attributes:
@@ -31,8 +30,7 @@ class BootLoader:
     touch_baud: int = 0
 
 
-@dataclass(frozen=True)
-class Board:
+class Board(NamedTuple):
     """A board. Sizes in bytes.
 
     Attributes:

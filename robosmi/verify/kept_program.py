@@ -2,7 +2,8 @@
 
 The folder `build` beside a sketch holds `<name>.elf` and `<name>.hex`, `<name>.build.json` (the record: board, libraries,
 digests of the sketch's files and of the program) and `compile_commands.json` (a compilation database as Clang defines it).
-All are written, or none. Building is done by `toolchain`, putting a program on a board by `upload`.
+All are written, or none. The record's form is `build_record`'s, building is done by `toolchain`, putting a program on a board by
+`upload`.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import re
 import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,49 +24,17 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.model.commit import update
+from robosmi.verify.build_record import FOLDER, BuildRecord, record_at
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.sketch import Sketch, find_sketch
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.toolchain_data import load_toolchains
 
-FOLDER = "build"
 DATABASE = "compile_commands.json"
-SCHEMA = "robosmi-build/1"
 _QUOTED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 _NO_SOURCE = (".md", ".orig")
 """Endings of files in a sketch's folder that no compiler reads."""
-
-
-@dataclass(frozen=True)
-class BuildRecord:
-    """What a kept program was made from.
-
-    Attributes:
-        board: name of the board it was compiled for.
-        fits: whether it fits on that board.
-        stand_ins: libraries that were not installed, so that stand-ins are in the program.
-        sources: file of the sketch's folder -> SHA-256.
-        program: SHA-256 of the `.hex`.
-        outside: path of a file outside of the sketch's folder that its files include -> SHA-256.
-        sizes: `flash_bytes`, `flash_limit`, `ram_bytes`, `ram_limit`; empty in a record of an earlier version.
-    """
-
-    board: str
-    fits: bool
-    stand_ins: tuple[str, ...]
-    sources: dict[str, str]
-    program: str
-    sizes: dict[str, int] = field(default_factory=dict)
-    outside: dict[str, str] = field(default_factory=dict)
-
-    def to_bytes(self) -> bytes:
-        """The record's file."""
-        values = {
-            "schema": SCHEMA, "board": self.board, "fits": self.fits, "stand_ins": list(self.stand_ins),
-            "sources": self.sources, "program": self.program, "sizes": self.sizes, "outside": self.outside,
-        }  # fmt: skip
-        return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
 
 
 def folder_of(named: Path, sketch: Sketch) -> Path:
@@ -203,31 +172,6 @@ def read_record(folder: Path, sketch: Sketch) -> BuildRecord | None:
         SourceError: it is damaged.
     """
     return record_at(folder / _record_name(sketch))
-
-
-def record_at(path: Path) -> BuildRecord | None:
-    """The record in a file, or None where there is none.
-
-    Raises:
-        SourceError: it is damaged.
-    """
-    fix = "compile the sketch again"
-    try:
-        data = json_of(inputs.read_bytes(path, inputs.RECORD).decode())
-        if data["schema"] != SCHEMA:
-            raise ValueError(f"its schema is '{data['schema']}'")
-        return BuildRecord(
-            str(data["board"]), bool(data["fits"]), tuple(map(str, data["stand_ins"])),
-            {str(name): str(digest) for name, digest in data["sources"].items()}, str(data["program"]),
-            {str(name): int(size) for name, size in data.get("sizes", {}).items()},
-            {str(name): str(digest) for name, digest in data.get("outside", {}).items()},
-        )  # fmt: skip
-    except FileNotFoundError:
-        return None
-    except OSError as error:
-        raise SourceError(f"the record cannot be read: {error.strerror}", location=Location(str(path)), fix=fix) from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise SourceError(f"the record of the program is damaged: {error}", location=Location(str(path)), fix=fix) from error
 
 
 def _record_name(sketch: Sketch) -> str:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.verify.tables import DataTable, find_files
@@ -20,8 +20,7 @@ INSTALLED, STAND_IN = "installed", "stand-in"
 """Where a library comes from, as reports say it."""
 
 
-@dataclass(frozen=True)
-class CompiledLibrary:
+class CompiledLibrary(NamedTuple):
     """A library that can be compiled against.
 
     Attributes:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -23,8 +23,7 @@ PROJECT_KEYS = ("profiles", "default_profile", "default_board", "board", "librar
 _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")
 
 
-@dataclass(frozen=True)
-class ProjectEntry:
+class ProjectEntry(NamedTuple):
     """A scalar of the file: the keys and list indices that lead to it, its text and its line (from 1)."""
 
     path: tuple[str | int, ...]
@@ -32,8 +31,7 @@ class ProjectEntry:
     line: int
 
 
-@dataclass(frozen=True)
-class ProjectFile:
+class ProjectFile(NamedTuple):
     """What a sketch's project file says.
 
     Attributes:

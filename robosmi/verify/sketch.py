@@ -7,8 +7,8 @@ the toolchain's data.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -19,8 +19,7 @@ from robosmi.verify.tables import DataTable
 from robosmi.verify.toolchain_data import Toolchain
 
 
-@dataclass(frozen=True)
-class Sketch:
+class Sketch(NamedTuple):
     """A sketch's files.
 
     Attributes:

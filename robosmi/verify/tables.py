@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi import inputs, resources
 from robosmi.data_text import toml_of
@@ -21,8 +20,7 @@ KIND = "platform_repo"
 """The kind of data (see `robosmi.resources`) that toolchains, boards and stand-ins are."""
 
 
-@dataclass(frozen=True)
-class DataTable:
+class DataTable(NamedTuple):
     """One table of a TOML file of the repository.
 
     Attributes:

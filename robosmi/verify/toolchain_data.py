@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi.errors import PlatformDataError
 from robosmi.verify.tables import DataTable, find_files
@@ -19,8 +19,7 @@ USES = ("sketch", "library", "core")
 """Whose source a file can be: flags differ."""
 
 
-@dataclass(frozen=True)
-class ToolchainLanguage:
+class ToolchainLanguage(NamedTuple):
     """How files of some suffixes are compiled: the tool's key, its flags, and further flags per use (see `USES`)."""
 
     suffixes: tuple[str, ...]
@@ -29,8 +28,7 @@ class ToolchainLanguage:
     by_use: Mapping[str, tuple[str, ...]]
 
 
-@dataclass(frozen=True)
-class ToolEntry:
+class ToolEntry(NamedTuple):
     """A program: its command, the package that has it, and the arguments that make it tell its version."""
 
     key: str
@@ -39,8 +37,7 @@ class ToolEntry:
     version: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class Toolchain:
+class Toolchain(NamedTuple):
     """What `toolchain.toml` says about tools and languages; rarely used parts stay in their tables.
 
     Attributes:

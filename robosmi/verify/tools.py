@@ -14,9 +14,8 @@ import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
-from typing import IO
+from typing import IO, NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -27,8 +26,7 @@ LIMIT_S = 120.0
 """Seconds that one run of a compiler may take."""
 
 
-@dataclass(frozen=True)
-class Installed:
+class Installed(NamedTuple):
     """A toolchain as found on this machine.
 
     Attributes:

@@ -25,7 +25,8 @@ from robosmi.trust import acting
 from robosmi.user_folders import cache_dir
 from robosmi.verify import serial_ports
 from robosmi.verify.boards import Board, BootLoader, find_board, load_boards
-from robosmi.verify.kept_program import BuildRecord, digests, folder_of, kept_hex, outside, read_record
+from robosmi.verify.build_record import BuildRecord
+from robosmi.verify.kept_program import digests, folder_of, kept_hex, outside, read_record
 from robosmi.verify.sketch import Sketch, find_sketch
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.uploader import Uploader, find_uploader

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from robosmi.errors import RobosmiError
 from robosmi.metamodels import migration
-from robosmi.verify.kept_program import FOLDER, record_at
+from robosmi.verify.build_record import FOLDER, record_at
 
 _SIZES = {"flashBytes": "flash_bytes", "flashLimit": "flash_limit", "ramBytes": "ram_bytes", "ramLimit": "ram_limit"}
 

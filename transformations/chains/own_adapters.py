@@ -26,7 +26,6 @@ from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.port_pins import UNBOUND
-from robosmi.verify.toolchain import compile_sketch
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
 _C_HEAD = """#include <{header}>
@@ -149,6 +148,8 @@ def _put(path: Path, text: str) -> None:
 
 def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Finding]:
     """What the target's compiler says of a text of adapters; lines count from its first."""
+    from robosmi.verify.toolchain import compile_sketch  # most programs have no own adapters
+
     head, tail, name, project = _PROGRAMS[target.language]
     start = head.replace("{header}", target.include)
     with tempfile.TemporaryDirectory() as place:

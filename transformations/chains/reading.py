@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
@@ -68,8 +67,7 @@ def source_platforms() -> list[str]:
     return sorted({api.parent.name for folder in resources.folders("platform_repo") for api in folder.glob("*/api.json")})
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(NamedTuple):
     """A drawing that was read and mapped.
 
     Attributes:

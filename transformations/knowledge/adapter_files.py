@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -37,8 +38,7 @@ _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
 
 
-@dataclass(frozen=True)
-class AdapterPin:
+class AdapterPin(NamedTuple):
     """A parameter of an adapter that is a pin of the target.
 
     Attributes:
@@ -58,8 +58,7 @@ class AdapterPin:
     split: bool = False
 
 
-@dataclass(frozen=True)
-class ConventionalPort:
+class ConventionalPort(NamedTuple):
     """A pin that an adapter uses without being told: a constant that is declared with the pin to which the port is bound.
 
     Attributes:

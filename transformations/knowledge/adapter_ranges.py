@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.errors import did_you_mean
 
@@ -15,8 +15,7 @@ _RANGE = re.compile(r"(\w+) (-?\d+)?\.\.(-?\d+)?((?: or -?\d+)*)(?: beside ([\w.
 _NAME = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*$")
 
 
-@dataclass(frozen=True)
-class ArgumentRange:
+class ArgumentRange(NamedTuple):
     """Which values of a parameter an adapter can serve.
 
     Attributes:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi.errors import did_you_mean
 from robosmi.transformations.knowledge.board_models import board_file, drawing_files, only_draws, table_of, text_of
@@ -20,8 +20,7 @@ PIN_TABLE = "pin table"
 """The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
 
 
-@dataclass(frozen=True, slots=True)
-class DrawnBoard:
+class DrawnBoard(NamedTuple):
     """How a board is drawn: its short name, its title, and the pin label of each connector that is a pin."""
 
     name: str

@@ -12,7 +12,7 @@ from dataclasses import dataclass, fields
 from fnmatch import fnmatchcase, translate
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Location
@@ -78,8 +78,7 @@ class DeviceFacts:
 _REMEMBERED = 1024  # components; drawings have the same few again and again
 
 
-@dataclass(frozen=True)
-class _Entry:
+class _Entry(NamedTuple):
     facts: DeviceFacts
     ids: frozenset[str]
     families: tuple[str, ...]

@@ -8,10 +8,9 @@ by the migration plan (flag, project file, history), never here.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
@@ -31,8 +30,7 @@ if TYPE_CHECKING:
 _VERSION = re.compile(r"\s*\([^()]*\)\s*$")
 
 
-@dataclass(frozen=True, slots=True)
-class LibraryFacts:
+class LibraryFacts(NamedTuple):
     """A library as the plan needs it.
 
     Attributes:

@@ -8,9 +8,9 @@ a timer is in the board's data.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 from robosmi import resources
 from robosmi.diagnostics import Location
@@ -22,8 +22,7 @@ _KEYS = frozenset(("names", "timers", "pins", "buses", "mcus", "when"))
 _LISTS = ("names", "timers", "pins", "buses", "mcus")
 
 
-@dataclass(frozen=True, slots=True)
-class Takes:
+class Takes(NamedTuple):
     """What one library takes.
 
     Attributes:
@@ -42,8 +41,7 @@ class Takes:
         return f"takes {taken}{f' when {self.when}' if self.when else ''}"
 
 
-@dataclass(frozen=True, slots=True)
-class _Entry:
+class _Entry(NamedTuple):
     takes: Takes
     buses: tuple[str, ...]
     mcus: tuple[str, ...]

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 
-@dataclass(frozen=True, slots=True)
-class Terminal:
+class Terminal(NamedTuple):
     """A connector as the rules see it: its component's identity, title, role and stated voltage, its own id, name and kind."""
 
     component: str
@@ -25,8 +24,7 @@ class Terminal:
     kind: str
 
 
-@dataclass(frozen=True, slots=True)
-class Rail:
+class Rail(NamedTuple):
     """Why a net is a rail, and the label of its supply (empty when unknown)."""
 
     evidence: str

@@ -7,10 +7,9 @@ and goes before them. What is in a file is held against its keys here; which rul
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Location
@@ -28,8 +27,7 @@ _CURATED_KEYS = ("role", "why", "driver", "ids")
 _NAMED = ("supply", "ground")
 
 
-@dataclass(frozen=True, slots=True)
-class RoleRules:
+class RoleRules(NamedTuple):
     """The rules of one `roles.toml` in their order, ready for looking up."""
 
     rules: tuple[Mapping[str, Any], ...]

@@ -8,7 +8,7 @@ come in their order stay, too: the target's compilers take them.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
@@ -18,8 +18,7 @@ MOST = 256
 """Elements in a row that are left out and still written as `{}`."""
 
 
-@dataclass(frozen=True)
-class _Value:
+class _Value(NamedTuple):
     """A value of a list: the tokens of its designator (none for most), and those of its own."""
 
     designator: Sequence[Token]

@@ -8,7 +8,7 @@ platforms, how main is divided an operation on the code model (`queries.main_fun
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind
@@ -28,8 +28,7 @@ retain, adapt, drop, hoist, rewrite, unsupported = (
 STEP = "code"
 
 
-@dataclass(frozen=True)
-class Known:
+class Known(NamedTuple):
     """What the rules ask besides the code model.
 
     Attributes:

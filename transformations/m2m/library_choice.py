@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
@@ -98,8 +99,7 @@ class LibraryModels:
         return [self.takes[name] for name in (library.name, *library.depends) if name in self.takes]
 
 
-@dataclass(frozen=True)
-class _OfTarget:
+class _OfTarget(NamedTuple):
     """Earlier choices without those of libraries that the target does not have, made for another platform perhaps."""
 
     history: Choices

@@ -50,8 +50,7 @@ class LibrariesSaid:
     stored: Mapping[tuple[str, str], Said] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class Hardware:
+class Hardware(NamedTuple):
     """The hardware side of a migration: the drawing, its board component, the connections, what was odd."""
 
     circuit: hardware.Circuit

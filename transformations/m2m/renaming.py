@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.target_platform import TargetNames
@@ -20,8 +20,7 @@ RENAME = "rename"
 """Rule of dispositions: the name is another one in the sketch."""
 
 
-@dataclass(frozen=True)
-class Renaming:
+class Renaming(NamedTuple):
     """A name that changes.
 
     Attributes:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.transformations.queries.signature_text import declare
 
@@ -19,8 +19,7 @@ _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inl
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 
 
-@dataclass(frozen=True)
-class Signature:
+class Signature(NamedTuple):
     """A function's signature in parts.
 
     Attributes:

@@ -6,15 +6,14 @@ What a rule does to the text is in `edit_rules`; what becomes of it in the plan 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 
 
-@dataclass(frozen=True)
-class Change:
+class Change(NamedTuple):
     """A change of text that C++ wants.
 
     Attributes:

@@ -7,8 +7,7 @@ A placeholder has a TODO; what is left is in the task list.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -23,8 +22,7 @@ from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 
 
-@dataclass(frozen=True)
-class Adapter:
+class Adapter(NamedTuple):
     """An adapter.
 
     Attributes:
@@ -64,8 +62,7 @@ def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: s
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class PieceText:
+class PieceText(NamedTuple):
     """A piece of adapter text.
 
     Attributes:

@@ -7,8 +7,7 @@ library beyond the core; pins of the serial line that it talks over are left alo
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import hardware, migration
 from robosmi.transformations.queries.circuit import pin_literal
@@ -17,16 +16,14 @@ _NEUTRAL = 1500
 _BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}
 
 
-@dataclass(frozen=True)
-class BenchCall:
+class BenchCall(NamedTuple):
     """A call of the sketch that tries something: the function's name, and its arguments as texts of the target's language."""
 
     name: str
     arguments: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class BenchCheck:
+class BenchCheck(NamedTuple):
     """How one component is tried.
 
     Attributes:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
@@ -73,8 +74,7 @@ class Listed:
     rest: tuple[Item, ...] = ()
 
 
-@dataclass(frozen=True)
-class FirstScreen:
+class FirstScreen(NamedTuple):
     """What a person sees first.
 
     Attributes:

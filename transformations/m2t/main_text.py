@@ -8,8 +8,7 @@ the parts stay with the part that follows, those behind the loop come last.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
@@ -20,8 +19,7 @@ from robosmi.transformations.queries.source_text import Piece, SourceText, insid
 from robosmi.transformations.queries.text_changes import decision_of
 
 
-@dataclass(frozen=True)
-class MainPart:
+class MainPart(NamedTuple):
     """A piece of carried-over text and what it comes from.
 
     Attributes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.metamodels import migration
 from robosmi.transformations.queries.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
@@ -10,8 +10,7 @@ from robosmi.transformations.queries.port_pins import UNBOUND, looks_up_ports, p
 _PORTS = 32
 
 
-@dataclass(frozen=True)
-class PortPins:
+class PortPins(NamedTuple):
     """The table as templates show it.
 
     Attributes:

@@ -7,8 +7,7 @@ the program gets. What cannot be had is told apart, so that a report can say it 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.queries.loop_time import Time, loop_time
@@ -19,8 +18,7 @@ from robosmi.transformations.queries.split_wires import answering_pin
 _MILLION = 1e6
 
 
-@dataclass(frozen=True)
-class PinNeeds:
+class PinNeeds(NamedTuple):
     """How many pins a program needs.
 
     Attributes:
@@ -41,8 +39,7 @@ class PinNeeds:
         return max(0, self.used + self.drawn + self.wanted - self.of_board) if self.of_board else 0
 
 
-@dataclass(frozen=True)
-class TimerNeeds:
+class TimerNeeds(NamedTuple):
     """Who takes a timer: pieces of adapters, by the functions that need them, and libraries."""
 
     timer: str
@@ -54,8 +51,7 @@ class TimerNeeds:
         return len(self.takers) > 1
 
 
-@dataclass(frozen=True)
-class BoardNeeds:
+class BoardNeeds(NamedTuple):
     """What a program needs of its board.
 
     Attributes:

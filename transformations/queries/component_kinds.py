@@ -27,12 +27,19 @@ SERIAL = "serial device"
 
 
 class PortWords(NamedTuple):
-    """The data: kind of component -> its words; groups of words of which one excludes the others; purpose of a connector -> words
-    and what the board does there."""
+    """The data.
+
+    Attributes:
+        roles: kind of component -> its words.
+        apart: groups of words of which one excludes the others.
+        connectors: purpose of a connector -> words, and what the board does there.
+        vocabulary: the words of more than two letters, which others may be put together of.
+    """
 
     roles: dict[str, frozenset[str]]
     apart: tuple[frozenset[str], ...]
     connectors: dict[str, tuple[frozenset[str], str]]
+    vocabulary: frozenset[str]
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
@@ -69,7 +76,7 @@ def name_words(name: str) -> set[str]:
 
 def _apart(word: str) -> Sequence[str]:
     """The known words that a word is put together of (`pinbutton`, `redled`), else the word itself."""
-    vocabulary = _vocabulary()
+    vocabulary = known_roles().vocabulary
     if word in vocabulary:
         return (word,)
     parts: dict[int, tuple[str, ...]] = {0: ()}
@@ -78,12 +85,6 @@ def _apart(word: str) -> Sequence[str]:
             if start < end and word[start:end] in vocabulary:
                 parts.setdefault(end, (*parts[start], word[start:end]))
     return parts.get(len(word), (word,))
-
-
-def _vocabulary() -> frozenset[str]:
-    known = known_roles()
-    words = frozenset().union(*known.roles.values(), *known.apart, ["pin", "port", "sensor"])
-    return frozenset(word for word in words if len(word) > 2)
 
 
 def component_texts(connection: migration.Connection) -> list[str]:
@@ -103,8 +104,8 @@ def known_roles() -> PortWords:
 @lru_cache(maxsize=2)
 def _known_roles(path: Path, _: int) -> PortWords:
     data = read_data(path)
-    return PortWords(
-        {role: frozenset(words) for role, words in data["roles"].items()},
-        tuple(map(frozenset, data["apart"])),
-        {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()},
-    )
+    roles = {role: frozenset(words) for role, words in data["roles"].items()}
+    apart = tuple(map(frozenset, data["apart"]))
+    words = frozenset().union(*roles.values(), *apart, ["pin", "port", "sensor"])
+    connectors = {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()}
+    return PortWords(roles, apart, connectors, frozenset(word for word in words if len(word) > 2))

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
@@ -78,8 +79,7 @@ class ValueType:
         return self.depth == 0 and bool(words) and set(words) <= ARITHMETIC
 
 
-@dataclass(frozen=True)
-class FunctionType:
+class FunctionType(NamedTuple):
     """What a function takes and gives, as text."""
 
     returns: str

@@ -7,8 +7,7 @@ How many bytes a type takes is `type_sizes`' business.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
@@ -19,8 +18,7 @@ from robosmi.transformations.queries.type_sizes import TypeSizes
 _COUNTS = ("++", "--")
 
 
-@dataclass(frozen=True)
-class Share:
+class Share(NamedTuple):
     """What takes part of the memory: its name, its bytes, and the line of the source where it is declared, 0 for none."""
 
     name: str

@@ -8,8 +8,7 @@ and is named.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
@@ -29,16 +28,14 @@ _LEVELS = 20
 _UNITS = {platform.Meaning.milliseconds: 1000.0, platform.Meaning.microseconds: 1.0}
 
 
-@dataclass(frozen=True)
-class Wait:
+class Wait(NamedTuple):
     """A wait that nothing bounds: what waits, and its line."""
 
     what: str
     line: int
 
 
-@dataclass(frozen=True)
-class Time:
+class Time(NamedTuple):
     """Between which times something waits.
 
     Attributes:

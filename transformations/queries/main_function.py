@@ -7,8 +7,7 @@ it, or why the whole body has to stay in one piece, which is always correct. It 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
@@ -23,8 +22,7 @@ from robosmi.transformations.queries.main_locals import (
 from robosmi.transformations.queries.main_program import MainStructure, main_structure, ways_out
 
 
-@dataclass(frozen=True)
-class Division:
+class Division(NamedTuple):
     """How main is divided.
 
     Attributes:

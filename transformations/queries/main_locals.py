@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, ancestor_of_kind
@@ -16,8 +16,7 @@ AUTOMATIC = ("staticStorage", "externStorage")
 """Storage of locals that live as long as the program anyway, so that their declaration is carried out once."""
 
 
-@dataclass(frozen=True)
-class MovedDeclaration:
+class MovedDeclaration(NamedTuple):
     """A declaration of main that moves to file scope.
 
     Attributes:
@@ -33,8 +32,7 @@ class MovedDeclaration:
     renamed: tuple[tuple[str, str], ...] = ()
 
 
-@dataclass(frozen=True)
-class Surroundings:
+class Surroundings(NamedTuple):
     """What a local that moves must agree with.
 
     Attributes:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
@@ -32,8 +32,7 @@ _NUMBER = re.compile(r"static [^;{(]*?[\w\]]*?(\w+)(?:\[\w*\])*(?: = [^;]*)?;(?:
 """The text of a piece that is one variable."""
 
 
-@dataclass(frozen=True)
-class Memory:
+class Memory(NamedTuple):
     """The memory that a program takes for as long as it runs.
 
     Attributes:
@@ -113,7 +112,7 @@ def _pieces(plan: migration.MigrationPlan, live: Sequence[Element]) -> list[plat
 
 
 def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Sequence[platform.Adapter]) -> Iterator[Share]:
-    words = [[word for kind, *_, word in tokens(str(piece.text).encode()) if kind != "comment"] for piece in pieces]
+    words = [_words(str(piece.text)) for piece in pieces]
     alone = [_NUMBER.fullmatch(str(piece.text).strip()) for piece in pieces]
     own = [number[1] if number is not None else "" for number in alone]
     changed = {name for each, declared in zip(words, own, strict=True) for name in _changed(each) if name != declared}
@@ -130,6 +129,12 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
         if use.userKind is platform.UserKind.part and use.name in names:
             taken.setdefault(int(use.ramBytes), Share(str(use.name), int(use.ramBytes)))
     yield from taken.values()
+
+
+@lru_cache(maxsize=512)  # each report asks it of the same pieces
+def _words(text: str) -> tuple[str, ...]:
+    """The tokens of a piece, comments left out."""
+    return tuple(word for kind, *_, word in tokens(text.encode()) if kind != "comment")
 
 
 def _changed(words: Sequence[str]) -> Iterator[str]:

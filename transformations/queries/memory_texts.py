@@ -6,6 +6,7 @@ On a processor with separate memories, a text that is read like a variable is co
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
+from functools import lru_cache
 from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
@@ -65,8 +66,13 @@ def _constant(initializer: Any) -> bool:
     return not any(isinstance(each, (ccode.NameReference, ccode.Call)) for each in all_contents(initializer))
 
 
-def kept_texts(text: str) -> Iterator[str]:
+@lru_cache(maxsize=512)  # each report asks it of the same pieces
+def kept_texts(text: str) -> tuple[str, ...]:
     """The texts in a piece that stay in data memory: none that is told to lie in flash, or that is for the compiler."""
+    return tuple(_kept_texts(text))
+
+
+def _kept_texts(text: str) -> Iterator[str]:
     found = [each for each in tokens(text.encode()) if each[0] not in ("comment", "directive")]
     for number, (kind, _, _, said) in enumerate(found):
         before = [each[3] for each in found[max(0, number - 2) : number]]

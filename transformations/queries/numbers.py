@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -43,8 +42,7 @@ class Number(NamedTuple):
         return (1 << (self.bits - self.signed)) - 1
 
 
-@dataclass(frozen=True)
-class Machine:
+class Machine(NamedTuple):
     """What a platform computes in: bits of int, long and pointers, and whether plain char is signed."""
 
     int_bits: int

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
 
 
-@dataclass(frozen=True)
-class PortPlace:
+class PortPlace(NamedTuple):
     """A number in the text that may be a port of the source.
 
     Attributes:
@@ -35,8 +35,7 @@ class PortPlace:
     within: str = ""
 
 
-@dataclass(frozen=True)
-class PinArgument:
+class PinArgument(NamedTuple):
     """An argument that is a pin for a function of the platform.
 
     Attributes:

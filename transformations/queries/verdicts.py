@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration
@@ -42,8 +41,7 @@ class Judged(NamedTuple):
     effort: str = ""
 
 
-@dataclass(frozen=True)
-class Construct:
+class Construct(NamedTuple):
     """A construct and its verdict.
 
     Attributes:

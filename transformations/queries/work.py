@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.data_text import Json
 from robosmi.metamodels import migration, platform
@@ -27,8 +26,7 @@ UNUSED = "RS331"
 """The rule of what is drawn and not used: to be looked at on the bench."""
 
 
-@dataclass(frozen=True)
-class Group:
+class Group(NamedTuple):
     """Tasks of one cause that are done together.
 
     Attributes:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
 
@@ -22,8 +22,7 @@ _CODE = re.compile(r"(?<!\\)`[^`]*`")
 _QUOTED = re.compile(r"'([^']*)'")
 
 
-@dataclass(frozen=True)
-class Body:
+class Body(NamedTuple):
     """A function that is defined in a text.
 
     Attributes:
@@ -121,8 +120,7 @@ def written(there: str, made: str, last: str = "") -> dict[str, Body]:
     }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Tick:
+class Tick(NamedTuple):
     """A task in a report.
 
     Attributes:

@@ -9,8 +9,7 @@ from __future__ import annotations
 import os
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode
@@ -31,8 +30,7 @@ StatementBuilder = Callable[["UnitContext", Node], ccode.Statement]
 DeclarationBuilder = Callable[["UnitContext", Node], ccode.Declaration]
 
 
-@dataclass(frozen=True)
-class Builders:
+class Builders(NamedTuple):
     """What makes the elements for cursors: tables from CXCursorKind to a function of the context and the cursor.
 
     Builders ask one another through these tables, since declarations hold statements and statements declarations.
