@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, RuleError, SourceError
@@ -32,7 +32,18 @@ from robosmi.model.recovery import at_work
 from robosmi.query.erl import RuleBlocks, as_model, failed, place_of
 from robosmi.query.own_operations import called_for
 
-F = TypeVar("F", bound=Callable[..., Mapping[str, Any] | None])
+if TYPE_CHECKING:
+    from typing import Protocol, TypeVar
+
+    Giving = TypeVar("Giving", bound=Callable[..., Mapping[str, Any] | None])
+
+    class RuleDecorator(Protocol):
+        """A decorator of functions that give a template its further values; they stay what they are."""
+
+        def __call__(self, function: Giving, /) -> Giving:
+            """The function that was given."""
+
+
 RECORD = ".robosmi/generated"
 """Where the last texts are kept below the output folder, unless said otherwise."""
 
@@ -106,7 +117,7 @@ class Gen:
         append: Flag = False,
         formatter: Formatter | Sequence[Formatter] = (),
         name: str | None = None,
-    ) -> Callable[[F], F]:
+    ) -> RuleDecorator:
         """Make a function a generation rule (EGX `rule R transform x : T`).
 
         The function's name is the rule's. Its parameter is the name by which the template knows the element; a rule without type
@@ -133,7 +144,7 @@ class Gen:
             RuleError: the function has other parameters, or the rule's name is taken.
         """
 
-        def decorate(function: F) -> F:
+        def decorate(function: Giving) -> Giving:
             title = str(name or getattr(function, "__name__", "rule"))
             if any(rule.name == title for rule in self.rules):
                 raise RuleError(f"two rules are called {title}", location=place_of(function), fix="give one another name")

@@ -7,10 +7,10 @@ Targets live in the target models' handles; nothing is written to a file here.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, overload
 
 from robosmi.errors import UsageError, did_you_mean
-from robosmi.model.driver import Model
+from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.collections import Q
 from robosmi.query.erl import RuleBlocks, as_model, run_over
@@ -20,7 +20,11 @@ from robosmi.transform.rule import Rule, bind, declare
 from robosmi.transform.schedule import Demand, Match, Schedule
 from robosmi.transform.trace import Trace
 
-F = TypeVar("F", bound=Callable[..., Any])
+if TYPE_CHECKING:
+    from robosmi.decorating import Decorator
+
+P = ParamSpec("P")
+R = TypeVar("R")
 SCHEDULES = ("auto", "match", "demand")
 
 
@@ -75,23 +79,23 @@ class ETL:
         self._chosen = chosen
 
     @overload
-    def rule(self, body: F, /) -> F: ...
+    def rule(self, body: Callable[P, R], /) -> Callable[P, R]: ...
     @overload
     def rule(
         self,
         transform: Any = None,
         /,
-        to: Any = None,
+        to: type | str | TypeHandle | Sequence[type | str | TypeHandle] | None = None,
         *,
         name: str | None = None,
-        guard: Callable[[Any], Any] | None = None,
+        guard: Callable[[Any], bool] | None = None,
         extends: Any = (),
         lazy: bool = False,
         greedy: bool = False,
         abstract: bool = False,
         primary: bool = False,
         init: Mapping[str, Callable[..., Any]] | None = None,
-    ) -> Callable[[F], F]: ...
+    ) -> Decorator: ...
     def rule(self, transform: Any = None, /, to: Any = None, *, name: str | None = None, **options: Any) -> Any:
         """Add a rule: `@t.rule` with the types as annotations, or `@t.rule(L.Book, to=[G.Node], lazy=True)`.
 
@@ -105,7 +109,7 @@ class ETL:
             RuleError: its types are not given or do not fit its parameters.
         """
 
-        def add(body: F, kind: Any) -> F:
+        def add(body: Any, kind: Any) -> Any:
             self.rules.append(declare(body, kind, to, name, **options))
             return body
 

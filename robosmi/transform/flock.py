@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
@@ -22,7 +22,8 @@ from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
 
-F = TypeVar("F", bound=Callable[..., Any])
+if TYPE_CHECKING:
+    from robosmi.decorating import Decorator, Function
 
 
 @dataclass(eq=False)
@@ -121,7 +122,7 @@ class Flock:
 
     def migrate(
         self, original: Any, *, ignoring: Iterable[str] = (), when: Callable[[Any], Any] | None = None, strict: bool = False
-    ) -> Callable[[F], F]:
+    ) -> Decorator:
         """A rule: `@f.migrate("Book") def _(original, migrated): ...`; without a function it only ignores features.
 
         Args:
@@ -134,7 +135,7 @@ class Flock:
         rule = MigrateRule(_name(original), ignored, when, strict)
         self._rules.append(rule)
 
-        def add(body: F) -> F:
+        def add(body: Function) -> Function:
             rule.body = body
             return body
 

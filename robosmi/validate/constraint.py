@@ -7,12 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.query.erl import type_name
 
-F = TypeVar("F", bound=Callable[..., Any])
+if TYPE_CHECKING:
+    from robosmi.decorating import Decorator
+    from robosmi.model.driver import TypeHandle
+
+R = TypeVar("R")
+E = TypeVar("E")
 GLOBAL = "<Global>"
 """The name of the context of constraints without one, as EVL has it."""
 
@@ -78,7 +83,7 @@ class Constraint:
 
     name: str
     check: Callable[..., Any]
-    context: Context
+    context: Context[Any]
     critique: bool = False
     info: bool = False
     guard: Callable[..., Any] | None = None
@@ -100,7 +105,7 @@ class Constraint:
         return f"<{'critique' if self.critique else 'constraint'} {self.name} of {self.context.name}>"
 
 
-class Context:
+class Context(Generic[E]):
     """Constraints on the elements of a type and its subtypes, or (kind None) on the models as a whole.
 
     Args:
@@ -110,7 +115,13 @@ class Context:
         name: how reports name it; the type's name if None.
     """
 
-    def __init__(self, kind: Any, guard: Callable[[Any], Any] | None = None, lazy: bool = False, name: str | None = None) -> None:
+    def __init__(
+        self,
+        kind: type[E] | str | TypeHandle | None,
+        guard: Callable[[E], bool] | None = None,
+        lazy: bool = False,
+        name: str | None = None,
+    ) -> None:
         self.kind = kind
         self.guard = guard
         self.name = name or (GLOBAL if kind is None else type_name(kind))
@@ -126,9 +137,23 @@ class Context:
         return f"<context {self.name}: {', '.join(c.name for c in self.constraints)}>"
 
     @overload
-    def constraint(self, check: F, /) -> F: ...
+    def constraint(self, check: Callable[[E], R], /) -> Callable[[E], R]: ...
     @overload
-    def constraint(self, /, **options: Any) -> Callable[[F], F]: ...
+    def constraint(
+        self,
+        /,
+        *,
+        name: str | None = None,
+        guard: Callable[[E], bool] | None = None,
+        lazy: bool = False,
+        message: str | Callable[[E], str] | Callable[[], str] | None = None,
+        fixes: Sequence[Fix] = (),
+        severity: Severity | None = None,
+        id: str | None = None,
+        advice: str | Callable[[E], str] | Callable[[], str] | None = None,
+        location: Callable[[E], Location | None] | None = None,
+        terminate: bool = False,
+    ) -> Decorator: ...
     def constraint(self, check: Any = None, /, **options: Any) -> Any:
         """Add a constraint: `@context.constraint`, or `@context.constraint(guard=..., lazy=True)`.
 
@@ -139,15 +164,30 @@ class Context:
         return self._add(check, options, critique=False)
 
     @overload
-    def critique(self, check: F, /) -> F: ...
+    def critique(self, check: Callable[[E], R], /) -> Callable[[E], R]: ...
     @overload
-    def critique(self, /, **options: Any) -> Callable[[F], F]: ...
+    def critique(
+        self,
+        /,
+        *,
+        name: str | None = None,
+        guard: Callable[[E], bool] | None = None,
+        lazy: bool = False,
+        message: str | Callable[[E], str] | Callable[[], str] | None = None,
+        fixes: Sequence[Fix] = (),
+        severity: Severity | None = None,
+        id: str | None = None,
+        advice: str | Callable[[E], str] | Callable[[], str] | None = None,
+        location: Callable[[E], Location | None] | None = None,
+        terminate: bool = False,
+        info: bool = False,
+    ) -> Decorator: ...
     def critique(self, check: Any = None, /, **options: Any) -> Any:
         """Add a critique: as `constraint`, but a warning; with `info=True` only worth knowing."""
         return self._add(check, options, critique=True)
 
     def _add(self, check: Any, options: dict[str, Any], critique: bool) -> Any:
-        def add(function: F) -> F:
+        def add(function: Any) -> Any:
             given = dict(options)
             name = given.pop("name", None) or function.__name__
             mild = Severity.info if given.get("info") else Severity.warning

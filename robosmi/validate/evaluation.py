@@ -80,10 +80,10 @@ class Evaluation:
         UnknownTypeError: a context is about a type that no model has.
     """
 
-    def __init__(self, contexts: Sequence[Context], models: list[Model]) -> None:
+    def __init__(self, contexts: Sequence[Context[Any]], models: list[Model]) -> None:
         self.models = models
         self.result = Validation(models)
-        self._contexts: list[tuple[Context, RuleType | None, list[_State], set[Any]]] = []
+        self._contexts: list[tuple[Context[Any], RuleType | None, list[_State], set[Any]]] = []
         self._named: dict[str, list[_State]] = {}
         self._asked: dict[tuple[_State, Any], None] = {}
         self._found: set[tuple[Constraint, Any, str]] = set()
@@ -105,7 +105,7 @@ class Evaluation:
             if not context.lazy:
                 self._sweep(self._elements(context, kind), [s for s in states if not s.constraint.lazy], done)
 
-    def _elements(self, context: Context, kind: RuleType | None) -> Iterator[Any]:
+    def _elements(self, context: Context[Any], kind: RuleType | None) -> Iterator[Any]:
         if kind is None:
             yield None
             return

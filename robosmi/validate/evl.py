@@ -6,15 +6,19 @@ can be written without any model (contexts about classes or names) and run over 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any, overload
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, overload
 
-from robosmi.model.driver import Model
+from robosmi.diagnostics import Location, Severity
+from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleBlocks, as_model, run_over
-from robosmi.validate.constraint import Constraint, Context, F
+from robosmi.validate.constraint import Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
+
+if TYPE_CHECKING:
+    from robosmi.decorating import Decorator
 
 
 class EVL:
@@ -33,15 +37,28 @@ class EVL:
         self.models: list[Model] = [as_model(m) for m in models]
         self.pre = RuleBlocks()
         self.post = RuleBlocks()
-        self.contexts: list[Context] = []
-        self._constraints = Context(None)
-        self._critiques = Context(None)
+        self.contexts: list[Context[Any]] = []
+        self._constraints: Context[Any] = Context(None)
+        self._critiques: Context[Any] = Context(None)
         self._included: list[EVL] = []
         self._evaluation: Evaluation | None = None
 
+    @overload
     def context(
-        self, kind: Any, *, guard: Callable[[Any], Any] | None = None, lazy: bool = False, name: str | None = None
-    ) -> Context:
+        self, kind: type[E], *, guard: Callable[[E], bool] | None = None, lazy: bool = False, name: str | None = None
+    ) -> Context[E]: ...
+    @overload
+    def context(
+        self, kind: str | TypeHandle, *, guard: Callable[[Any], bool] | None = None, lazy: bool = False, name: str | None = None
+    ) -> Context[Any]: ...
+    def context(
+        self,
+        kind: type[E] | str | TypeHandle,
+        *,
+        guard: Callable[[E], bool] | None = None,
+        lazy: bool = False,
+        name: str | None = None,
+    ) -> Context[E]:
         """A context: constraints on the elements of a type and its subtypes.
 
         Args:
@@ -50,23 +67,52 @@ class EVL:
             lazy: whether its constraints are evaluated only where `satisfies` asks.
             name: how reports name it; the type's name if None.
         """
-        made = Context(kind, guard, lazy, name)
+        made: Context[E] = Context(kind, guard, lazy, name)
         self.contexts.append(made)
         return made
 
     @overload
-    def constraint(self, check: F, /) -> F: ...
+    def constraint(self, check: Callable[[], R], /) -> Callable[[], R]: ...
     @overload
-    def constraint(self, /, **options: Any) -> Callable[[F], F]: ...
+    def constraint(
+        self,
+        /,
+        *,
+        name: str | None = None,
+        guard: Callable[[], bool] | None = None,
+        lazy: bool = False,
+        message: str | Callable[[], str] | None = None,
+        fixes: Sequence[Fix] = (),
+        severity: Severity | None = None,
+        id: str | None = None,
+        advice: str | Callable[[], str] | None = None,
+        location: Callable[[], Location | None] | None = None,
+        terminate: bool = False,
+    ) -> Decorator: ...
     def constraint(self, check: Any = None, /, **options: Any) -> Any:
         """Add a constraint without context: it is evaluated once, after all contexts, and its function takes nothing."""
         add = self._constraints.constraint(**options)
         return add if check is None else add(check)
 
     @overload
-    def critique(self, check: F, /) -> F: ...
+    def critique(self, check: Callable[[], R], /) -> Callable[[], R]: ...
     @overload
-    def critique(self, /, **options: Any) -> Callable[[F], F]: ...
+    def critique(
+        self,
+        /,
+        *,
+        name: str | None = None,
+        guard: Callable[[], bool] | None = None,
+        lazy: bool = False,
+        message: str | Callable[[], str] | None = None,
+        fixes: Sequence[Fix] = (),
+        severity: Severity | None = None,
+        id: str | None = None,
+        advice: str | Callable[[], str] | None = None,
+        location: Callable[[], Location | None] | None = None,
+        terminate: bool = False,
+        info: bool = False,
+    ) -> Decorator: ...
     def critique(self, check: Any = None, /, **options: Any) -> Any:
         """Add a critique without context: evaluated once, after all constraints without context."""
         add = self._critiques.critique(**options)

@@ -86,7 +86,7 @@ class PlanPage:
             )
         )  # fmt: skip
 
-    def act(self, what: str, about: Mapping[str, Json]) -> dict[str, Json]:
+    def act(self, what: str, about: Mapping[str, Json]) -> dict[str, Any]:
         """Do what a person asks for on the page.
 
         Args:

@@ -112,7 +112,9 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
 
 
 @libraries.critique(
-    id="RS729", guard=lambda c: c.choice and c.chosen, advice="correct the one that is not meant (plan.xmi), or use --library"
+    id="RS729",
+    guard=lambda c: bool(c.choice and c.chosen),
+    advice="correct the one that is not meant (plan.xmi), or use --library",
 )
 def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> Any:
     """The recorded choice of a library is the library that it refers to; a choice without one is open again."""

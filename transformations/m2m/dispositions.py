@@ -82,7 +82,7 @@ def includes(known: Known) -> ETL:
             return "missing"
         return "in header" if is_header(file_of(include)) else "conditional" if conditional(include) else "there"
 
-    @t.rule(guard=own_header)
+    @t.rule(guard=lambda i: bool(own_header(i)))
     def OwnHeader(i: ccode.Include, d: Disposition) -> None:
         decide(d, i, retain, "own-header", "a header of the program's own, carried over with it")
 

@@ -18,7 +18,7 @@ _STORAGE = {"externStorage": "extern", "staticStorage": "static", "registerStora
 _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
 
 
-def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> dict[str, Json]:
+def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> dict[str, Any]:
     """The contract's `{"units": [...]}`; findings of the analysis itself (RS108, RS109) are added to the list given."""
     units = []
     calls = code.user_calls(program)
@@ -119,7 +119,7 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
     }
 
 
-def _include(include: ccode.Include, api: ApiIndex) -> dict[str, Json]:
+def _include(include: ccode.Include, api: ApiIndex) -> dict[str, Any]:
     name = str(include.header)
     kind = api.header_kind(name)
     return {
