@@ -21,7 +21,7 @@ from robosmi.transform.schedule import Demand, Match, Schedule
 from robosmi.transform.trace import Trace
 
 if TYPE_CHECKING:
-    from robosmi.decorating import Decorator
+    from robosmi.query.decorating import Decorator
 
 P = ParamSpec("P")
 R = TypeVar("R")

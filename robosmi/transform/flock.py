@@ -23,7 +23,7 @@ from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
 
 if TYPE_CHECKING:
-    from robosmi.decorating import Decorator, Function
+    from robosmi.query.decorating import Decorator, Function
 
 
 @dataclass(eq=False)

@@ -13,8 +13,8 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.query.erl import type_name
 
 if TYPE_CHECKING:
-    from robosmi.decorating import Decorator
     from robosmi.model.driver import TypeHandle
+    from robosmi.query.decorating import Decorator
 
 R = TypeVar("R")
 E = TypeVar("E")

@@ -18,7 +18,7 @@ from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
-    from robosmi.decorating import Decorator
+    from robosmi.query.decorating import Decorator
 
 
 class EVL:
