@@ -195,7 +195,7 @@ def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...
     found = {
         c.chosen.name: (tuple(c.chosen.timers), c.chosen.takesWhen)
         for c in plan.libraryChoices
-        if c.chosen is not None and (c.included or c.chosenBy is migration.ChosenBy.person) and c.chosen.timers
+        if c.chosen is not None and _counts(c) and c.chosen.timers
     }
     chosen = {c.component for c in plan.libraryChoices if c.chosen is not None}
     w = wired(plan)
@@ -234,9 +234,14 @@ def _wants_pwm(w: Wiring, connection: migration.Connection) -> bool:
     return bool(component.driver) and any(w.means(c, "pwm") for c in connection.connectors)
 
 
-@choices.critique(id="RS265", location=place, advice="move the device to another pin, or choose another library")
+def _counts(choice: migration.LibraryChoice) -> bool:
+    """Whether the sketch includes a chosen library, or a person chose it and so means to use it."""
+    return bool(choice.included) or choice.chosenBy is migration.ChosenBy.person
+
+
+@choices.critique(id="RS265", location=place, guard=_counts, advice="move the device to another pin, or choose another library")
 def PinsAreNotTaken(c: migration.LibraryChoice) -> Any:
-    """A library does not take a pin that another device is on."""
+    """A library that the sketch includes, or that a person chose, does not take a pin that another device is on."""
     plan, library = of_plan(c), c.chosen
     assert plan is not None
     assert library is not None

@@ -17,6 +17,8 @@ from robosmi.transformations.queries.ports import Port, ProgramPorts, give_numbe
 from robosmi.transformations.queries.values import Values
 
 _NUMBERED = re.compile(r"_(\d+)\Z")
+_DIRECTIONS = {platform.Direction.input: "in", platform.Direction.output: "out", platform.Direction.both: "both"}
+"""Direction of a port that an adapter declares -> that of a use of a pin."""
 
 
 def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], views: Sequence[CodeView]) -> ProgramPorts:
@@ -39,10 +41,10 @@ def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], 
     for function, use in adapted.items():
         assert use.adapter is not None
         for needed in (port for piece in closure([use.adapter]) for port in piece.ports):
+            way = _DIRECTIONS.get(needed.direction, "unknown")
             for call in _calls(use, str(needed.name), channels.get(function), views):
-                _add(conventional, needed, names, PinUse(
-                    _number(needed), "", "convention", function, needed.direction.name, int(call.line), call,
-                ))  # fmt: skip
+                known = PinUse(_number(needed), "", "convention", function, way, int(call.line), call)
+                _add(conventional, needed, names, known)
     asked = give_numbers(own, list(conventional.values()))
     unasked = [p for p in found.ports if p.origin == "convention" and p.name not in conventional]
     return ProgramPorts([*own, *asked], found.flows, found.anything, unasked)

@@ -34,8 +34,12 @@ def terminal_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes], 
         pin = connection.pin.label if connection.pin else "?"
         lines.append(f"{_INDENT}{pin:4} {connection.name:28} {('is ' + ports) if ports else ''}".rstrip())
     if plan.libraryChoices:
-        chosen = sorted({c.chosen.name for c in plan.libraryChoices if c.chosen is not None})
-        lines.append(f"{_INDENT}libraries: {', '.join(chosen) or 'none chosen'}")
+        included: dict[str, bool] = {}
+        for choice in plan.libraryChoices:
+            if choice.chosen is not None:
+                included[choice.chosen.name] = included.get(choice.chosen.name, False) or choice.included
+        named = [name + " (nothing uses it: not included)" * (not included[name]) for name in sorted(included)]
+        lines.append(f"{_INDENT}libraries: {', '.join(named) or 'none chosen'}")
     return [*lines, f"{_INDENT}see {sketch / 'MIGRATION.md'}"] if made else lines
 
 

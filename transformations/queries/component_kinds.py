@@ -34,18 +34,23 @@ class PortWords(NamedTuple):
         apart: groups of words of which one excludes the others.
         connectors: purpose of a connector -> words, and what the board does there.
         vocabulary: the words of more than two letters, which others may be put together of.
+        kinds: purpose of a connector -> the kind that a component is of, too, at such a connector.
     """
 
     roles: dict[str, frozenset[str]]
     apart: tuple[frozenset[str], ...]
     connectors: dict[str, tuple[frozenset[str], str]]
     vocabulary: frozenset[str]
+    kinds: dict[str, str]
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
     """The kinds that a component may be of, by its words and its connectors."""
     theirs = said(component_texts(connection))
-    kinds = {role for role, words in known_roles().roles.items() if theirs & words}
+    known = known_roles()
+    kinds = {role for role, words in known.roles.items() if theirs & words}
+    own = connector_words(c.name for c in connection.connectors)
+    kinds |= {kind for purpose, kind in known.kinds.items() if own & known.connectors[purpose][0]}
     return kinds | ({SERIAL} if is_serial(connection) else set())
 
 
@@ -108,4 +113,5 @@ def _known_roles(path: Path, _: int) -> PortWords:
     apart = tuple(map(frozenset, data["apart"]))
     words = frozenset().union(*roles.values(), *apart, ["pin", "port", "sensor"])
     connectors = {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()}
-    return PortWords(roles, apart, connectors, frozenset(word for word in words if len(word) > 2))
+    kinds = {purpose: entry["kind"] for purpose, entry in data["connectors"].items() if "kind" in entry}
+    return PortWords(roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds)

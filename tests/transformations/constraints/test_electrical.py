@@ -21,6 +21,7 @@ from robosmi.transformations.constraints.electrical import electrical, electrica
 from robosmi.transformations.constraints.electrical_plan import plan_faults, together
 from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts
 from robosmi.transformations.knowledge.electrical_facts import electrical as facts
+from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.electrical import stated_volts, wiring
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.t2m.fritzing import read_circuit
@@ -119,6 +120,18 @@ def test_a_plan_keeps_the_findings_with_their_components() -> None:
     assert (finding.evidence["component"], finding.evidence["model_index"]) == ("Warmth", "2")
     assert finding.location is not None
     assert finding.location.path == str(folder / "wiring.csv")
+
+
+def test_the_pins_of_a_library_that_nothing_uses_are_free(tmp_path: Path) -> None:
+    (tmp_path / "robot.c").write_text('#include "simpletools.h"\nint main(void) { pause(1); }\n')
+    rows = ["D10,MFRC522 RFID reader,cards,SDA", "D9,MFRC522 RFID reader,cards,RST", "D12,Green LED,green,anode"]
+    (tmp_path / "wiring.csv").write_text("\n".join(["pin,part,title,connector", *rows, ""]))
+    plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv").plan
+    assert [c.chosen.name for c in plan.libraryChoices if c.chosen is not None] == ["MFRC522"]
+    assert "RS265" not in {f.rule for f in plan.findings}
+    assert "  libraries: MFRC522 (nothing uses it: not included)" in terminal_lines(plan, {}, tmp_path, made=True)
+    chosen = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv", libraries={"cards": "MFRC522"}).plan
+    assert "RS265" in {f.rule for f in chosen.findings}
 
 
 def test_a_plan_without_a_drawing_is_asked_nothing_of_it() -> None:

@@ -28,6 +28,15 @@ def test_evidence_binds_a_port_or_leaves_it_open(case: Path) -> None:
             assert 0.8 <= binding.confidence < 1
 
 
+def test_the_feedback_of_a_servo_is_an_encoder_where_a_person_binds_it(tmp_path: Path) -> None:
+    case = Path(__file__).parent / "port_evidence" / "feedback_servos"
+    bound = {"abdrive360.left_encoder": "D4", "abdrive360.right_encoder": "D5"}
+    plan = robosmi.plan_migration([case / "program.c"], hardware=case / "wiring.csv", bind=bound).plan
+    assert [f.rule for f in plan.findings if f.rule == "RS727"] == []
+    drawn = {b.name: b.pin.label for b in plan.portBindings if b.pin is not None}
+    assert (drawn["abdrive360.left_servo"], drawn["abdrive360.right_servo"]) == ("D9", "D10")
+
+
 @pytest.mark.parametrize(
     ("name", "words"),
     [
