@@ -10,8 +10,10 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import migration, platform
+from robosmi.transformations.knowledge.board_models import load_board, mapped_boards
 from robosmi.transformations.queries.loop_time import Time, loop_time
 from robosmi.transformations.queries.memory import Memory, memory
+from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.split_wires import answering_pin
 
@@ -60,6 +62,7 @@ class BoardNeeds(NamedTuple):
         loop: how long each pass of its loop waits; None for a program that runs once.
         memory: what is estimated of its data memory.
         build: what the compiled program takes; None before it is compiled.
+        roomier: title of a board of the platform that has the memory which this one lacks; empty where none is wanted or known.
     """
 
     pins: PinNeeds
@@ -67,6 +70,7 @@ class BoardNeeds(NamedTuple):
     loop: Time | None
     memory: Memory
     build: migration.Build | None = None
+    roomier: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """The contract's form."""
@@ -95,7 +99,17 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
     Args:
         plan: the plan; what is not compiled yet counts as what the models say.
     """
-    return BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), memory(plan), plan.build)
+    needs = BoardNeeds(_pins(plan), tuple(_timers(plan)), loop_time(plan), memory(plan), plan.build)
+    return needs._replace(roomier=_roomier(plan, needs)) if _lacking(needs) else needs
+
+
+def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
+    """The title of the board with the least memory among those of the platform that have enough; empty where none has."""
+    flash = needs.build.flashBytes if needs.build is not None else 0
+    ram = (needs.build.ramBytes if needs.build is not None else needs.memory.total) + needs.memory.depth
+    boards = (load_board(name) for name in mapped_boards(str(platform_of(plan).name)))
+    enough = [b for b in boards if (chip := b.microcontroller) is not None and chip.ramBytes >= ram and chip.flashBytes > flash]
+    return min(((int(b.microcontroller.ramBytes), str(b.title)) for b in enough if b.microcontroller), default=(0, ""))[1]
 
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
@@ -148,8 +162,9 @@ def needs_in_words(needs: BoardNeeds) -> str:
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
     known = needs.memory
-    if needs.build is None and known.limit:
-        said.append(f"about {known.total} of {known.limit} bytes of RAM and {known.depth} of stack")
+    if known.limit:
+        ram = f"{known.total} of {known.limit} bytes of RAM and {known.depth}" if needs.build is None else f"{known.depth} bytes"
+        said.append(f"about {ram} of stack")
     if known.stacks:
         said.append(f"{known.stacks} of {known.limit} bytes of RAM for the stacks of what ran on other cores")
     if needs.loop is not None:
@@ -177,17 +192,27 @@ def _seconds(microseconds: float) -> str:
 
 def shortages(needs: BoardNeeds) -> list[str]:
     """What the board cannot give, as sentences without a full stop."""
-    found = []
-    if (build := needs.build) is not None:
-        sizes = (("flash", build.flashBytes, build.flashLimit), ("RAM", build.ramBytes, build.ramLimit))
-        found += [f"{size} bytes of {what}, and the board has {limit}" for what, size, limit in sizes if size > limit]
+    found = _lacking(needs)
+    if found and needs.roomier:
+        found[-1] += f"; a board '{needs.roomier}' has room"
     if needs.pins.missing:
         needed = needs.pins.used + needs.pins.drawn + needs.pins.wanted
         few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
         found.append(f"{few}: {needed} are needed, and the board has {needs.pins.of_board}")
-    if needs.build is None:
-        found += _too_much(needs.memory)
     found += [f"{timer.timer} is taken by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
+    return found
+
+
+def _lacking(needs: BoardNeeds) -> list[str]:
+    """What memory the board lacks: as it is compiled, with the stack that is estimated; before that, all as it is estimated."""
+    known, build = needs.memory, needs.build
+    if build is None:
+        return _too_much(known)
+    sizes = (("flash", build.flashBytes, build.flashLimit), ("RAM", build.ramBytes, build.ramLimit))
+    found = [f"{size} bytes of {what}, and the board has {limit}" for what, size, limit in sizes if size > limit]
+    if build.ramBytes <= build.ramLimit < build.ramBytes + known.depth:
+        left = build.ramLimit - build.ramBytes
+        found.append(f"{build.ramBytes} of {build.ramLimit} bytes of RAM leave {left} for about {known.depth} of stack")
     return found
 
 

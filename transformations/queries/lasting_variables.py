@@ -1,21 +1,20 @@
-"""The variables of a plan's program that take data memory as long as it runs, and what is done with them where they are named.
+"""The variables of a plan's program that take data memory as long as it runs.
 
-A compiler keeps what changes and is read; numbers that never change it puts into the code, what nothing reads it leaves out.
-How many bytes a type takes is `type_sizes`' business.
+A compiler keeps what changes and is read; numbers that never change it puts into the code, what nothing reads it leaves out
+(`compiled_code`). How many bytes a type takes is `type_sizes`' business.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence, Set
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
 from robosmi.query import all_of_kind
+from robosmi.transformations.queries.compiled_code import CompiledCode, declared_in, is_volatile, uses_of, way
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
 from robosmi.transformations.queries.type_sizes import TypeSizes
-
-_COUNTS = ("++", "--")
 
 
 class Share(NamedTuple):
@@ -26,35 +25,24 @@ class Share(NamedTuple):
     line: int = 0
 
 
-def lasting_variables(
-    plan: migration.MigrationPlan, live: Sequence[Element], sizes: TypeSizes, ignored: Set[int]
-) -> tuple[list[Share], list[str]]:
+def lasting_variables(plan: migration.MigrationPlan, code: CompiledCode, sizes: TypeSizes) -> tuple[list[Share], list[str]]:
     """The variables that take memory, and the names of those whose size the models do not tell.
 
     Args:
         plan: the plan.
-        live: what may be carried out (`live_code`).
+        code: what is left of its program.
         sizes: of types on the target.
-        ignored: identities of arguments of which nothing is made.
     """
-    uses: dict[int | str, list[ccode.NameReference]] = {}
-    for element in live:
-        if (
-            isinstance(element, ccode.NameReference)
-            and isinstance(element.target, ccode.Variable)
-            and not is_ignored(element, ignored)
-        ):
-            uses.setdefault(identity(element.target), []).append(element)
-    shares, unknown, seen = [], [], set[str]()
-    named = in_macros(plan.program.units if plan.program is not None else ())
-    for variable in lasting(plan, live):
-        name = str(variable.name)
-        if is_global(variable) and variable.storage.name != "staticStorage":
-            if name in seen or variable.storage.name == "externStorage":
-                continue  # declared in several files
-            seen.add(name)
-        references = uses.get(identity(variable), [])
-        if not _kept(variable, references) and name not in named:
+    uses = uses_of(code.elements, code.ignored)
+    shares, unknown, seen = [], [], set[int | str]()
+    units = list(plan.program.units) if plan.program is not None else []
+    named = in_macros(units)
+    for variable in (*lasting(plan, code.elements), *_volatile(units)):
+        name, key = str(variable.name), identity(variable)
+        if key in seen or variable.storage.name == "externStorage":
+            continue  # declared in several files
+        seen.add(key)
+        if not is_volatile(variable) and name not in named and not _kept(variable, uses.get(key, []), code):
             continue
         size = sizes.of(variable.valueType)
         if size is None:
@@ -66,7 +54,7 @@ def lasting_variables(
 
 def lasting(plan: migration.MigrationPlan, live: Sequence[Element]) -> Iterator[ccode.Variable]:
     """The variables that last: of files, static ones, and those that are moved out of main."""
-    moved = {id(v) for d in plan.dispositions if d.hoisted is not None for v in _declared(d.element)}
+    moved = {id(v) for d in plan.dispositions if d.hoisted is not None for v in declared_in(d.element)}
     for element in live:
         if not isinstance(element, ccode.Variable):
             continue
@@ -74,54 +62,20 @@ def lasting(plan: migration.MigrationPlan, live: Sequence[Element]) -> Iterator[
             yield element
 
 
-def _declared(element: Element | None) -> Iterable[ccode.Variable]:
-    return [element] if isinstance(element, ccode.Variable) else all_of_kind(element, ccode.Variable)
+def _volatile(units: Sequence[ccode.SourceUnit]) -> Iterator[ccode.Variable]:
+    """The variables that are kept even where nothing that runs names them: each access to them counts."""
+    for unit in units:
+        for variable in all_of_kind(unit, ccode.Variable):
+            lasts = is_global(variable) or variable.storage.name == "staticStorage"
+            if lasts and is_volatile(variable) and (variable.storage.name == "unspecified" or variable.references):
+                yield variable
 
 
-def _kept(variable: ccode.Variable, references: Sequence[ccode.NameReference]) -> bool:
+def _kept(variable: ccode.Variable, references: Sequence[ccode.NameReference], code: CompiledCode) -> bool:
     """Whether a compiler has to keep a variable: it changes and is read, or it is an array of which any element may be asked."""
-    use = variable.valueType
-    if "volatile" in str(use.spelling if use is not None else ""):
-        return bool(references)
-    ways = {way(each) for each in references}
-    if "address" in ways:
-        return True
-    if "read" not in ways and "any" not in ways:
+    ways = {way(each) for each in references} - {"size"}
+    if identity(variable) in code.unread and "address" not in ways:
         return False
-    return "written" in ways or "any" in ways or "both" in ways
-
-
-def is_ignored(reference: Any, ignored: Set[int]) -> bool:
-    """Whether an expression stands in an argument of which nothing is made."""
-    element: Element | None = reference
-    while isinstance(element, ccode.Expression):
-        if id(element) in ignored:
-            return True
-        if isinstance(element, ccode.Assignment):
-            return element.operator == "=" and id(element.right) in ignored
-        if isinstance(element, ccode.Call):
-            return False
-        element = element.eContainer()
-    return False
-
-
-def way(reference: ccode.NameReference) -> str:
-    """What is done at a reference: read, written, both, its address taken, or any element read."""
-    element: ccode.Located = reference
-    indexed = False
-    container: Any = element.eContainer()
-    while (isinstance(container, ccode.Index) and container.array is element) or isinstance(container, ccode.Member):
-        indexed = indexed or (isinstance(container, ccode.Index) and not isinstance(container.index, ccode.IntegerLiteral))
-        element, container = container, container.eContainer()
-    if isinstance(container, ccode.SizeOf):
-        return "size"
-    if isinstance(container, ccode.Unary) and container.operator == "&":
-        return "address"
-    if isinstance(container, ccode.Unary) and container.operator in _COUNTS:
-        return "written" if isinstance(container.eContainer(), (ccode.ExpressionStatement, ccode.For)) else "both"
-    if isinstance(container, ccode.Assignment) and container.left is element:
-        return "written" if isinstance(container.eContainer(), (ccode.ExpressionStatement, ccode.For)) else "both"
-    target: Any = reference.target
-    if target.valueType is not None and target.valueType.arrayDims and element is reference:
-        return "address"
-    return "any" if indexed else "read"
+    if identity(variable) in code.fixed:
+        return "any" in ways or "address" in ways
+    return bool(ways)

@@ -10,15 +10,10 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.main_function import main_of
-
-
-def live_elements(plan: migration.MigrationPlan) -> list[Element]:
-    """What of a plan's program may be carried out; see `live_in`."""
-    return live_in(plan.program.units if plan.program is not None else ())
 
 
 def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
@@ -27,13 +22,8 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
     Args:
         units: of a program.
     """
-    declared = [d for unit in units for d in unit.declarations]
-    defined: dict[str, ccode.Declaration]
-    defined = {str(d.name): d for d in declared if isinstance(d, ccode.Function) and d.body is not None}
-    defined |= {str(d.name): d for d in declared if isinstance(d, ccode.Variable) and d.storage.name == "unspecified"}
-    words = in_macros(units)
-    pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
-    pending += [d for d in declared if isinstance(d, ccode.Variable) and d.name in words]
+    defined = what_is_defined(units)
+    pending = beginnings(units)
     seen, found = {id(each) for each in pending}, list[Any]()
     inside = set[int]()
     while pending:
@@ -43,14 +33,29 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
                 continue  # of a declaration within another
             inside.add(id(element))
             found.append(element)
-            for led in _leads_to(element, defined):
+            for led in leads_to(element, defined):
                 if id(led) not in seen:
                     seen.add(id(led))
                     pending.append(led)
     return found
 
 
-def _leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iterator[Element]:
+def beginnings(units: Sequence[ccode.SourceUnit]) -> list[Element]:
+    """What is carried out or named whatever else is: main, and variables that macros name."""
+    words = in_macros(units)
+    pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
+    return pending + [d for unit in units for d in unit.declarations if isinstance(d, ccode.Variable) and d.name in words]
+
+
+def what_is_defined(units: Iterable[ccode.SourceUnit]) -> dict[str, ccode.Declaration]:
+    """Name -> the function with that body, or the variable that several files may declare."""
+    declared = [d for unit in units for d in unit.declarations]
+    defined: dict[str, ccode.Declaration]
+    defined = {str(d.name): d for d in declared if isinstance(d, ccode.Function) and d.body is not None}
+    return defined | {str(d.name): d for d in declared if isinstance(d, ccode.Variable) and d.storage.name == "unspecified"}
+
+
+def leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iterator[Element]:
     """The functions and variables that an element names; of those that several files declare, the definition."""
     if isinstance(element, ccode.Call):
         callee = defined.get(str(element.calleeName))

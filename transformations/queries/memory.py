@@ -8,27 +8,30 @@ refers to, numbers that never change, variables that nothing reads. What is on t
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
 from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.queries.compiled_code import CompiledCode, compiled_code
 from robosmi.transformations.queries.lasting_variables import Share, lasting_variables
-from robosmi.transformations.queries.live_code import live_elements
 from robosmi.transformations.queries.memory_texts import bytes_of_initial_values, bytes_of_texts
 from robosmi.transformations.queries.plan import platform_of
-from robosmi.transformations.queries.plan_adapters import closure, setup_statements
+from robosmi.transformations.queries.plan_adapters import closure, emitted, setup_statements
 from robosmi.transformations.queries.stack_depth import depth
 from robosmi.transformations.queries.type_sizes import on_target
 
 _LISTED = 5
 """So many of the largest variables are named."""
-_UNUSED = re.compile(r"\(void\)\s*\w+\s*;")
 _COUNTS = ("++", "--")
 _GIVES = frozenset(["=", "+=", "-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>=", "["])
-_NUMBER = re.compile(r"static [^;{(]*?[\w\]]*?(\w+)(?:\[\w*\])*(?: = [^;]*)?;(?:\s*//.*)?")
+_DEFINED = re.compile(r"^inline [\w ]*?[ *](\w+)\([^;{]*\) \{", re.MULTILINE)
+"""The functions that the text of a piece defines."""
+_LOOK_UPS = frozenset(["port", "ports"])
+"""The pieces that ports are looked up with while the program runs."""
+_NUMBER = re.compile(r"static (?:struct \{[^{}]*\}|[^;{(]*?[\w\]]*?) ?(\w+)(?:\[\w*\])*(?: = [^;]*)?;(?:\s*//.*)?")
 """The text of a piece that is one variable."""
 
 
@@ -83,18 +86,19 @@ def memory(plan: migration.MigrationPlan) -> Memory:
     Args:
         plan: the plan, complete.
     """
-    live = live_elements(plan)
+    code = compiled_code(plan)
     sizes = on_target(plan)
-    ignored = {id(each) for use in plan.adapterUses for each in _ignored_arguments(use)}
-    ignored |= {id(call) for use in plan.adapterUses if use.adapter is None for call in use.calls}
     chip = plan.board.microcontroller if plan.board is not None else None
-    pieces = _pieces(plan, live)
-    variables, unknown = lasting_variables(plan, live, sizes, ignored)
+    pieces = _pieces(plan, code)
+    if _shared_access(plan, code, pieces):
+        code = compiled_code(plan, pins=False)
+        pieces = _pieces(plan, code)
+    variables, unknown = lasting_variables(plan, code, sizes)
     shared = plan.concurrency
     return Memory(
         tuple(sorted(variables, key=lambda each: -each.bytes)),
-        bytes_of_texts(live, ignored, pieces) + bytes_of_initial_values(plan, live, sizes),
-        tuple(sorted(_adapters(plan, live, pieces), key=lambda each: -each.bytes)),
+        bytes_of_texts(code, pieces) + bytes_of_initial_values(plan, code, sizes),
+        tuple(sorted(_adapters(plan, code.elements, pieces), key=lambda each: -each.bytes)),
         int(shared.slots * shared.stackBytes) if shared is not None else 0,
         depth(plan),
         tuple(unknown),
@@ -102,13 +106,45 @@ def memory(plan: migration.MigrationPlan) -> Memory:
     )
 
 
-def _pieces(plan: migration.MigrationPlan, live: Sequence[Element]) -> list[platform.Adapter]:
-    """The pieces that what runs makes use of, with those that they need."""
-    calls = {id(each) for each in live if isinstance(each, ccode.Call)}
-    named = {str(each.name) for each in live if isinstance(each, ccode.NameReference)}
-    uses = [use.adapter for use in plan.adapterUses if use.name in named or any(id(call) in calls for call in use.calls)]
+def _pieces(plan: migration.MigrationPlan, code: CompiledCode) -> list[platform.Adapter]:
+    """The pieces that what runs or an interrupt makes use of, with those that they need."""
+    calls = {id(each) for each in code.elements if isinstance(each, ccode.Call)}
+    working = calls - code.answers.keys()
+    named = {str(each.name) for each in code.elements if isinstance(each, ccode.NameReference)}
+    uses = [use.adapter for use in plan.adapterUses if use.name in named or any(id(call) in working for call in use.calls)]
     symbols = [use.adapter for use in plan.symbolUses]
-    return closure(piece for piece in (*symbols, *uses, *plan.helpers) if piece is not None)
+    asked = {name for flow in plan.portFlows for name in _looked_up(flow, calls, code)}
+    helpers = [piece for piece in plan.helpers if piece.name not in _LOOK_UPS or piece.name in asked]
+    found = closure(piece for piece in (*symbols, *uses, *helpers) if piece is not None)
+    return closure((*found, *_at_interrupts(emitted(plan))))
+
+
+def _shared_access(plan: migration.MigrationPlan, code: CompiledCode, pieces: Sequence[platform.Adapter]) -> bool:
+    """Whether others use what calls without a pin go through, too: then that is one function, which asks at each call."""
+    there = {id(piece) for piece in pieces}
+    silent = [u.adapter for u in plan.adapterUses if u.adapter is not None and any(id(c) in code.answers for c in u.calls)]
+    needed = [each for piece in silent for each in closure([piece]) if each is not piece and "wired()" in str(each.text)]
+    return any(id(each) in there for each in needed)
+
+
+def _looked_up(flow: migration.PortFlow, calls: Set[int], code: CompiledCode) -> Iterator[str]:
+    """What looks up the ports of a flow while the program runs: nothing where all are numbers that the text gives."""
+    unknown = any(None in code.arguments.get(id(call), [None]) for call in flow.calls if id(call) in calls)
+    for change in flow.changes if unknown else ():
+        yield change.replacement.partition("(")[0]
+
+
+def _at_interrupts(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
+    """The pieces that handle interrupts, and those whose functions these call: they are there whatever else runs."""
+    found = {id(piece): piece for piece in pieces if piece.vectors}
+    waiting = list(found.values())
+    while waiting:
+        words = set(_words(str(waiting.pop().text)))
+        for piece in pieces:
+            if id(piece) not in found and words & set(_DEFINED.findall(str(piece.text))):
+                found[id(piece)] = piece
+                waiting.append(piece)
+    return list(found.values())
 
 
 def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Sequence[platform.Adapter]) -> Iterator[Share]:
@@ -120,6 +156,9 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
         if piece.ramBytes and (not declared or declared in changed):
             yield Share(str(piece.name), int(piece.ramBytes))
     names = {word for each in words for word in each}
+    for piece in emitted(plan):
+        if piece.libraries:  # a library is linked whole, and its objects begin before main
+            names |= {*map(str, piece.libraries), *_words(str(piece.text))}
     names |= {word for text in setup_statements(plan) for _, _, _, word in tokens(text.encode())}
     names |= {str(each.calleeName) for each in live if isinstance(each, ccode.Call)}
     names.add(str(platform_of(plan).mainHeader).removesuffix(".h"))
@@ -142,29 +181,4 @@ def _changed(words: Sequence[str]) -> Iterator[str]:
     for number, word in enumerate(words):
         behind, before = words[number + 1 : number + 2], words[number - 1 : number]
         if (behind and (behind[0] in _GIVES or behind[0] in _COUNTS)) or (before and before[0] in (*_COUNTS, "&")):
-            yield word
-
-
-def _ignored_arguments(use: migration.AdapterUse) -> Iterator[Element]:
-    """The arguments of which an adapter makes nothing: all where it has no body, else those whose parameters it never names."""
-    names = None if use.adapter is None else _parameters(str(use.adapter.text), str(use.adapter.targetName or use.adapter.name))
-    for call in use.calls:
-        for number, argument in enumerate(call.arguments):
-            if names is None or (number < len(names) and not names[number]):
-                yield argument
-
-
-def _parameters(text: str, name: str) -> list[bool]:
-    """Whether the text of an adapter names each parameter that it has."""
-    found = re.search(rf"\b{re.escape(name)}\((?P<parameters>[^{{;]*)\)[^{{;]*\{{(?P<body>.*)", text, re.DOTALL)
-    if found is None:
-        return []
-    body = set(re.findall(r"\w+", _UNUSED.sub("", found["body"])))
-    depth, parts = 0, [""]
-    for character in found["parameters"]:
-        depth += (character == "(") - (character == ")")
-        if character == "," and not depth:
-            parts.append("")
-        else:
-            parts[-1] += character
-    return [bool(body & set(re.findall(r"\w+", part))) for part in parts]
+            yield words[number - 2] if before == ["."] and number > 1 else word

@@ -5,15 +5,15 @@ On a processor with separate memories, a text that is read like a variable is co
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.transformations.queries.lasting_variables import is_ignored, lasting, way
+from robosmi.transformations.queries.compiled_code import CompiledCode, is_ignored, way
+from robosmi.transformations.queries.lasting_variables import lasting
 from robosmi.transformations.queries.type_sizes import TypeSizes, text_of, unescaped
 
 _COPIED = 3
@@ -22,11 +22,11 @@ _IN_FLASH = (["PSTR"], ["F"])
 _COMPILER = frozenset(["asm", "__asm__", "volatile", "__attribute__", "alignas", "static_assert", "section"])
 
 
-def bytes_of_texts(live: Sequence[Element], ignored: Set[int], pieces: Sequence[platform.Adapter]) -> int:
+def bytes_of_texts(code: CompiledCode, pieces: Sequence[platform.Adapter]) -> int:
     """Bytes of the texts of program and pieces that stay in data memory: each once, none that another ends with."""
     said = {text for piece in pieces for text in kept_texts(str(piece.text))}
-    for element in live:
-        if isinstance(element, ccode.StringLiteral) and not _elsewhere(element, ignored):
+    for element in code.elements:
+        if isinstance(element, ccode.StringLiteral) and not _elsewhere(element, code.ignored):
             said.add(text_of(element))
     ends = sorted(each[::-1] for each in said)
     pairs = zip(ends, [*ends[1:], None], strict=False)
@@ -34,7 +34,7 @@ def bytes_of_texts(live: Sequence[Element], ignored: Set[int], pieces: Sequence[
     return sum(len(each) + 1 for each in kept)
 
 
-def _elsewhere(literal: ccode.StringLiteral, ignored: Set[int]) -> bool:
+def _elsewhere(literal: ccode.StringLiteral, ignored: set[int]) -> bool:
     """Whether a text is no text of its own: what an array begins with, or an argument of which nothing is made."""
     container = literal.eContainer()
     if isinstance(container, ccode.InitializerList) and len(container.elements) == 1:
@@ -44,22 +44,22 @@ def _elsewhere(literal: ccode.StringLiteral, ignored: Set[int]) -> bool:
     return isinstance(container, ccode.SizeOf) or is_ignored(literal, ignored)
 
 
-def bytes_of_initial_values(plan: migration.MigrationPlan, live: Sequence[Element], sizes: TypeSizes) -> int:
+def bytes_of_initial_values(plan: migration.MigrationPlan, code: CompiledCode, sizes: TypeSizes) -> int:
     """Bytes of what local arrays begin with, which are copied from data memory each time."""
-    others = {id(each) for each in lasting(plan, live)}
+    others = {id(each) for each in lasting(plan, code.elements)}
     total = 0
-    for element in live:
+    for element in code.elements:
         if not isinstance(element, ccode.Variable) or id(element) in others or element.initializer is None:
             continue
-        if isinstance(element.initializer, (ccode.InitializerList, ccode.StringLiteral)) and _copied(element):
+        if isinstance(element.initializer, (ccode.InitializerList, ccode.StringLiteral)) and _copied(element, code.ignored):
             size = sizes.of(element.valueType) if element.valueType is not None and element.valueType.arrayDims else 0
             total += size if size and size > _COPIED and _constant(element.initializer) else 0
     return total
 
 
-def _copied(variable: ccode.Variable) -> bool:
+def _copied(variable: ccode.Variable, ignored: set[int]) -> bool:
     """Whether more is asked of a local array than elements of which the text says which."""
-    return any(way(each) not in ("read", "written", "size") for each in variable.references)
+    return any(way(each) not in ("read", "written", "size") and not is_ignored(each, ignored) for each in variable.references)
 
 
 def _constant(initializer: Any) -> bool:

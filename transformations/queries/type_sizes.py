@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.transformations.queries.declared_types import declared_types
 from robosmi.transformations.queries.initialisers import record_of
 from robosmi.transformations.queries.plan import platform_of
 
@@ -33,6 +34,11 @@ class TypeSizes:
         model: the platform.
         integer: bytes of an int, where it is written otherwise than the platform has it; 0 for the platform's own.
         aligned: bytes that the processor reads at once: members lie at multiples of their size up to so many; 1 for no gaps.
+
+    Attributes:
+        plain: bytes of the types of the language.
+        pointer: bytes of a pointer.
+        declared: bytes of types that the program does not declare itself.
     """
 
     def __init__(self, model: platform.Platform, integer: int = 0, aligned: int = 1) -> None:
@@ -40,10 +46,11 @@ class TypeSizes:
         self.aligned = aligned
         self._integer = int(model.intBits) // _OCTET
         whole, long, double = integer or self._integer, int(model.longBits) // _OCTET, int(model.doubleBits) // _OCTET
-        self._bytes = {
+        self.plain = {
             **_FIXED, "int": whole, "unsigned int": whole, "long": long, "unsigned long": long, "long int": long,
             "double": double, "long double": double,
         }  # fmt: skip
+        self.declared: dict[str, int] = {}
 
     def of(self, use: ccode.TypeUse | None) -> int | None:
         """The bytes of a variable of a type; None where the model does not tell."""
@@ -70,7 +77,9 @@ class TypeSizes:
         base = " ".join(_QUALIFIERS.sub(" ", _DIMENSION.sub("", str(use.canonical or ""))).split())
         if base.endswith("*"):
             return self.pointer
-        known = self._bytes.get(base)
+        known = self.plain.get(base)
+        if known is None and isinstance(use.declaration, ccode.ExternalSymbol):
+            known = self.declared.get(base)
         if known is not None:
             return known
         return int(use.bits) // _OCTET or None
@@ -108,7 +117,9 @@ def on_target(plan: migration.MigrationPlan) -> TypeSizes:
     """Sizes on the target of a plan: members lie behind each other, as on a processor that reads bytes."""
     whole = int(plan.source.intBits) // _OCTET if plan.widths is migration.Widths.fix and plan.source is not None else 0
     target = platform_of(plan)
-    return TypeSizes(target, whole, 1 if target.intBits < _READS_WORDS else int(target.intBits) // _OCTET)
+    sizes = TypeSizes(target, whole, 1 if target.intBits < _READS_WORDS else int(target.intBits) // _OCTET)
+    sizes.declared = declared_types(plan, sizes.plain, sizes.pointer)
+    return sizes
 
 
 def on_source(plan: migration.MigrationPlan) -> TypeSizes | None:

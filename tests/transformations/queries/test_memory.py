@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.metamodels import migration
 from robosmi.transformations.chains.migrate import plan_migration
+from robosmi.transformations.queries.board_needs import board_needs, needs_in_words, shortages
 from robosmi.transformations.queries.memory import memory
 from robosmi.verify.toolchain import compile_sketch
 from tests.corpus.memory_corpus import stack_bytes
@@ -55,7 +57,24 @@ def test_what_does_not_fit_is_said_before_it_is_compiled(tmp_path: Path) -> None
     assert needs["estimated_bytes"] > needs["ram_bytes"] == 2048
     first = next(text for name, text in made.contents.items() if name.endswith("MIGRATION.md")).decode()
     assert "and the board has 2048 ('samples' 3600" in first[: first.index("## ")]
-    assert any("and the board has 2048" in line for line in made.lines())
+    assert any("and the board has 2048" in line and "; a board 'Arduino Mega 2560' has room" in line for line in made.lines())
+    assert "a board 'Arduino Mega 2560' has room" in first[: first.index("## ")]
+
+
+def test_the_stack_is_still_said_when_the_program_is_compiled() -> None:
+    plan = plan_migration([PROGRAMS[0].with_name("texts.c")]).plan
+    before = board_needs(plan)
+    said = f"{before.memory.total} of 2048 bytes of RAM and {before.memory.depth} of stack"
+    assert f"about {said}" in needs_in_words(before)
+    plan.build = migration.Build(board="uno", flashBytes=4000, flashLimit=32256, ramBytes=300, ramLimit=2048)
+    after = board_needs(plan)
+    assert "RAM 300 of 2048, compiled" in needs_in_words(after)
+    assert f"about {before.memory.depth} bytes of stack" in needs_in_words(after)
+    assert not shortages(after)
+    plan.build.ramBytes = 2000
+    assert shortages(board_needs(plan)) == [
+        f"2000 of 2048 bytes of RAM leave 48 for about {before.memory.depth} of stack; a board 'Arduino Mega 2560' has room"
+    ]
 
 
 def test_the_stack_that_a_simulator_sees_is_nearly_the_one_estimated(tmp_path: Path) -> None:

@@ -1,0 +1,235 @@
+"""What a compiler leaves of a program whose values it partly knows: branches that are never taken are not carried out.
+
+The program is gone through once, statement by statement, with the values that variables surely have: a function that is still
+to be written gives 0, a counter that begins with 0 and is never changed stays 0. Loops are gone through until no value changes.
+What a function that the program calls does to a variable is not followed: then its value is not known. Gotos, text that
+the model does not know and what nests deeper than `DEPTH` count as carried out, whatever their values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents
+from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, State, join
+from robosmi.transformations.queries.live_code import identity
+
+_ROUNDS = 4
+"""So often a loop is gone through until nothing is taken to be known where it begins."""
+
+
+class FoldedCode(FoldedValues):
+    """What is carried out of a program; see `FoldedValues`."""
+
+    def __init__(
+        self,
+        units: Sequence[ccode.SourceUnit],
+        answers: Answer,
+        known: Mapping[Key, int | None],
+        lasting: Iterable[Key] = (),
+        names: Mapping[str, int] | None = None,
+    ) -> None:
+        super().__init__(units, answers, known, lasting, names)
+        self._breaks: list[list[State]] = []
+        self._continues: list[list[State]] = []
+        while self.pending:
+            self._start(self.pending.pop())
+
+    def _start(self, declaration: Any) -> None:
+        self.see(declaration)
+        if isinstance(declaration, ccode.Function):
+            for parameter in declaration.parameters:
+                self.see(parameter)
+            body = declaration.body
+            if body is not None and any(isinstance(e, (ccode.Goto, ccode.Label)) for e in all_contents(body)):
+                self.whatever(body)
+            elif body is not None:
+                self._run(body, {})
+        else:
+            self.whatever(declaration)
+
+    # ---- statements
+
+    def _run(self, statement: Any, state: State) -> State | None:
+        """Carry out a statement.
+
+        Returns:
+            The values behind it; None where nothing gets there.
+        """
+        if self.depth > DEPTH:
+            self.whatever(statement, state)
+            return state
+        self.depth += 1
+        method = _STATEMENTS.get(type(statement).__name__)
+        self.see(statement)
+        if method is None:
+            self.whatever(statement, state)
+            result: State | None = state
+        else:
+            result = method(self, statement, state)
+        self.depth -= 1
+        return result
+
+    def _block(self, block: Any, state: State) -> State | None:
+        after: State | None = state
+        for statement in block.statements:
+            after = self._run(statement, after) if after is not None else None
+            if after is None:
+                break
+        return after
+
+    def _expression(self, statement: Any, state: State) -> State:
+        self.value(statement.expression, state)
+        return state
+
+    def _declared(self, statement: Any, state: State) -> State:
+        for declaration in statement.declarations:
+            self.see(declaration)
+            if not isinstance(declaration, ccode.Variable):
+                self.whatever(declaration)
+            elif self.lasts(declaration) and declaration.storage.name == "staticStorage":
+                if declaration.initializer is not None:
+                    self.whatever(declaration.initializer)
+            else:
+                value = self.value(declaration.initializer, state) if declaration.initializer is not None else None
+                if declaration.initializer is not None:
+                    self.set_(declaration, value, state)
+        return state
+
+    def _return(self, statement: Any, state: State) -> None:
+        self.value(statement.value, state)
+
+    def _break(self, _: Any, state: State) -> None:
+        if self._breaks:
+            self._breaks[-1].append(state)
+
+    def _continue(self, _: Any, state: State) -> None:
+        if self._continues:
+            self._continues[-1].append(state)
+
+    def _if(self, statement: Any, state: State) -> State | None:
+        for first in (statement.initial, statement.declaration):
+            if first is not None:
+                self._run(first, state)
+        value = self.value(statement.condition, state)
+        taken = self._run(statement.thenBranch, dict(state)) if value is None or value else None
+        if value is not None and value:
+            return taken
+        other = dict(state)
+        left = self._run(statement.elseBranch, other) if statement.elseBranch is not None else other
+        return join([taken, left])
+
+    def _loop(self, loop: Any, state: State) -> State | None:
+        if isinstance(loop, ccode.For) and loop.initial is not None:
+            self._run(loop.initial, state)
+        if loop.declaration is not None or (isinstance(loop, ccode.For) and loop.range is not None):
+            self.whatever(loop, state)
+            return state
+        head = self._at_head(loop, state)
+        for number in range(_ROUNDS + 1):
+            leaving, again = self._once(loop, dict(head))
+            joined = join([head, again])
+            if joined is None or joined == head:
+                return leaving
+            head = joined if number < _ROUNDS - 1 else {}
+        return leaving
+
+    def _once(self, loop: Any, state: State) -> tuple[State | None, State | None]:
+        """Carry out a loop once: the values behind it, and those at its next round."""
+        self._breaks.append([])
+        self._continues.append([])
+        exits: list[State | None] = []
+        after: State | None = state
+        asks_first = not isinstance(loop, ccode.DoWhile)
+        if asks_first:
+            after = self._asked(loop, state, exits)
+        if after is not None:
+            after = join([self._run(loop.body, after) if loop.body is not None else after, *self._continues[-1]])
+        if after is not None and isinstance(loop, ccode.For) and loop.step is not None:
+            self.value(loop.step, after)
+        if after is not None and not asks_first:
+            after = self._asked(loop, after, exits)
+        self._continues.pop()
+        return join([*exits, *self._breaks.pop()]), after
+
+    def _asked(self, loop: Any, state: State, exits: list[State | None]) -> State | None:
+        """Ask the condition of a loop: the values with which it goes on; those with which it ends are added."""
+        value = self.value(loop.condition, state) if loop.condition is not None else 1
+        if not value:
+            exits.append(dict(state))
+        return None if value == 0 and value is not None else state
+
+    def _at_head(self, loop: Any, state: State) -> State:
+        """What is known each time round a loop begins: nothing of memory that it, or what it calls, may change."""
+        changed: set[Key] = set()
+        for each in all_contents(loop):
+            if isinstance(each, ccode.Call) and not self.harmless(each):
+                return {key: value for key, value in state.items() if not self.in_memory(key)}
+            target: Any = each.left if isinstance(each, ccode.Assignment) else each.operand if _counts(each) else None
+            if isinstance(target, ccode.NameReference) and isinstance(target.target, ccode.Variable):
+                changed.add(identity(target.target))
+        return {key: value for key, value in state.items() if key not in changed or not self.in_memory(key)}
+
+    def _switch(self, switch: Any, state: State) -> State | None:
+        for first in (switch.initial, switch.declaration):
+            if first is not None:
+                self._run(first, state)
+        chosen = self.value(switch.selector, state)
+        cases = list(switch.body.statements) if isinstance(switch.body, ccode.Block) else []
+        inner = sum(isinstance(e, (ccode.Case, ccode.Default)) for e in all_contents(switch))
+        if not cases or inner != sum(len(_labels(each)) for each in cases):
+            self.whatever(switch, state)
+            return state
+        self.see(switch.body)
+        numbers = {
+            id(label): self.value(label.constant, {}) for e in cases for label in _labels(e) if isinstance(label, ccode.Case)
+        }
+        matched = chosen is not None and chosen in numbers.values()
+        unsure = chosen is None or None in numbers.values()
+        self._breaks.append([])
+        after: State | None = None
+        default = False
+        for each in cases:
+            labels = _labels(each)
+            for label in labels:
+                self.see(label)
+                is_default = isinstance(label, ccode.Default)
+                default = default or is_default
+                if unsure or (is_default and not matched) or (not is_default and numbers[id(label)] == chosen):
+                    after = join([after, dict(state)])
+            inside = labels[-1].statement if labels else each
+            if after is not None and inside is not None:
+                after = self._run(inside, after)
+        past = None if default or (matched and not unsure) else state
+        return join([after, past, *self._breaks.pop()])
+
+
+_STATEMENTS: dict[str, Any] = {
+    "Block": FoldedCode._block,
+    "ExpressionStatement": FoldedCode._expression,
+    "DeclarationStatement": FoldedCode._declared,
+    "Return": FoldedCode._return,
+    "Break": FoldedCode._break,
+    "Continue": FoldedCode._continue,
+    "If": FoldedCode._if,
+    "While": FoldedCode._loop,
+    "DoWhile": FoldedCode._loop,
+    "For": FoldedCode._loop,
+    "Switch": FoldedCode._switch,
+    "EmptyStatement": lambda _self, _statement, state: state,
+}
+
+
+def _labels(statement: Any) -> list[Any]:
+    """The cases that a statement begins with, one within the other."""
+    found = []
+    while isinstance(statement, (ccode.Case, ccode.Default)):
+        found.append(statement)
+        statement = statement.statement
+    return found
+
+
+def _counts(element: Any) -> bool:
+    return isinstance(element, ccode.Unary) and element.operator in ("++", "--")
