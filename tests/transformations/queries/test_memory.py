@@ -73,7 +73,7 @@ def test_the_stack_is_still_said_when_the_program_is_compiled() -> None:
     assert not shortages(after)
     plan.build.ramBytes = 2000
     assert shortages(board_needs(plan)) == [
-        f"2000 of 2048 bytes of RAM leave 48 for about {before.memory.depth} of stack; a board 'Arduino Mega 2560' has room"
+        f"2000 of 2048 bytes of RAM leave 48 for about {before.memory.depth} of stack; a board 'Arduino Leonardo' has room"
     ]
 
 
