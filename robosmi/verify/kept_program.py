@@ -11,7 +11,6 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
@@ -28,6 +27,7 @@ from robosmi.verify.build_record import FOLDER, BuildRecord, record_at
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.sketch import Sketch, find_sketch
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.toolchain_data import load_toolchains
 
@@ -72,7 +72,7 @@ def compile_into(
     sketch, _ = find_sketch(Path(folder_or_sketch), load_toolchains(project))
     folder = into if into is not None else folder_of(Path(folder_or_sketch), sketch)
     sources = digests(sketch, folder)
-    with tempfile.TemporaryDirectory(prefix="robosmi-kept-") as kept:
+    with temporary_folder("kept") as kept:
         report = compile_sketch(folder_or_sketch, board, keep=Path(kept), project=project)
         contents = {DATABASE: _json(report.commands)}
         if report.ok:  # what is too big for the board has sizes, too, and no program

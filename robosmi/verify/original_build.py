@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -22,6 +21,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.tools import run, tool_version
 
 _MODEL_NAME = re.compile(r"host_|__gcov|__sanitizer|__(?:start|stop)_program_|_GLOBAL_OFFSET_TABLE_")
@@ -84,7 +84,7 @@ def build_original(
 
 def missing_tools(model: HostModel) -> str | None:
     """What is not installed here to build programs with a host model, as an instruction that mends it; None if all is there."""
-    with tempfile.TemporaryDirectory(prefix="robosmi-original-") as place:
+    with temporary_folder("original") as place:
         try:
             _Build(model, Path(place), monotonic() + 10).probe()
         except MissingToolError as error:

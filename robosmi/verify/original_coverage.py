@@ -15,6 +15,7 @@ from typing import Any
 
 from robosmi.errors import InternalError, MissingToolError
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.tools import run
 
 _COUNTER_BYTES = 8
@@ -109,7 +110,7 @@ def _add(program: OriginalProgram, counts: bytes) -> None:
 
 def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
     tool = program.model.tools()["coverage"]
-    with tempfile.TemporaryDirectory(prefix="robosmi-coverage-") as place:
+    with temporary_folder("coverage") as place:
         command = [tool, "--json-format", "--stdout", "--branch-probabilities", str(data)]
         try:
             done = run(command, Path(place))

@@ -13,7 +13,6 @@ import select
 import signal
 import struct
 import subprocess
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from time import monotonic
@@ -23,6 +22,7 @@ from robosmi.plugins import content
 from robosmi.verify.bench import Bench, Level
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
+from robosmi.verify.temporary import temporary_folder
 
 STATES = {"running": "running", "finished": "done"}
 """Status of a run -> state of its trace; any other is `crashed`."""
@@ -113,7 +113,7 @@ def run_original(
     """
     bench = _HostBench(program)
     bench.connect([*devices, *_boards_own(program, devices)])
-    with tempfile.TemporaryDirectory(prefix="robosmi-original-") as place, subprocess.Popen(
+    with temporary_folder("original") as place, subprocess.Popen(
         [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
         bufsize=0, start_new_session=True,
     ) as process:  # fmt: skip

@@ -6,7 +6,6 @@ the building itself is in `build`, the form of the result in `compile_report`.
 
 from __future__ import annotations
 
-import tempfile
 import time
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
@@ -20,6 +19,7 @@ from robosmi.verify.build import Build
 from robosmi.verify.compile_report import MISSING_HEADER, OTHER_BOARD, TOO_BIG, CompileReport
 from robosmi.verify.libraries import LibraryFolders
 from robosmi.verify.sketch import Sketch, choose_board, find_sketch
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.tools import Installed, find_installed
 
@@ -118,5 +118,5 @@ def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
 def _build(
     sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryFolders, keep: Path | None
 ) -> CompileReport:
-    with tempfile.TemporaryDirectory(prefix="robosmi-") as folder:
+    with temporary_folder("build") as folder:
         return Build(sketch, board, toolchain, installed, index, Path(folder)).report(keep)

@@ -11,7 +11,6 @@ import re
 import shutil
 import signal
 import subprocess
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -20,6 +19,7 @@ from typing import IO, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain_data import Toolchain, ToolEntry, places
 
 LIMIT_S = 120.0
@@ -69,7 +69,7 @@ def run(
         MissingToolError: the program cannot be started.
         VerificationError: it did not end in time. It and what it has started are ended, as after an interruption.
     """
-    with tempfile.TemporaryDirectory(prefix="robosmi-tool-") as place:
+    with temporary_folder("tool") as place:
         variables = {**(os.environ if environment is None else environment), "TMPDIR": place}
         try:
             process = subprocess.Popen(

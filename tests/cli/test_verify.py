@@ -281,3 +281,25 @@ def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path
     outcome = run("migrate", tmp_path / "input" / "button.c", "-o", tmp_path / "out", "--verify", "--json")
     assert (outcome.code, outcome.result["verification"]["verdict"]) == (6, "different")
     assert "Lamp (P26): high lasts 200" in (tmp_path / "out" / "button" / "MIGRATION.md").read_text()
+
+
+def test_a_body_counts_as_it_stands_now(tmp_path: Path) -> None:
+    program = tmp_path / "blink.c"
+    program.write_text('#include "simpletools.h"\nint main() {\n  while (1) { high(5); pause(100); low(5); pause(100); }\n}\n')
+    out = tmp_path / "out"
+    assert run("migrate", program, "-o", out, "--adapters", "placeholders", "--bind", "P5=D5").code == 0
+    adapters = out / "blink" / "adapters.h"
+    text = adapters.read_text()
+    for name, body in (("high", "pinMode(pin, OUTPUT); digitalWrite(pin, HIGH);"), ("low", "digitalWrite(pin, LOW);")):
+        begin = text.index(f"void {name}(int32_t pin)")
+        text = text[:begin] + text[begin:].replace("// TODO: complete method", body, 1)
+    adapters.write_text(text)
+    half = run("verify", out, "--json")
+    assert half.code == 6
+    adapters.write_text(text.replace("// TODO: complete method", "delay(time);"))
+    assert run("verify", out, "--json").code == 0  # nothing was generated in between
+    low = "digitalWrite(pin, LOW);"
+    adapters.write_text(adapters.read_text().replace(low, f"// TODO: complete method\n  {low}"))
+    undone = run("verify", out, "--json")
+    assert (undone.code, undone.result["verdict"]) == (1, "not-decidable")
+    assert "low is called and has no body yet" in str(undone.result)

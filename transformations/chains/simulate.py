@@ -6,7 +6,6 @@ names pins. Nothing is written but the trace that was asked for.
 
 from __future__ import annotations
 
-import tempfile
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -28,6 +27,7 @@ from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.simulation import simulate as run_job
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.vcd import vcd_text
 
@@ -174,7 +174,7 @@ def simulate(
     plan_file = plan_beside(output)
     models = load_models(plan_file) if plan_file is not None else None
     ports = bound_ports(models.plan, plan_file.parent) if models is not None and plan_file is not None else []
-    with tempfile.TemporaryDirectory(prefix="robosmi-simulate-") as folder:
+    with temporary_folder("simulate") as folder:
         report = compile_sketch(output, keep=Path(folder))
         if not report.ok or report.elf is None or report.hex is None:
             return Simulated(report)

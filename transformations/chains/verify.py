@@ -7,7 +7,6 @@ stored with the models, or made by a search; new ones are stored. Nothing else i
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -17,9 +16,8 @@ from typing import Any
 from robosmi.diagnostics import Finding, Severity
 from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import migration
 from robosmi.model.files import write_atomic
-from robosmi.model.strict import Element
 from robosmi.transformations.chains.models import MigrationModels, load_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
@@ -42,14 +40,15 @@ from robosmi.transformations.verification.originals import original_program
 from robosmi.transformations.verification.played_devices import played, signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
+from robosmi.transformations.verification.source_reached import cover
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_coverage import SourceCoverage, coverage
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace, engine_for
 from robosmi.verify.simulation import simulate as run_job
+from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.trace_picture import trace_svg
 from robosmi.verify.vcd import vcd_text
@@ -128,7 +127,7 @@ def verify(
     given = [read_scenario(path) for path in scenarios]
     for scenario in given:
         signals_of(ports, scenario)  # before anything is compiled
-    with tempfile.TemporaryDirectory(prefix="robosmi-verify-") as place:
+    with temporary_folder("verify") as place:
         folder = Path(place)
         (folder / "target").mkdir()
         report = compile_sketch(output, keep=folder / "target")
@@ -170,7 +169,7 @@ def verify(
                 verdict.calls = calls_around(program, ports, scenario, runs, told.first)
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
-        _cover(verdict, program, cases, made.racy_counts, plan)
+        cover(verdict, program, [runs for _, runs in cases], made.racy_counts, plan, output)
         done = Verified(verdict, report)
         _store(made.new, plan_file.parent / FOLDER, done)
         if cases:
@@ -292,52 +291,6 @@ def _cases(
         nominal = run_source(program, ports, found.least_racy, LIMIT_S)
         fresh = [(found.least_racy, run_varied(program, ports, found.least_racy, nominal, LIMIT_S))]
     return [*cases, *fresh], made
-
-
-# ---- what it rests on
-
-
-def _cover(
-    verdict: Verdict, program: OriginalProgram, cases: Sequence[Case], racy: Sequence[bytes], plan: migration.MigrationPlan
-) -> None:
-    """How much of the source the decidable scenarios reach, and which unfinished adapters were called."""
-    decided = [
-        runs.nominal.counts
-        for (_, runs), told in zip(cases, verdict.scenarios, strict=True)
-        if runs.nominal.counts and told.verdict != NOT_DECIDABLE and told.crash is None and not verdict.nothing_compared
-    ]
-    if called := [runs.nominal.counts for _, runs in cases if runs.nominal.counts]:
-        verdict.reasons += _unfinished(coverage(program, called), plan)
-    verdict.counted = len(decided)
-    if not decided:
-        return
-    covered = coverage(program, decided)
-    by_racy = coverage(program, [c for c in racy if c]) if any(racy) else None
-    verdict.lines_pct = covered.line_percent
-    only_racy = {place for place in covered.missed_branches if by_racy is not None and by_racy.branches.get(place, 0) > 0}
-    missed = [place for place in covered.missed_branches if place not in only_racy]
-    counted = len(covered.branches) - len(only_racy)
-    verdict.branches_pct = 100.0 * (counted - len(missed)) / counted if counted else 100.0
-    verdict.racy_branches = [f"{Path(file).name}:{line}" for file, line, _ in sorted(only_racy)]
-    verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
-
-
-def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan) -> list[str]:
-    """Calls of adapters without a body that a scenario has reached."""
-    lines = {(Path(file).name, line) for (file, line), count in covered.lines.items() if count}
-    found = []
-    for use in plan.adapterUses:
-        if use.status not in (migration.AdapterStatus.todo, migration.AdapterStatus.unsupported):
-            continue
-        if any((Path(_unit(call)).name, int(call.line)) in lines for call in use.calls):
-            found.append(f"{use.name} is called and has no body yet")
-    return found
-
-
-def _unit(element: Element | None) -> str:
-    while element is not None and not isinstance(element, ccode.SourceUnit):
-        element = element.eContainer()
-    return str(element.path) if element is not None else ""
 
 
 # ---- what is written

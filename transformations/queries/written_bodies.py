@@ -120,6 +120,15 @@ def written(there: str, made: str, last: str = "") -> dict[str, Body]:
     }  # fmt: skip
 
 
+def open_bodies(texts: Iterable[str]) -> dict[str, bool]:
+    """The functions that some texts define: name -> whether its body is still to be written, in all of them."""
+    found: dict[str, bool] = {}
+    for text in texts:
+        for body in bodies(text).values():
+            found[body.name] = body.open and found.get(body.name, True)
+    return found
+
+
 class Tick(NamedTuple):
     """A task in a report.
 

@@ -1,0 +1,51 @@
+"""Folders for passing files: removed at the end, and those of processes that were killed by the next one."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from time import time
+
+from robosmi.verify.temporary import sweep, temporary_folder
+
+
+def gone() -> int:
+    """The number of a process that has ended."""
+    process = subprocess.Popen([sys.executable, "-c", ""])
+    process.wait()
+    return process.pid
+
+
+def left(place: Path, name: str, hours: float) -> Path:
+    """A folder with a file, as old as that."""
+    folder = place / name
+    folder.mkdir()
+    (folder / "a.o").write_text("x")
+    os.utime(folder, (time() - 3600 * hours,) * 2)
+    return folder
+
+
+def test_what_killed_processes_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
+    dead = gone()
+    theirs = left(tmp_path, f"robosmi-tool-{dead}-abc_12", 2)
+    stays = [
+        left(tmp_path, f"robosmi-tool-{dead}-young", 0.1),
+        left(tmp_path, f"robosmi-tool-{os.getpid()}-abc", 2),
+        left(tmp_path, "robosmi-tool-abc", 2),
+        left(tmp_path, f"other-tool-{dead}-abc", 2),
+    ]
+    link = tmp_path / f"robosmi-tool-{dead}-link"
+    link.symlink_to(stays[3])
+    sweep(tmp_path)
+    assert not theirs.exists()
+    assert all((each / "a.o").is_file() for each in stays)
+    assert link.is_symlink()
+    sweep(tmp_path / "not there")
+
+
+def test_a_folder_tells_whose_it_is_and_goes() -> None:
+    with temporary_folder("tool") as place:
+        assert Path(place).name.startswith(f"robosmi-tool-{os.getpid()}-")
+    assert not Path(place).exists()

@@ -1,0 +1,78 @@
+"""What a verdict rests on: how much of the source was reached, and which adapters were called that have no body yet."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from robosmi import inputs
+from robosmi.metamodels import ccode, migration
+from robosmi.model.strict import Element
+from robosmi.transformations.queries.written_bodies import AS_BYTES, open_bodies
+from robosmi.transformations.verification.original_side import SourceRuns
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_coverage import SourceCoverage, coverage
+from robosmi.verify.sketch import find_sketch
+from robosmi.verify.toolchain_data import load_toolchains
+from robosmi.verify.verdict import NOT_DECIDABLE, Verdict
+
+
+def _open_now(output: Path) -> dict[str, bool]:
+    """The functions of the program as it now stands, and whether their bodies are still to be written, whatever the plan says."""
+    sketch, _ = find_sketch(output, load_toolchains())
+    files = [sketch.main, *sketch.parts, *(path for path in sketch.folder.glob("*") if path.suffix in (".h", ".hpp"))]
+    return open_bodies(inputs.read_text(path, inputs.SOURCE, errors=AS_BYTES) for path in files)
+
+
+def cover(
+    verdict: Verdict, program: OriginalProgram, cases: Sequence[SourceRuns], racy: Sequence[bytes], plan: migration.MigrationPlan,
+    output: Path,
+) -> None:  # fmt: skip
+    """Say in a verdict how much of the source the decidable scenarios reach, and which unfinished adapters were called.
+
+    Args:
+        verdict: the verdict, with its scenarios.
+        program: the original.
+        cases: its runs in each of these scenarios.
+        racy: the counters of scenarios that were dropped since the source differs from itself.
+        plan: the plan of the migration.
+        output: the output folder, whose program as it now stands counts.
+    """
+    decided = [
+        runs.nominal.counts
+        for runs, told in zip(cases, verdict.scenarios, strict=True)
+        if runs.nominal.counts and told.verdict != NOT_DECIDABLE and told.crash is None and not verdict.nothing_compared
+    ]
+    if called := [runs.nominal.counts for runs in cases if runs.nominal.counts]:
+        verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output))
+    verdict.counted = len(decided)
+    if not decided:
+        return
+    covered = coverage(program, decided)
+    by_racy = coverage(program, [c for c in racy if c]) if any(racy) else None
+    verdict.lines_pct = covered.line_percent
+    only_racy = {place for place in covered.missed_branches if by_racy is not None and by_racy.branches.get(place, 0) > 0}
+    missed = [place for place in covered.missed_branches if place not in only_racy]
+    counted = len(covered.branches) - len(only_racy)
+    verdict.branches_pct = 100.0 * (counted - len(missed)) / counted if counted else 100.0
+    verdict.racy_branches = [f"{Path(file).name}:{line}" for file, line, _ in sorted(only_racy)]
+    verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
+
+
+def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan, open_now: Mapping[str, bool]) -> list[str]:
+    """Calls of adapters without a body that a scenario has reached."""
+    lines = {(Path(file).name, line) for (file, line), count in covered.lines.items() if count}
+    found = []
+    for use in plan.adapterUses:
+        without = use.status in (migration.AdapterStatus.todo, migration.AdapterStatus.unsupported)
+        if not open_now.get(str(use.targetName or use.name), without):
+            continue
+        if any((Path(_unit(call)).name, int(call.line)) in lines for call in use.calls):
+            found.append(f"{use.name} is called and has no body yet")
+    return found
+
+
+def _unit(element: Element | None) -> str:
+    while element is not None and not isinstance(element, ccode.SourceUnit):
+        element = element.eContainer()
+    return str(element.path) if element is not None else ""
