@@ -54,6 +54,7 @@ bench: $(VENV)/.ready
 	$(BIN)/python tests/bench/query.py
 	$(BIN)/python tests/bench/generate.py
 	$(BIN)/python tests/bench/simulation.py
+	$(BIN)/python -m tests.bench.page
 
 evaluate: $(VENV)/.ready
 	$(BIN)/python -m tests.recommend.paper_ranks

@@ -19,7 +19,10 @@ def configure(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("expression", metavar="EXPRESSION", help="as: 'Book.all.select(lambda b: b.year > 2000).name'")
     parser.add_argument("--driver", metavar="NAME", help="driver to open MODEL with (default: by its ending)")
-    parser.add_argument("--metamodel", metavar="X.ecore", type=Path, help="metamodel of MODEL, which is XMI")
+    parser.add_argument(
+        "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
+        help="metamodel of MODEL, which is XMI; may be given several times",
+    )  # fmt: skip
     parser.add_argument(
         "--model", dest="models", action="append", default=[], metavar="NAME=MODEL", help="another model, and what it is called"
     )
@@ -27,6 +30,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
+    from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model
     from robosmi.query.answers import as_json, as_lines
     from robosmi.query.expression import evaluate
@@ -38,10 +42,10 @@ def run(arguments: argparse.Namespace) -> Report:
     for name in others:
         if not name.isidentifier() or name.startswith("_") or name in ("M", "Q"):
             raise UsageError(f"--model {name}=...: this name cannot be used", fix="take letters and digits, and neither M nor Q")
-    options = {"metamodel": arguments.metamodel} if arguments.metamodel else {}
-    driver = arguments.driver or ("emf" if options else None)
-    if options and driver != "emf":
+    driver = arguments.driver or ("emf" if arguments.metamodels else None)
+    if arguments.metamodels and driver != "emf":
         raise UsageError(f"the driver '{driver}' takes no metamodel", fix="leave --metamodel out, or use the driver emf")
+    options = {"metamodel": Metamodel.load(*arguments.metamodels)} if arguments.metamodels else {}
     models = [open_model(arguments.model, driver, "M", **options)]
     models += [open_model(path, name=name) for name, path in others.items()]
     views = [ModelView(model) for model in models]

@@ -43,6 +43,18 @@ def test_elements_are_given_by_type_id_and_name() -> None:
     ]
 
 
+def test_a_model_of_several_metamodels_is_told_all_of_them(tmp_path: Path) -> None:
+    other = tmp_path / "other.ecore"
+    other.write_text(
+        '<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"'
+        ' xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="other" nsURI="http://example.org/other" nsPrefix="o">'
+        '<eClassifiers xsi:type="ecore:EClass" name="Lamp"/></ecore:EPackage>\n'
+    )
+    words = ["--metamodel", other, "--json"]
+    assert run("query", EMF[0], "Book.all.size()", *EMF[1:], *words).result == {"value": 3}
+    assert run("query", EMF[0], "Lamp.all.size()", *EMF[1:], *words).result == {"value": 0}
+
+
 def test_further_models_are_called_by_their_names(tmp_path: Path) -> None:
     expression = "T.books.all.select(lambda row: row.title.is_in(Book.all.name))"
     assert run("query", EMF[0], expression, *EMF[1:], "--model", f"T={CASES / 'rows'}").code in (2, 3)

@@ -19,7 +19,8 @@ from robosmi.metamodels import migration
 from robosmi.transformations.chains.choose import choose
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.queries.choices import choices_json
-from tests.page.conftest import AXE, Served
+from tests.page.browsers import Served, task_seconds
+from tests.page.conftest import AXE
 from tests.running import run
 from tests.tools import require_tools
 
@@ -97,6 +98,20 @@ def test_a_tick_is_kept_in_plan_and_report(migrated: Migrated, serve: Serve) -> 
     assert "- [x] " in (out / "line_follower" / "MIGRATION.md").read_text()
     page.open()
     assert page.script("return document.querySelector('[data-tick]').checked")
+
+
+def test_a_tick_of_an_editor_is_shown_in_the_report_without_a_run(migrated: Migrated, browser: Any, tmp_path: Path) -> None:
+    _, _, out = migrated("line_follower")
+    listed = out / "line_follower" / "MIGRATION.md"
+    before = listed.read_text()
+    head, sign, rest = before.rpartition("- [ ] ")
+    listed.write_text(f"{head}{sign.replace(' ]', 'x]')}{rest}")
+    path = tmp_path / "report.html"
+    assert run("report", out, "-o", path).code == 0
+    browser.get(path.as_uri())
+    boxes = browser.execute_script("return [...document.querySelectorAll('[data-tick]')].map(each => each.checked)")
+    assert boxes.count(True) == 1
+    assert "1 of " in browser.execute_script("return document.getElementById('works').textContent")
 
 
 def test_of_two_tabs_the_later_one_is_told_and_loses_nothing(migrated: Migrated, serve: Serve) -> None:
@@ -232,27 +247,37 @@ def test_many_findings_and_long_programs_scroll_without_a_long_task(migrated: Mi
     assert max(steps[1:]) <= 50, steps  # the first one ends what loading has begun
 
 
-def task_seconds(browser: Any) -> float:
-    """The seconds of processor that the page's thread has taken for all of its tasks."""
-    metrics = browser.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]
-    return float(next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration"))
-
-
 @pytest.mark.parametrize("size", [(1280, 900), (360, 740)])
-def test_axe_finds_nothing(size: tuple[int, int], migrated: Migrated, serve: Serve) -> None:
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(scheme: str, size: tuple[int, int], migrated: Migrated, serve: Serve, tmp_path: Path) -> None:
     require_tools("axe-core")
     _, _, out = migrated("line_follower")
     page = serve(out)
     page.browser.set_window_size(*size)
-    page.open()
-    page.choose("port:leftQTI", "D4")
-    page.script(AXE.read_text(encoding="utf-8"))
+    page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+    try:
+        page.open()
+        page.choose("port:leftQTI", "D4")
+        paper = "return getComputedStyle(document.body).backgroundColor"
+        assert (page.script(paper) == "rgb(255, 255, 255)") == (scheme == "light")
+        assert page.script("return document.documentElement.scrollWidth <= innerWidth")  # a phone need not scroll sideways
+        found = violations(page.browser)
+        assert run("report", out, "-o", tmp_path / "report.html").code == 0
+        page.browser.get((tmp_path / "report.html").as_uri())
+        found += violations(page.browser)
+    finally:
+        page.browser.set_window_size(1280, 900)
+        page.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+    assert found == [], json.dumps(found, indent=1)
+
+
+def violations(browser: Any) -> list[Any]:
+    """What axe-core finds on the page that a browser shows: rule, its text, where."""
+    browser.execute_script(AXE.read_text(encoding="utf-8"))
     tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
-    found: Any = page.browser.execute_async_script("axe.run(document, { runOnly: arguments[0] }).then(arguments[1])", tags)
-    page.browser.set_window_size(1280, 900)
-    told = [(v["id"], v["help"], [n["html"][:120] for n in v["nodes"]][:3]) for v in found["violations"]]
-    assert told == [], json.dumps(told, indent=1)
+    found: Any = browser.execute_async_script("axe.run(document, { runOnly: arguments[0] }).then(arguments[1])", tags)
     assert len(found["passes"]) > 10
+    return [(v["id"], v["help"], [n["html"][:120] for n in v["nodes"]][:3]) for v in found["violations"]]
 
 
 def test_the_report_is_one_file_that_needs_no_server(migrated: Migrated, browser: Any, tmp_path: Path) -> None:

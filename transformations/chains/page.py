@@ -17,6 +17,7 @@ from robosmi.generate import Gen
 from robosmi.generate.manifest import Manifest
 from robosmi.generate.places import Places
 from robosmi.generate.undo import undo
+from robosmi.metamodels import migration
 from robosmi.model.commit import update
 from robosmi.model.files import digest
 from robosmi.model.recovery import at_work
@@ -29,7 +30,7 @@ from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.choices import choices
 from robosmi.transformations.queries.plan import open_choices
 from robosmi.transformations.queries.work import Work
-from robosmi.transformations.queries.written_bodies import AS_BYTES, ticks, with_ticks
+from robosmi.transformations.queries.written_bodies import AS_BYTES, task_key, ticks, with_ticks
 
 SECTIONS = {
     "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Side by side", "wiring": "Wiring",
@@ -159,6 +160,7 @@ class PlanPage:
     def _make(self, models: MigrationModels, *, live: bool = True) -> None:
         """The sections of a plan as it is stored."""
         plan, files = models.plan, models.files
+        self._take_ticks(plan)
         texts = self._texts(plan.name)
         picture = (Places(self.output).read(f"{FOLDER}/{PICTURE}") or b"").decode("utf-8", "replace")
         values: dict[str, dict[str, Any]] = {
@@ -183,6 +185,13 @@ class PlanPage:
             "progress": f"{total - left} of {total} choices made, {left} open; {ready}.",
         }  # fmt: skip
         self.plan = self.now()
+
+    def _take_ticks(self, plan: migration.MigrationPlan) -> None:
+        """Let what is ticked in the report as it now stands count as done, also where no run has seen it yet."""
+        there = Places(self.output).read(f"{plan.name}/{REPORT}")
+        listed = {tick.key: tick.done for tick in ticks((there or b"").decode("utf-8", AS_BYTES))}
+        for task in (*plan.tasks, *plan.checks):
+            task.done = listed.get(task_key(str(task.rule), str(task.message)), bool(task.done))
 
     def _texts(self, name: str) -> dict[str, str]:
         """The files of the program that was made, as they now stand."""

@@ -55,7 +55,11 @@ def _role(told: Mapping[str, Any], output: str) -> dict[str, Any]:
         "id": told["id"], "kind": "role", "subject": told["subject"], "open": False, "chosen": told["chosen"],
         "by": WHO[told["by"]], "at": "", "why": told["why"], "title": f"What is '{told['subject']}' for?", "what": "", "line": "",
         "ranked": [], "command": f"robosmi choose {output} {told['id']}=ROLE",
-        "others": [{"value": o["value"], "why": o["value"], "chosen": o["value"] == told["chosen"]} for o in told["options"]],
+        "drawn": [],
+        "others": [
+            {"value": o["value"], "label": o["value"], "why": o["value"], "chosen": o["value"] == told["chosen"]}
+            for o in told["options"]
+        ],
     }  # fmt: skip
 
 
@@ -70,6 +74,7 @@ def _choice(
         {
             "value": option["value"], "score": f"{option['score']:.2f}" if option["score"] else "", "why": option["why"],
             "chosen": option["value"] == told["chosen"], "plain": not option["score"],
+            "label": _short(pins[option["value"]]) if option["value"] in pins else option["value"],
             "title": _on(pins[option["value"]]) if option["value"] in pins else "",
             "facts": _facts(libraries[option["value"]]) if option["value"] in libraries else "",
         }
@@ -82,7 +87,8 @@ def _choice(
         "what": decision.what if isinstance(decision, migration.PortBinding) else "",
         "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
         "ranked": [option for option in options if not option["plain"]],
-        "others": [option for option in options if option["plain"]],
+        "drawn": [option for option in options if option["plain"] and option["value"] in pins],
+        "others": [option for option in options if option["plain"] and option["value"] not in pins],
         "command": f"robosmi choose {output} {one.id}={'PIN' if port else 'LIBRARY'}",
     }  # fmt: skip
 
@@ -95,6 +101,14 @@ def _on(connection: migration.Connection) -> str:
         return str(pin)
     wires = ", ".join(str(c.name) for c in connection.connectors)
     return f"{pin}: {wires} of {component.title}{f' ({component.partTitle})' if component.partTitle else ''}"
+
+
+def _short(connection: migration.Connection) -> str:
+    """A connection in few words: the pin, and what is on it."""
+    pin = str(connection.pin.label) if connection.pin is not None else str(connection.name)
+    component = connection.component
+    wires = ", ".join(str(wire.name) for wire in connection.connectors)
+    return f"{pin}: {wires} of {component.title}" if component is not None else pin
 
 
 def _facts(library: platform.Library) -> str:

@@ -114,6 +114,11 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
         named = {c.name: c.pin for c in plan.connections}
         ranked = [(label, score, _why_on(named.get(label), why, plan, decision)) for label, score, why in ranked]
         offered = {id(named[label]) for label, _, _ in ranked if named.get(label) is not None}
+        ranked += [
+            (str(c.name), 0.0, _why_on(c.pin, "drawn; nothing speaks for it", plan, decision))
+            for c in plan.connections
+            if c.pin is not None and id(c.pin) not in offered
+        ]
         ranked += [(str(pin.label), 0.0, _pin_why(pin)) for pin in free_pins(plan, decision) if id(pin) not in offered]
         ranked.append((NOT_WIRED, 0.0, "it is not wired: its calls do nothing"))
     elif isinstance(decision, migration.LibraryChoice):

@@ -1,0 +1,152 @@
+"""How quick the page of a plan is in a real browser: `python -m tests.bench.page [RUNS]` (in make bench; needs chromium).
+
+Of each figure the least and the median are printed, with the bound. Ready: from the first byte of the server's answer to the
+event that all is in place, by the clock, and what the page's thread computes for it; for a case study as it is, and for one with
+3,000 lines more and 5,000 findings. A choice shown: from the key to the new plan on the page, with the sketch made again.
+Scrolling: the longest task that the browser reports to the page (it does so from 50 ms on, by the clock), and what the page's
+thread computes in the longest step, all its tasks together. What else the machine does shows in all that is by the clock.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import pairwise
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import robosmi
+from robosmi.metamodels import migration
+from robosmi.report.page_server import PageServer
+from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.page import PlanPage
+from tests.page.browsers import Served, chromium, task_seconds
+
+EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
+FINDINGS, LINES, STEPS = 5000, 3000, 50
+WATCH = """
+window.tasks = [];
+const watch = new PerformanceObserver(list => { for (const task of list.getEntries()) tasks.push(task.duration); });
+watch.observe({ type: "longtask" });
+"""
+STEP = """
+const done = arguments[0];
+window.scrollBy(0, 700);
+for (const side of document.querySelectorAll(".side")) side.scrollBy(0, 700);
+requestAnimationFrame(() => requestAnimationFrame(() => done(true)));
+"""
+READY = "const t = performance.getEntriesByType('navigation')[0]; return t.domContentLoadedEventEnd - t.responseStart"
+
+
+def main() -> None:
+    """Measure and print."""
+    runs = int(sys.argv[1]) if len(sys.argv) > 1 else 5
+    with tempfile.TemporaryDirectory() as name:
+        os.environ["ROBOSMI_HOME"] = f"{name}/data"
+        show(measured(Path(name), runs))
+
+
+def show(figures: Iterator[tuple[str, float, list[float]]]) -> None:
+    """Print the figures as they come."""
+    for what, bound, values in figures:
+        least, middle, said = min(values), statistics.median(values), "ok" if min(values) <= bound else "LATE"
+        print(f"{what:60} least {least:5.0f} ms  median {middle:5.0f} ms  bound {bound:5.0f} ms  {said}", flush=True)
+
+
+def measured(folder: Path, runs: int) -> Iterator[tuple[str, float, list[float]]]:
+    """The figures: what, the bound and the values, in milliseconds."""
+    small = migrated(folder / "small")
+    big = migrated(folder / "big", more_lines=LINES)
+    models = load_models(big / "models" / "plan.xmi")
+    models.plan.findings.extend(
+        migration.PlanFinding(rule="RS999", severity=migration.SeverityLevel.warning, message=f"finding {n} of many")
+        for n in range(FINDINGS)
+    )
+    for name, data in models.to_files().items():
+        (big / "models" / name).write_bytes(data)
+    with chromium() as browser:
+        with served(browser, small) as page:
+            yield from loading("the environmental monitoring robot", page, runs)
+            offered = page.offered("port:alarmLed")
+            yield "a choice shown", 1000, [choice(page, offered[n % len(offered)]) for n in range(runs)]
+        with served(browser, big) as page:
+            what = f"{FINDINGS} findings, {LINES} more lines"
+            yield from loading(what, page, runs)
+            found = [scrolled(page) for _ in range(runs)]
+            yield f"longest task while scrolling, {what}", 50, [longest for longest, _ in found]
+            yield f"longest step of scrolling, {what}", 50, [step for _, step in found]
+
+
+def migrated(folder: Path, more_lines: int = 0) -> Path:
+    """The robot, migrated without what its engineer has said."""
+    shutil.copytree(EXAMPLES / "environmental_monitoring", folder)
+    (folder / "robosmi.toml").unlink()
+    (source,), (drawing,) = list(folder.glob("*.c")), list(folder.glob("*.fzz"))
+    source.write_text(source.read_text() + "\n" + "\n".join(f"int more{n} = {n};" for n in range(more_lines)) + "\n")
+    robosmi.migrate([source], folder / "out", hardware=drawing)
+    return folder / "out"
+
+
+@contextmanager
+def served(browser: Any, out: Path) -> Iterator[Served]:
+    """The page of an output folder in a browser."""
+    server = PageServer(PlanPage(out))
+    Thread(target=server.serve_forever, kwargs={"poll_interval": 0.02}, daemon=True).start()
+    page = Served(browser, server.url, out)
+    page.open()
+    yield page
+    server.shutdown()
+    server.server_close()
+
+
+def loading(what: str, page: Served, runs: int) -> Iterator[tuple[str, float, list[float]]]:
+    """How long the page takes until it is ready, by the clock and by what its thread computes."""
+    clock, computed = list[float](), list[float]()
+    page.browser.execute_cdp_cmd("Performance.enable", {"timeDomain": "threadTicks"})
+    for _ in range(runs):
+        before = task_seconds(page.browser)
+        page.open()
+        clock.append(float(page.script(READY)))
+        computed.append(1000 * (task_seconds(page.browser) - before))
+    page.browser.execute_cdp_cmd("Performance.disable", {})
+    yield f"ready, {what}", 500, clock
+    yield f"computed for that, {what}", 500, computed
+
+
+def choice(page: Served, value: str) -> float:
+    """Milliseconds from the key until the page shows what was chosen."""
+    page.open()
+    if page.script("return document.querySelector('[data-choice=\"port:alarmLed\"]').dataset.chosen") == value:
+        value = page.offered("port:alarmLed")[-1]
+    before = page.script("return document.body.dataset.plan")
+    page.go("port:alarmLed", value)
+    start = time.perf_counter()
+    page.enter()
+    page.wait_for_another(before)
+    return 1000 * (time.perf_counter() - start)
+
+
+def scrolled(page: Served) -> tuple[float, float]:
+    """The longest task that the browser tells of while the page is scrolled, and the longest step of the page's thread."""
+    page.open()
+    page.browser.execute_cdp_cmd("Performance.enable", {"timeDomain": "threadTicks"})
+    page.browser.execute_async_script(STEP)  # the first one ends what loading has begun
+    page.script(WATCH)
+    taken = [task_seconds(page.browser)]
+    for _ in range(STEPS):
+        page.browser.execute_async_script(STEP)
+        taken.append(task_seconds(page.browser))
+    page.browser.execute_cdp_cmd("Performance.disable", {})
+    longest = max(page.script("return window.tasks"), default=0.0)
+    return float(longest), 1000 * max(after - before for before, after in pairwise(taken))
+
+
+if __name__ == "__main__":
+    main()
