@@ -50,7 +50,7 @@ def test_a_model_of_several_metamodels_is_told_all_of_them(tmp_path: Path) -> No
         ' xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="other" nsURI="http://example.org/other" nsPrefix="o">'
         '<eClassifiers xsi:type="ecore:EClass" name="Lamp"/></ecore:EPackage>\n'
     )
-    words = ["--metamodel", other, "--json"]
+    words = ["--metamodel", str(other), "--json"]
     assert run("query", EMF[0], "Book.all.size()", *EMF[1:], *words).result == {"value": 3}
     assert run("query", EMF[0], "Lamp.all.size()", *EMF[1:], *words).result == {"value": 0}
 

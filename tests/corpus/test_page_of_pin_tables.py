@@ -53,7 +53,7 @@ def test_the_keyboard_alone_settles_a_program(table: Path, serve: Callable[[Path
         page.choose(left[0], named.get(pins[name], pins[name]) if kind == "port" else page.offered(left[0])[0])
     assert page.script("return document.getElementById('progress').dataset.open") == "0"
     assert (tmp_path / "robosmi.toml").is_file()
-    again = ["migrate", source, "--hardware", table, "--target", "uno", "-o", out, "--json"]
+    again: list[str | Path] = ["migrate", source, "--hardware", table, "--target", "uno", "-o", out, "--json"]
     outcome = run(*again)
     assert outcome.code in (0, 1), outcome.err
     assert outcome.result["plan"]["open_choices"] == 0
