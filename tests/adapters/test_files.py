@@ -16,6 +16,7 @@ import pytest
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from tests.adapters.bench import NO_PIN, pieces
@@ -145,3 +146,10 @@ def test_what_is_declared_is_what_the_text_uses(piece: AdapterPiece) -> None:
     ):
         assert name in piece.text
     assert piece.text.count("ISR(") == len(piece.vectors)
+
+
+def test_the_pins_of_adapters_are_pins_of_the_functions_of_the_source() -> None:
+    """A number given to one that is not would reach the adapter as it stood in the source."""
+    facts = ApiIndex.load("propeller")._facts
+    known = {name for (name, _), pins in facts.pins.items() if pins.parameters}
+    assert {piece.name for piece in pieces() if piece.kind == "adapter" and piece.pins} - known == set()

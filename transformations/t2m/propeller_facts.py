@@ -36,10 +36,22 @@ def api_facts(database: dict[str, Any]) -> dict[str, Any]:
     return {"headers": headers}
 
 
+_NOT_COLLECTED = {
+    ("servo360_setRampStep", "servo360.h"): ("p", "out"),
+}
+"""Function and header -> name and direction of its first parameter, a pin, where the collected facts lack the function."""
+
+
 def pin_facts(parameters: dict[str, Any]) -> dict[str, Any]:
     """The content of `pins.json`: one entry per function and group of headers; notes are left out."""
+    there = {(entry["function"], header) for entry in parameters["functions"] for header in entry["headers"]}
+    more = [
+        {"function": function, "headers": [header], "parameters": [{"index": 0, "name": name, "direction": direction}]}
+        for (function, header), (name, direction) in _NOT_COLLECTED.items()
+        if (function, header) not in there
+    ]
     functions = []
-    for entry in sorted(parameters["functions"], key=lambda x: (x["function"], x["headers"])):
+    for entry in sorted([*parameters["functions"], *more], key=lambda x: (x["function"], x["headers"])):
         functions.append({key: value for key, value in entry.items() if key != "note" and value})
     return {"functions": functions}
 
