@@ -150,5 +150,7 @@ def test_a_board_that_nobody_knows_is_no_board_and_its_parts_are_read(tmp_path: 
     path = tmp_path / "diagram.json"
     path.write_text(wokwi('{"type": "wokwi-led", "id": "l"}', '["uno:13", "l:A", "", []]').replace("arduino-uno", "arduino-xyz"))
     outcome = run("hardware", path)
-    assert outcome.code in (0, 3)
-    assert "do: " in outcome.err
+    assert outcome.code == 0
+    assert "what 'uno' (#uno) does is unknown" in outcome.out
+    assert "there is no board in this drawing" in outcome.out
+    assert "uno 13" in outcome.out
