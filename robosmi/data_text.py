@@ -80,3 +80,15 @@ def json_of(text: str | bytes) -> Any:
     """
     with _readable_errors():
         return json.loads(text)
+
+
+def line_of_key(text: str, key: str) -> int | None:
+    """The first line of a TOML text in which a key or a table of that name is written; None where none is found."""
+    found = re.search(rf"^[ \t]*(?:\[{{1,2}}[ \t]*)?[\"']?{re.escape(key)}[\"']?[ \t]*[\].=]", text, re.MULTILINE)
+    return text.count("\n", 0, found.start()) + 1 if found is not None else None
+
+
+def line_of_value(text: str, value: str) -> int | None:
+    """The first line of a TOML text in which a text is a value; None where none is found."""
+    place = text.find(f'"{value}"') if value else -1
+    return text.count("\n", 0, place) + 1 if place >= 0 else None

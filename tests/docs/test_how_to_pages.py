@@ -96,7 +96,7 @@ def run(command: str, folder: Path, home: Path) -> list[str]:
     environment = {**os.environ, "ROBOSMI_HOME": str(home / "home"), "PYTHONPATH": f"{folder}{os.pathsep}{ROOT}", "NO_COLOR": "1"}
     for name in ("ROBOSMI_HISTORY", "ROBOSMI_PATH"):
         environment.pop(name, None)
-    words = re.sub(r"^robosmi\b", f"{sys.executable} -m robosmi", command)
+    words = re.sub(r"^python\b", sys.executable, re.sub(r"^robosmi\b", f"{sys.executable} -m robosmi", command))
     done = subprocess.run(
         ["sh", "-c", words], cwd=folder, env=environment, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
     )

@@ -32,6 +32,11 @@ _USERS = (
 )  # fmt: skip
 """What takes resources of a microcontroller, and the key that names it."""
 _BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
+_DRAWN_KEYS = {
+    "drawn_as": ("tool", "modules", "connectors"),
+    "drawn_chips": ("chips", "least_pins", "most_pins"),
+    "drawn_symbols": ("called",),
+}
 _BOOT_LOADER_KEYS = ("programmer", "bauds", "bytes", "touch_baud")
 _MAPPING_KEYS = (
     "fqbn", "fqbn_also", "platformio", "variant", "define", "extra_flags", "flash_bytes", "ram_bytes", "core", "numbers",
@@ -65,7 +70,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         known = board_names(project)
         raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
     table = table_of(path)
-    _check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
+    check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
     chip = load_microcontroller(table.text("mcu"), project, table)
     timers = [str(timer.name) for timer in chip.timers]
     pins = [_pin(entry, timers) for entry in table.tables("pins")]
@@ -89,7 +94,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
 
 
 def _boot_loader(entry: DataTable) -> platform.BootLoader:
-    _check_keys(entry, _BOOT_LOADER_KEYS)
+    check_keys(entry, _BOOT_LOADER_KEYS)
     bauds = list(entry.numbers("bauds"))
     if not bauds or min(bauds) <= 0:
         raise entry.error("bauds", "must hold one baud rate or more")
@@ -101,7 +106,16 @@ def _boot_loader(entry: DataTable) -> platform.BootLoader:
     )
 
 
-def _check_keys(table: DataTable, known: Sequence[str]) -> None:
+def check_drawn(table: DataTable) -> None:
+    """Refuse a table or a key of a board's file that nobody would read (PlatformDataError)."""
+    check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
+    for name, known in _DRAWN_KEYS.items():
+        for entry in table.tables(name, needed=False):
+            check_keys(entry, known)
+
+
+def check_keys(table: DataTable, known: Sequence[str]) -> None:
+    """Refuse a key that nobody would read (PlatformDataError)."""
     for key in table.values:
         if key not in known:
             raise table.error(key, f"is no key of it{did_you_mean(key, known)}")
@@ -113,7 +127,7 @@ def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
     Raises:
         PlatformDataError: one of them does not.
     """
-    _check_keys(entry, _PIN_KEYS)
+    check_keys(entry, _PIN_KEYS)
     for ability in entry.texts("abilities", ()):
         if ability not in ABILITIES:
             raise entry.error("abilities", f"has '{ability}', which is none of: {', '.join(ABILITIES)}")
@@ -247,7 +261,7 @@ def _check_mapping(table: DataTable, platform_name: str, board: str, project: Pa
     Raises:
         PlatformDataError: a key is missing or unknown, or another board has the name already.
     """
-    _check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
+    check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
     for key in _settings(platform_name, project).texts("board_keys", ()):
         table.text(key)
     for full_name in (table.text("fqbn", ""), *table.texts("fqbn_also", ())):

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from robosmi.errors import did_you_mean
-from robosmi.transformations.knowledge.board_models import board_file, drawing_files, only_draws, table_of, text_of
+from robosmi.transformations.knowledge.board_models import board_file, check_drawn, drawing_files, only_draws, table_of, text_of
 from robosmi.verify.tables import DataTable
 
 PIN_TABLE = "pin table"
@@ -49,6 +49,7 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
         if f'"{part_id}"' not in text_of(path):  # parsing is a hundred times as long
             continue
         table = table_of(path)
+        check_drawn(table)
         for drawn in table.tables("drawn_as", needed=False):
             if drawn.text("tool") == tool and part_id in drawn.texts("modules"):
                 board = _with_pins(path, table, project)

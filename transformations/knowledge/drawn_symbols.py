@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from robosmi.transformations.knowledge.board_models import drawing_files, only_draws, table_of, text_of
+from robosmi.transformations.knowledge.board_models import check_drawn, drawing_files, only_draws, table_of, text_of
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, normalised_label
 from robosmi.verify.tables import DataTable
 
@@ -46,8 +46,9 @@ def drawn_symbol(
             if "drawn_symbols" not in text_of(path) or only_draws(path):
                 continue
             table = table_of(path)
+            check_drawn(table)
             for entry in table.tables("drawn_symbols", needed=False):
-                if not any(fnmatchcase(called, pattern) for pattern in entry.texts("called")):
+                if not any(fnmatchcase(called, pattern.lower()) for pattern in entry.texts("called")):
                     continue
                 pins = labelled_pins(table, connectors)
                 if len(pins) >= least:

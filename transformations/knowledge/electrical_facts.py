@@ -14,11 +14,13 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from robosmi.data_text import Json
+from robosmi import inputs
+from robosmi.data_text import Json, line_of_key, line_of_value
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.resources import folders
+from robosmi.transformations.knowledge.board_models import ABILITIES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
 
 FILE = "parts/electrical.toml"
@@ -89,10 +91,13 @@ class ElectricalFacts:
     """One file: its entries, and what names of connectors say."""
 
     def __init__(self, table: Mapping[str, Any], path: str) -> None:
+        _check_tables(table, path)
         devices = list(table.get("device", ()))
         self._entries = [_entry(device, path) for device in devices]
         self._words = Phrases((word, number) for number, device in enumerate(devices) for word in device.get("words", ()))
-        self.names = {key: re.compile("|".join(map(translate, names))) for key, names in table.get("names", {}).items()}
+        self.names = {
+            key: re.compile("|".join(translate(name.lower()) for name in names)) for key, names in table.get("names", {}).items()
+        }
         self._known: dict[tuple[object, ...], DeviceFacts | None] = {}
         self.supply_ma = [(float(volts), int(ma)) for volts, ma in table.get("board", {}).get("supply_ma", ())]
 
@@ -169,16 +174,18 @@ def _read(files: tuple[tuple[str, int], ...]) -> Electrical:
 
 
 _KEYS = {field.name for field in fields(DeviceFacts)}
-_TYPES: dict[str, Any] = {"kind": str, "peak_ma": int, "signal_volts": (int, float), "output": str} | dict.fromkeys(
+_TYPES: dict[str, Any] = {"kind": str, "peak_ma": int, "signal_volts": (int, float)} | dict.fromkeys(
     ("needs_driver", "inductive", "switch", "series_resistor", "limits_current", "pull_ups", "isolated", "tone"), bool
 )
 
 
 _WORDS = {
     "rest": ("low", "high"),
+    "output": ("push-pull", "contact"),
+    "wants": ABILITIES,
     "bench": ("servo", "motor", "switch", "sound", "ranger", "humidity", "count", "none"),
 }
-"""The only values that a key may have."""
+"""The only values that a key may have, or that its list may hold."""
 
 
 def _entry(device: Mapping[str, Any], path: str) -> _Entry:
@@ -187,27 +194,74 @@ def _entry(device: Mapping[str, Any], path: str) -> _Entry:
         raise _damaged(path, device, f"'{odd}' is no key of a device{did_you_mean(odd, [*_KEYS, *_FINDERS])}")
     wrong = next((key for key, value in device.items() if not _is_right(key, value)), None)
     if wrong is not None or "kind" not in device or not any(device.get(key) for key in _FINDERS[:3]):
-        what = f"'{wrong}' has the value {device[wrong]!r}" if wrong else "kind is missing, or what it is found by"
+        what = (
+            f"'{wrong}' has the value {device[wrong]!r}{_known_words(wrong, device[wrong])}"
+            if wrong
+            else "kind is missing, or what it is found by"
+        )
         raise _damaged(path, device, what)
     values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in device.items() if k in _KEYS}
     forbidden = Phrases((word, 0) for word in device.get("not", ()))
-    return _Entry(DeviceFacts(**values), frozenset(device.get("ids", ())), tuple(device.get("families", ())), forbidden)
+    families = tuple(family.lower() for family in device.get("families", ()))
+    return _Entry(DeviceFacts(**values), frozenset(device.get("ids", ())), families, forbidden)
 
 
 def _is_right(key: str, value: Any) -> bool:
     if key == "volts":
         return isinstance(value, list) and len(value) == 2 and all(isinstance(v, (int, float)) for v in value)
     if key in _WORDS:
-        return value in _WORDS[key]
+        listed = value if key == "wants" else [value]
+        return isinstance(listed, list) and all(one in _WORDS[key] for one in listed)
     if key in _TYPES:
         return isinstance(value, _TYPES[key])
     kind = int if key == "i2c" else str
     return isinstance(value, list) and all(isinstance(v, kind) for v in value)
 
 
+def _known_words(key: str, value: Any) -> str:
+    """What a key may have, and which of it was meant."""
+    if key not in _WORDS:
+        return ""
+    odd = next((str(one) for one in (value if isinstance(value, list) else [value]) if one not in _WORDS[key]), "")
+    return f"{did_you_mean(odd.lower(), _WORDS[key])}; it may be: {', '.join(_WORDS[key])}"
+
+
+_TABLES = {"device": list, "names": dict, "board": dict}
+"""What a file may hold."""
+_BOARD = ("supply_ma",)
+
+
+def _check_tables(table: Mapping[str, Any], path: str) -> None:
+    """Refuse what nobody would read: a table or a key of another name than these."""
+    fix = "the head of the built-in parts/electrical.toml says what the keys mean"
+    for key, value in table.items():
+        place = Location(path, line_of_key(_text(path), key))
+        if key not in _TABLES:
+            told = did_you_mean(key.lower(), _TABLES) or "; each device is a [[device]]"
+            raise PlatformDataError(f"'{key}' is no table of this file{told}", location=place, fix=fix)
+        if not isinstance(value, _TABLES[key]) or (key == "device" and not all(isinstance(entry, dict) for entry in value)):
+            raise PlatformDataError(
+                f"'{key}' is written [[{key}]]" if key == "device" else f"'{key}' is written [{key}]", location=place, fix=fix
+            )
+    for key, names in table.get("names", {}).items():
+        if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+            raise PlatformDataError(f"'names.{key}' is no list of texts", location=Location(path), fix=fix)
+    for key in table.get("board", {}):
+        if key not in _BOARD:
+            raise PlatformDataError(f"'board.{key}' is no key{did_you_mean(key, _BOARD)}", location=Location(path), fix=fix)
+
+
 def _damaged(path: str, device: Mapping[str, Json], why: str) -> PlatformDataError:
     return PlatformDataError(
         f"an entry for '{device.get('kind', '')}' cannot be used: {why}",
-        location=Location(path),
+        location=Location(path, line_of_value(_text(path), str(device.get("kind", "")))),
         fix="the head of the built-in parts/electrical.toml says what the keys mean",
     )
+
+
+def _text(path: str) -> str:
+    """The text of a file, to find a line in it; nothing where there is none."""
+    try:
+        return inputs.read_text(path, inputs.DATA)
+    except (OSError, UnicodeDecodeError):
+        return ""

@@ -32,17 +32,34 @@ def classify(part: Part, project: Path | None = None) -> Part:
     Raises:
         PlatformDataError: the rules are damaged.
     """
-    if part.role != "Unknown":
-        return part
-    entry = curated_entries(project).get((part.tool, part.id)) or curated_entries(project).get(("", part.id))
-    if entry is not None:
-        return replace(part, role=entry["role"], driver=bool(entry.get("driver", False)), evidence=f"curated: {entry['why']}")
+    if (curated := _curated(part, project)) is not None:
+        return curated
     about = f"{_without_remarks(part.title)} / {part.family}"
     for known in role_rules(project):
         for number, clue in _clues(part, known, names(project)):
             forbidden = known.forbidden[number]
             if forbidden is None or about not in forbidden:
                 return _with(part, known.rules[number], clue)
+    return part
+
+
+def classify_by_id(part: Part, project: Path | None = None) -> Part:
+    """The part with what is said of its id alone, in an entry or a rule; for parts whose names tell nothing of what they do.
+
+    Args:
+        part: the part.
+        project: the project folder, whose own rules go first; the current folder if None.
+
+    Raises:
+        PlatformDataError: the rules are damaged.
+    """
+    if (curated := _curated(part, project)) is not None:
+        return curated
+    for known in role_rules(project):
+        for rule in known.rules:
+            ids = rule.get("ids")
+            if isinstance(ids, Mapping) and part.tool in ids and (clue := _id_clue(part.id[:400].lower(), part.tool, rule)):
+                return _with(part, rule, clue)
     return part
 
 
@@ -74,6 +91,17 @@ def classify_drawn(
         if (found := next(_connector_clues(part, known), None)) is not None:
             return _with(part, known.rules[found[0]], found[1])
     return part
+
+
+def _curated(part: Part, project: Path | None) -> Part | None:
+    """The part where it has a role already, or a curated entry for its id has one; else None."""
+    if part.role != "Unknown":
+        return part
+    entries = curated_entries(project)
+    entry = entries.get((part.tool, part.id)) or entries.get(("", part.id))
+    if entry is None:
+        return None
+    return replace(part, role=entry["role"], driver=bool(entry.get("driver", False)), evidence=f"curated: {entry['why']}")
 
 
 def _with(part: Part, rule: Mapping[str, Any], clue: str) -> Part:

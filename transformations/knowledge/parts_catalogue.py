@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robosmi import inputs
+from robosmi.data_text import line_of_key
 from robosmi.diagnostics import Location
-from robosmi.errors import PlatformDataError
+from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind, names, parse_toml
@@ -23,8 +24,12 @@ from robosmi.transformations.knowledge.part_names import connector_kind, names, 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.parts_store import PartsFile
 
-_HEAD = "[[part]]"
-_NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml", "wokwi_types.toml")
+_HEAD = re.compile(r"[ \t]*\[\[[ \t]*part[ \t]*\]\][ \t]*(#.*)?")
+_NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml", "wokwi_types.toml", "port_roles.toml")
+"""Files of the folder that are read elsewhere."""
+_PART_KEYS = (
+    "ids", "title", "family", "tags", "role", "evidence", "driver", "connectors", "buses", "properties", "description", "shapes",
+)  # fmt: skip
 _KEYS = "see parts/README.md for the keys"
 
 
@@ -110,16 +115,32 @@ def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
         raise PlatformDataError(f"cannot be read: {error}", location=place, fix="mend or remove the file") from error
     found: list[tuple[int, list[str]]] = []
     for number, line in enumerate(text.splitlines(), 1):
-        if line.rstrip() == _HEAD:
+        if _HEAD.fullmatch(line):
             found.append((number, []))
         if found:
             found[-1][1].append(line)
+        elif line.strip() and not line.lstrip().startswith("#"):
+            raise _no_part(path, number, line.strip())
     return tuple((number, "\n".join(lines)) for number, lines in found)
+
+
+def _no_part(path: Path, number: int, line: str) -> PlatformDataError:
+    """What to raise for a file that begins with what nobody would read: it is of another kind, or of another name."""
+    other = did_you_mean(path.name.lower(), _NO_PARTS)
+    return PlatformDataError(
+        f"'{line[:60]}' is in no [[part]]{other and ', by its name' + other}", location=Location(str(path), number),
+        fix="write [[part]] before each part; files of other kinds are called " + ", ".join(_NO_PARTS),
+    )  # fmt: skip
 
 
 @cache
 def _table(path: str, line: int, chunk: str) -> dict[str, Any]:
-    table: dict[str, Any] = parse_toml(chunk, path, line)["part"][0]
+    parsed = parse_toml(chunk, path, line)
+    table: dict[str, Any] = parsed["part"][0]
+    for key, known in [(key, ("part",)) for key in parsed] + [(key, _PART_KEYS) for key in table]:
+        if key not in known:
+            place = Location(path, line + (line_of_key(chunk, key) or 1) - 1)
+            raise PlatformDataError(f"'{key}' is no key of a part{did_you_mean(key.lower(), known)}", location=place, fix=_KEYS)
     ids: Any = table.get("ids")
     lists: list[Any] = [*ids.values()] if isinstance(ids, dict) else [ids]
     if not all(isinstance(texts, list) and texts for texts in lists) or not lists:

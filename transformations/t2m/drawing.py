@@ -17,7 +17,7 @@ from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
-from robosmi.transformations.knowledge.part_roles import classify, classify_drawn
+from robosmi.transformations.knowledge.part_roles import classify, classify_by_id, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.knowledge.rails import Terminal, rail
 from robosmi.transformations.t2m.connectivity import bus_leaders, natural
@@ -95,9 +95,12 @@ class CircuitBuilder:
         if board is not None and part.role == "Unknown":
             evidence = f"drawn as {board.title} (boards of the platform repository)"
             part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
-        part = replace(part, evidence=part.evidence or "it is of your own making") if own else classify(part, self.project)
+        part = classify_by_id(part, self.project) if own else classify(part, self.project)
+        if own and part.role == "Unknown":
+            part = replace(part, evidence=part.evidence or "it is of your own making")
         if part.role == "Unknown" and not part.evidence:
-            part = replace(part, evidence=f"no rule fits family '{part.family}' and title '{part.title}' of {part.source}")
+            told = f"family '{part.family}' and title '{part.title}'" if part.family else f"title '{part.title}'"
+            part = replace(part, evidence=f"no rule fits {told}{part.source and ' of ' + part.source}")
         about = f"{part.family} / {part.title} / {part_id}"
         return KnownPart(
             part=part,
@@ -128,6 +131,8 @@ class CircuitBuilder:
         for fact in facts:
             pin = self._pin(fact, part, known)
             kind = "signal" if pin and fact.kind == "unknown" else fact.kind
+            if not pin and fact.id in placed.used and known.board is not None and part.role == "Board":
+                self._report_pinless(placed, known.board, fact)
             model = models[fact.id] = hardware.Connector(connectorId=fact.id, name=fact.name, kind=_KINDS[kind], pin=pin)
             terminal = Terminal(
                 placed.identity, placed.title, part.role, _volts(properties), fact.id, fact.name, kind
@@ -293,6 +298,20 @@ class CircuitBuilder:
         if known.board is not None:
             return known.board.pins.get(fact.id, "")
         return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.numbered)
+
+    def _report_pinless(self, placed: Placed, board: DrawnBoard, fact: PartConnector) -> None:
+        """Say that what hangs on a connector is lost, where its name is that of a pin and the board's file does not say which."""
+        if fact.kind in ("supply", "ground") or not (label := normalised_label(fact.name or fact.id)):
+            return
+        self.report(
+            "RS257",
+            Severity.warning,
+            f"'{placed.title or board.title}' is connected at '{fact.id}', which seems to be {label}, and is no pin in the data"
+            f" of the board '{board.name}'",
+            placed.line,
+            f'add {label} = ["{fact.id}"] to [drawn_as.connectors] of tool "{self.tool}" in boards/{board.name}.toml',
+            connectors=[fact.id],
+        )
 
     def _report_part(self, placed: Placed, known: KnownPart, part: Part) -> None:
         about = f"{part.family} {part.title}".lower()

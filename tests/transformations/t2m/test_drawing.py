@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
+import re
 from collections.abc import Callable
+from dataclasses import fields
+from pathlib import Path
 
 import pytest
 
@@ -76,3 +80,24 @@ def test_a_part_that_nothing_defines_has_the_connectors_that_are_used() -> None:
     component = builder.place(Placed("g", "Gizmo", used=["B"]))
     assert [c.connectorId for c in component.connectors] == ["B"]
     assert [f for f in builder.findings if f.rule == "RS208"] == []
+
+
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "how-to" / "add-a-drawing-reader.md"
+
+
+def test_the_page_for_authors_of_readers_has_every_call_of_the_builder_as_it_is() -> None:
+    calls = {name: call for name, call in vars(CircuitBuilder).items() if inspect.isfunction(call) and not name.startswith("_")}
+    told = re.findall(r"^CircuitBuilder\.(\w+)\((.*)\) -> (.*)$", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+    left_out = {"fault", "report_lacking"}  # for the readers of the package itself
+    assert {name for name, _, _ in told} == {*calls} - left_out
+    for name, arguments, result in told:
+        signature = str(inspect.signature(calls[name])).replace("(self, ", "(")
+        plain = re.sub(r"'([A-Za-z][^']*)'", r"\1", signature)
+        assert plain == f"({arguments}) -> {result}"
+
+
+@pytest.mark.parametrize("kind", [Part, Placed])
+def test_the_page_says_what_each_field_means(kind: type[Part] | type[Placed]) -> None:
+    table = PAGE.read_text(encoding="utf-8").partition(f"| field of `{kind.__name__}` |")[2].partition("\n\n")[0]
+    told = {name for row in table.splitlines() for name in re.findall(r"`(\w+)`", row.split("|")[1] if "|" in row else "")}
+    assert told == {field.name for field in fields(kind)}

@@ -20,8 +20,10 @@ PROGRAM = Path(__file__).parents[4] / "docs" / "examples" / "line_follower" / "l
 def sheet(tool: str, folder: Path) -> Path:
     """Two lamps on one net, and no board."""
     if tool == "wokwi":
-        parts = ", ".join(f'{{"type": "wokwi-led", "id": "D{number}"}}' for number in (1, 2))
-        (folder / "diagram.json").write_text(f'{{"editor": "wokwi", "parts": [{parts}], "connections": [["D1:A", "D2:A", "", []]]}}')
+        lamps = ", ".join(f'{{"type": "wokwi-led", "id": "D{number}"}}' for number in (1, 2))
+        (folder / "diagram.json").write_text(
+            f'{{"editor": "wokwi", "parts": [{lamps}], "connections": [["D1:A", "D2:A", "", []]]}}'
+        )
         return folder / "diagram.json"
     if tool == "fritzing":
         text = (FIXTURES / "no_board.fz").read_text(encoding="utf-8")
