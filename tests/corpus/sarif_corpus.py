@@ -17,13 +17,18 @@ from pathlib import Path
 from tests.running import run
 from tests.sarif_judge import complaints
 
+BATCH = 40
+"""So many files are judged at once: the judge may take a while for each."""
+
 
 def main(folder: Path) -> int:
     """Make and judge the files; the exit code."""
     counts: Counter[str] = Counter()
     with tempfile.TemporaryDirectory(prefix="sarif-corpus-") as name:
         out = Path(name)
-        made = []
+        made: list[Path] = []
+        said: list[str] = []
+        judged = 0
         for number, program in enumerate(sorted(folder.rglob("*.c"))):
             for command in ("analyse", "migrate"):
                 path = out / f"{number}-{command}.sarif"
@@ -31,7 +36,11 @@ def main(folder: Path) -> int:
                 run(command, program, *more, "--sarif", path)
                 made.append(path)
                 counts += _counted(json.loads(path.read_text(encoding="utf-8")))
-        said = complaints(made)
+            if len(made) - judged >= BATCH:
+                said += complaints(made[judged:])
+                judged = len(made)
+                print(f"{judged} files: {len(said)} complaints", flush=True)
+        said += complaints(made[judged:]) if made[judged:] else []
     print(f"{len(made)} files, {counts['results']} results of {len([k for k in counts if k.startswith('RS')])} rules,", end=" ")
     print(f"{counts['codeFlows']} with code flows, {counts['fixes']} with fixes: {len(said)} complaints")
     for complaint in said:
