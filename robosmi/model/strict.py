@@ -9,7 +9,7 @@ element is `construct`'s and `lean`'s business.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from pyecore import ecore
 
@@ -24,7 +24,7 @@ from robosmi.model.feature_errors import (
 from robosmi.model.lean import is_prepared, prepare
 from robosmi.model.structure import resource_of
 
-__all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError"]
+__all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
 
 if TYPE_CHECKING:
 
@@ -53,6 +53,8 @@ if TYPE_CHECKING:
 else:
     _Base = ecore.EObject
     EnumLiteral = ecore.EEnumLiteral
+
+_Literal = TypeVar("_Literal", bound="EnumLiteral")
 
 
 class Element(_Base):
@@ -142,6 +144,12 @@ class Element(_Base):
             if n in known and self.eIsSet(n)
         ]
         return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
+
+
+def enum_literal(enumeration: type[_Literal], name: str) -> _Literal:
+    """The literal of a generated enumeration by its name, which it has."""
+    found: _Literal = getattr(enumeration, name)
+    return found
 
 
 _MISSING: Any = object()

@@ -275,7 +275,7 @@ def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: 
 def names_of(decision: migration.Decision) -> tuple[str, ...]:
     """All names that a project file may call the subject of a choice by."""
     if isinstance(decision, migration.PortBinding):
-        return (str(decision.name), *map(str, decision.names))
+        return (str(decision.name), *(str(each) for each in decision.names))
     component = decision.component if isinstance(decision, migration.LibraryChoice) else None
     return (str(component.title), f"#{component.elementId}") if component is not None else ()
 

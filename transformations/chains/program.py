@@ -71,7 +71,7 @@ def program_files(
     given, left_out = [Path(f) for f in files], list[Finding]()
     if len(given) == 1 and (side := _side_project(str(given[0]))) is not None:
         given, left_out = [Path(source) for source in side.sources], side.findings
-        include_dirs = [*include_dirs, *map(Path, side.include_dirs)]
+        include_dirs = [*include_dirs, *(Path(each) for each in side.include_dirs)]
         defines = [*defines, *side.defines]
     sources = source_files(given, [str(d) for d in include_dirs], defines)
     folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]

@@ -16,7 +16,7 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
-from robosmi.model.strict import Element
+from robosmi.model.strict import Element, enum_literal
 from robosmi.query import ancestor_of_kind
 from robosmi.query.run import current_run
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -243,7 +243,7 @@ def together(message: str, elements: Sequence[ccode.Located]) -> Fail:
 def in_lines(elements: Iterable[ccode.Located]) -> str:
     """The lines of elements, each once, the first eight of them."""
     lines = list(dict.fromkeys(int(e.line) for e in elements))
-    shown = ", ".join(map(str, lines[:8])) + (" ..." if len(lines) > 8 else "")
+    shown = ", ".join(str(each) for each in lines[:8]) + (" ..." if len(lines) > 8 else "")
     return f"line{'s' * (len(lines) > 1)} {shown}"
 
 
@@ -278,7 +278,7 @@ def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
     if len(same) > 1:
         message += f"; and {len(same) - 1} more of this kind in the file ({in_lines(u.element for u in same)})"
     return migration.PlanFinding(
-        rule=first.constraint.id, severity=getattr(migration.SeverityLevel, first.severity.name), message=message, path=path,
+        rule=first.constraint.id, severity=enum_literal(migration.SeverityLevel, first.severity.name), message=message, path=path,
         fix=first.advice or "", line=located.line if located is not None else 0,
         column=located.column if located is not None else 0, elements=elements,
     )  # fmt: skip

@@ -29,7 +29,7 @@ def AdapterServesTheValue(c: ccode.Call) -> Any:
             continue
         outside = sorted(n for n in _numbers(arguments[one.position], m) if not _serves(one, n))
         if outside:
-            said = ", ".join(map(str, outside))
+            said = ", ".join(str(each) for each in outside)
             return Fail(f"{c.calleeName} is given {said} for '{one.name}', {_said(one)}: {one.effect}", values=outside)
     return True
 

@@ -107,7 +107,7 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
     """Each call of an adapter that takes pins belongs to a flow, which says whether its numbers are ports or pins."""
     inside = {id(call) for flow in plan_of(u).portFlows for call in flow.calls}
     lines = sorted({int(call.line) for call in u.calls if id(call) not in inside})
-    where = f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
+    where = f"line{'s' * (len(lines) > 1)} {', '.join(str(each) for each in lines)}"
     return not lines or Fail(f"no flow of the plan has the call of '{u.name}' in {where}: nothing says what its numbers are")
 
 

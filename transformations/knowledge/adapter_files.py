@@ -340,7 +340,7 @@ def _range(piece: AdapterPiece, value: str, place: Location) -> ArgumentRange:
     try:
         return argument_range(piece.name, piece.signatures, value)
     except ValueError as error:
-        raise _wrong(place, *map(str, error.args)) from error
+        raise _wrong(place, *(str(each) for each in error.args)) from error
 
 
 def _one_of(value: str, known: tuple[str, ...], place: Location) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from robosmi.metamodels import platform
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.platform_model import DIRECTIONS
 
@@ -21,9 +22,9 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
     said = {name: value for name in _SAME if (value := getattr(piece, name))}
     return platform.Adapter(
         name=piece.name,
-        pieceKind=getattr(platform.PieceKind, KINDS[piece.kind]),
+        pieceKind=enum_literal(platform.PieceKind, KINDS[piece.kind]),
         sourceHeader=piece.header,
-        adapterKind=getattr(platform.AdapterKind, piece.relation or "oneToOne"),
+        adapterKind=enum_literal(platform.AdapterKind, piece.relation or "oneToOne"),
         targetName=piece.target_name,
         componentRole=piece.role,
         takenVectors=list(piece.taken),
@@ -57,10 +58,10 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
 
 
 def _capability(word: str) -> platform.PinCapability:
-    found: platform.PinCapability = getattr(platform.PinCapability, word)
+    found: platform.PinCapability = enum_literal(platform.PinCapability, word)
     return found
 
 
 def _direction(word: str) -> platform.Direction:
-    found: platform.Direction = getattr(platform.Direction, DIRECTIONS[word])
+    found: platform.Direction = enum_literal(platform.Direction, DIRECTIONS[word])
     return found

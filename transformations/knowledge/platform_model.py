@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robosmi.metamodels import platform as pf
+from robosmi.model.strict import enum_literal
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.api_facts import ApiEntry, PinParameter
@@ -73,7 +74,7 @@ def _header(api: ApiIndex, header: str, entries: dict[str, ApiEntry]) -> pf.Head
     others = [(name, entry) for name, entry in entries.items() if not entry.callable]
     return pf.Header(
         name=header or COMPILER,
-        kind=getattr(pf.HeaderKind, kind),
+        kind=enum_literal(pf.HeaderKind, kind),
         includes=list(api.includes(header)),
         functions=[_function(api, name, entry) for name, entry in entries.items() if entry.callable],
         symbols=[_symbol(api, name, entry) for name, entry in others if entry.kind != "type"],
@@ -99,8 +100,8 @@ def _function(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiFunction:
             pf.ApiParameter(
                 name=own,
                 spelling=spelling,
-                meaning=getattr(pf.Meaning, meanings[i] if i < len(meanings) and meanings[i] else "plain"),
-                direction=getattr(pf.Direction, DIRECTIONS[ports[i].direction if i in ports else "unknown"]),
+                meaning=enum_literal(pf.Meaning, meanings[i] if i < len(meanings) and meanings[i] else "plain"),
+                direction=enum_literal(pf.Direction, DIRECTIONS[ports[i].direction if i in ports else "unknown"]),
                 **(_port(ports[i]) if i in ports else {}),
             )
         )
@@ -119,7 +120,7 @@ def _function(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiFunction:
         conventions=[
             pf.PinConvention(
                 pin=c.pin,
-                direction=getattr(pf.Direction, DIRECTIONS[c.direction]),
+                direction=enum_literal(pf.Direction, DIRECTIONS[c.direction]),
                 what=c.what,
                 setBy=c.set_by,
                 conditions=[_condition(c.when)] if c.when else [],
@@ -141,7 +142,9 @@ def _port(pin: PinParameter) -> dict[str, Any]:
 
 def _condition(when: Mapping[str, int]) -> pf.ArgumentCondition:
     relation = next(word for word in RELATIONS if word in when)
-    return pf.ArgumentCondition(position=when["index"], relation=getattr(pf.Relation, RELATIONS[relation]), value=when[relation])
+    return pf.ArgumentCondition(
+        position=when["index"], relation=enum_literal(pf.Relation, RELATIONS[relation]), value=when[relation]
+    )
 
 
 def _symbol(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiSymbol:
@@ -150,7 +153,7 @@ def _symbol(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiSymbol:
         name=name,
         form=entry.kind,
         portDirection=api.settings.get("ports", {}).get("registers", {}).get(name, ""),
-        symbolKind=getattr(pf.SymbolKind, known.get("kind") or api.symbol_kind(name, entry)),
+        symbolKind=enum_literal(pf.SymbolKind, known.get("kind") or api.symbol_kind(name, entry)),
         typeName=known.get("type") or entry.detail,
         meaning=known.get("meaning", ""),
     )

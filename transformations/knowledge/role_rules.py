@@ -158,9 +158,9 @@ def _fits(key: str, value: Json) -> bool:
     if key in ("role", "why"):
         return isinstance(value, str)
     if key == "connectors":
-        return isinstance(value, list) and all(map(_texts, value))
+        return isinstance(value, list) and all(_texts(each) for each in value)
     if key in _BY_TOOL and isinstance(value, Mapping):
-        return all(map(_texts, value.values()))
+        return all(_texts(each) for each in value.values())
     return _texts(value)
 
 

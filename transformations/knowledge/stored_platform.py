@@ -79,7 +79,7 @@ class StoredFacts:
         if function.startsCog:
             self.library_cores[header] = [*self.library_cores.get(header, ()), name]
         pins = tuple(_pin(at, p) for at, p in enumerate(function.parameters) if p.meaning is pf.Meaning.pin and p.isPort)
-        conventions = tuple(map(_convention, function.conventions))
+        conventions = tuple(_convention(each) for each in function.conventions)
         if pins or conventions:
             self.pins[(name, header)] = PinFacts(pins, conventions)
 

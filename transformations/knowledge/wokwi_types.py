@@ -243,7 +243,7 @@ def _entry(table: DataTable) -> _Entry:
         pins=tuple(pair for pin in pins.values for pair in _told(pin, pins.texts(pin))) if pins is not None else (),
         returns=table.texts("returns", ()),
         takes={key: takes.texts(key) for key in takes.values} if takes is not None else {},
-        order=tuple(tuple(map(str, pins)) for pins in order),
+        order=tuple(tuple(str(each) for each in pins) for pins in order),
     )
 
 

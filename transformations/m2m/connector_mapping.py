@@ -16,6 +16,7 @@ from robosmi import quoting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.part_names import PartNames, name_direction, names
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
 from robosmi.transformations.queries.joined_inside import tied_inside
@@ -30,7 +31,7 @@ _NAMED = 3
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 _BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
 _SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
-_SIGNALS = {name: getattr(migration.Signal, name) for name in ("read", "write", "bus")}
+_SIGNALS = {name: enum_literal(migration.Signal, name) for name in ("read", "write", "bus")}
 
 
 @dataclass(slots=True)

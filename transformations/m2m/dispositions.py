@@ -11,6 +11,7 @@ from collections.abc import Collection
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode, migration
+from robosmi.model.strict import enum_literal
 from robosmi.query import all_of_kind
 from robosmi.transform import ETL
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -23,7 +24,7 @@ from robosmi.transformations.queries.source_text import is_header
 
 Disposition = migration.Disposition
 retain, adapt, drop, hoist, rewrite, unsupported = (
-    getattr(migration.Action, name) for name in ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")
+    enum_literal(migration.Action, name) for name in ("retain", "adapt", "drop", "hoist", "rewrite", "unsupported")
 )
 STEP = "code"
 

@@ -280,7 +280,7 @@ def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], ta
     if anything:
         pointers = pointers_in(views)
         fields = [f"{ANY_VALUE} {word}" if (word := _member_name(field)) in pointers else field for field in fields]
-    kind = ANY_VALUE if anything and any(map(_is_pointer, listed)) else "int32_t"
+    kind = ANY_VALUE if anything and any(_is_pointer(each) for each in listed) else "int32_t"
     values = [f"{kind} value{number}" for number in range(1, len(listed) + 1)]
     fields += values[len(fields) :]
     tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
+from robosmi.model.strict import enum_literal
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.adapter_choice import NO_ADAPTER, settle_libraries, settle_use
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
@@ -46,7 +47,7 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
     kept = {*paths.values()}
     return [
         migration.PlanFinding(
-            rule=f.rule, severity=getattr(Level, f.severity.name), message=f.message, fix=f.fix or "",
+            rule=f.rule, severity=enum_literal(Level, f.severity.name), message=f.message, fix=f.fix or "",
             path=_stored(f.location.path, paths, kept) if f.location else "",
             line=(f.location.line or 0) if f.location else 0, column=(f.location.column or 0) if f.location else 0,
             elements=[c for c in [components.get(str(f.evidence.get("model_index", "")))] if c is not None],

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration, platform
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.m2m.port_assignment import assign, rank
@@ -174,7 +175,7 @@ def _binding(port: Port, source: platform.Platform) -> migration.PortBinding:
         name=port.name,
         names=port.names,
         sourcePin=-1 if port.pin is None else port.pin,
-        signal=getattr(migration.Signal, signal_of(port)),
+        signal=enum_literal(migration.Signal, signal_of(port)),
         origin=port.origin,
         what=port.what,
         element=port.element,

@@ -94,7 +94,7 @@ def _net(finding: Finding, circuit: hardware.Circuit) -> hardware.Net | None:
 def _pins(finding: Finding, components: Iterable[hardware.Component]) -> list[hardware.Connector]:
     """The connectors of pins that a finding names; with its component, those of that which are on a pin's net."""
     named = finding.evidence.get("pins") or _LABEL.findall(finding.message)
-    labels = {label.strip() for label in (named.split(",") if isinstance(named, str) else map(str, named))}
+    labels = {label.strip() for label in (named.split(",") if isinstance(named, str) else (str(each) for each in named))}
     return [c for component in components for c in component.connectors if labels & _labels(c)]
 
 

@@ -55,7 +55,10 @@ def project_files(
     for name, data in sketch.items():
         if name.lower().endswith(_SOURCES):
             files[SKETCH if name.lower().endswith(".ino") else name] = data
-    lines = ["# Libraries of this project, as Wokwi installs them (docs.wokwi.com/guides/libraries)", *map(_library, libraries)]
+    lines = [
+        "# Libraries of this project, as Wokwi installs them (docs.wokwi.com/guides/libraries)",
+        *(_library(each) for each in libraries),
+    ]
     files[LIBRARIES] = ("\n".join(lines) + "\n").encode()
     if listed:
         head = "Parts of the robot that Wokwi has none for; they are not in the diagram:"

@@ -179,7 +179,7 @@ def _time_in_words(time: Time) -> str:
     lines = sorted({wait.line for wait in time.unbounded})
     if not names:
         return f"waits {counted}" if time.high else "does not wait"
-    places = f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines[:4]))}{' ...' if len(lines) > 4 else ''}"
+    places = f"line{'s' * (len(lines) > 1)} {', '.join(str(each) for each in lines[:4])}{' ...' if len(lines) > 4 else ''}"
     longer = f"as long as {', '.join(names[:3])}{' ...' if len(names) > 3 else ''} take{'s' * (len(names) == 1)} ({places})"
     return f"waits {counted}, and {longer}" if time.high else f"waits {longer}"
 

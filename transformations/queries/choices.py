@@ -59,7 +59,7 @@ def the_choice(plan: migration.MigrationPlan, name: str) -> Choice:
 def _names(choice: Choice) -> tuple[str, ...]:
     decision = choice.decision
     if isinstance(decision, migration.PortBinding):
-        return (str(decision.name), *map(str, decision.names))
+        return (str(decision.name), *(str(each) for each in decision.names))
     component = decision.component if isinstance(decision, migration.LibraryChoice) else None
     return (choice.subject, f"#{component.elementId}") if component is not None else (choice.subject,)
 

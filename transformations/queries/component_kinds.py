@@ -110,7 +110,7 @@ def known_roles() -> PortWords:
 def _known_roles(path: Path, _: int) -> PortWords:
     data = read_data(path)
     roles = {role: frozenset(words) for role, words in data["roles"].items()}
-    apart = tuple(map(frozenset, data["apart"]))
+    apart = tuple(frozenset(each) for each in data["apart"])
     words = frozenset().union(*roles.values(), *apart, ["pin", "port", "sensor"])
     connectors = {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()}
     kinds = {purpose: entry["kind"] for purpose, entry in data["connectors"].items() if "kind" in entry}

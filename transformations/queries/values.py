@@ -220,7 +220,7 @@ class Values:
         known = [argument for argument in arguments if argument is not None]
         if macro is None or parameters is None or len(known) != len(arguments) or len(known) != len(parameters):
             return None
-        given = dict(zip(map(str, parameters), known, strict=True))
+        given = dict(zip((str(each) for each in parameters), known, strict=True))
         made = self._guarded(macro, "macro", lambda m: [Value(self._computed(str(m.body or ""), given), "constant")])
         return made[0].number
 

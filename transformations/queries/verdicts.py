@@ -219,7 +219,9 @@ class _Judge:
         verdict = CARE if use.status is _Status.care else ADAPTED
         fidelity = str(use.adapter.fidelity) if use.adapter is not None else ""
         return Judged(
-            verdict, "; ".join(map(str, said)) or fidelity or "declared beside the adapters", "small" * (verdict == CARE)
+            verdict,
+            "; ".join(str(each) for each in said) or fidelity or "declared beside the adapters",
+            "small" * (verdict == CARE),
         )
 
 

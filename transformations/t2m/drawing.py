@@ -14,6 +14,7 @@ from pathlib import Path
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.metamodels import hardware
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
@@ -26,8 +27,8 @@ from robosmi.transformations.t2m.placed import End, KnownPart, Placed
 
 __all__ = ["CircuitBuilder", "End", "KnownPart", "Placed", "free_identity"]
 
-_ROLES = {name: getattr(hardware.Role, name) for name in ROLES}
-_KINDS = {name: getattr(hardware.ConnectorKind, name) for name in KINDS}
+_ROLES = {name: enum_literal(hardware.Role, name) for name in ROLES}
+_KINDS = {name: enum_literal(hardware.ConnectorKind, name) for name in KINDS}
 
 
 class CircuitBuilder:

@@ -169,7 +169,7 @@ def _from_manifest(data: dict[str, Json]) -> dict[str, str]:
 
     def joined(value: object) -> str:
         if isinstance(value, dict):
-            return ", ".join(map(str, value))
+            return ", ".join(str(each) for each in value)
         if isinstance(value, list):
             return ", ".join(str(item.get("name", "")) if isinstance(item, dict) else str(item) for item in value)
         return str(value or "")

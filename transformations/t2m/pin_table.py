@@ -21,6 +21,7 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
+from robosmi.model.strict import enum_literal
 from robosmi.project import defaults
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
@@ -170,7 +171,7 @@ class _Table:
         connectors = []
         for number, row in enumerate(rows, 1):
             name = row["connector"]
-            kind = getattr(hardware.ConnectorKind, connector_kind(name, self.names) if name else "signal")
+            kind = enum_literal(hardware.ConnectorKind, connector_kind(name, self.names) if name else "signal")
             connector = hardware.Connector(connectorId=str(number), name=name, kind=kind)
             connectors.append(connector)
             groups[self._through(row, groups, passives)].append(connector)
@@ -178,7 +179,7 @@ class _Table:
             elementId=identity,
             title=title,
             partTitle=part.title,
-            role=getattr(hardware.Role, part.role),
+            role=enum_literal(hardware.Role, part.role),
             roleEvidence=part.evidence,
             driver=part.driver,
             connectors=connectors,

@@ -15,7 +15,7 @@ from ctypes import CDLL, CFUNCTYPE, POINTER, Structure, byref, c_char_p, c_int, 
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import MissingToolError
 from robosmi.transformations.t2m.c_source import cursor_kinds
@@ -39,17 +39,31 @@ ERROR, FATAL = 3, 4
 class Cursor(Structure):
     """CXCursor."""
 
+    if TYPE_CHECKING:
+        kind: int
+        xdata: int
+        data: Sequence[int | None]
+
     _fields_ = [("kind", c_int), ("xdata", c_int), ("data", c_void_p * 3)]
 
 
 class SourceLocation(Structure):
     """CXSourceLocation."""
 
+    if TYPE_CHECKING:
+        ptr_data: Sequence[int | None]
+        int_data: int
+
     _fields_ = [("ptr_data", c_void_p * 2), ("int_data", c_uint)]
 
 
 class SourceRange(Structure):
     """CXSourceRange."""
+
+    if TYPE_CHECKING:
+        ptr_data: Sequence[int | None]
+        begin: int
+        end: int
 
     _fields_ = [("ptr_data", c_void_p * 2), ("begin", c_uint), ("end", c_uint)]
 
@@ -68,6 +82,10 @@ class String(Structure):
 
 class Type(Structure):
     """CXType."""
+
+    if TYPE_CHECKING:
+        kind: int
+        data: Sequence[int | None]
 
     _fields_ = [("kind", c_int), ("data", c_void_p * 2)]
 
@@ -144,7 +162,61 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
 
 
 class ClangLibrary:
-    """libclang's functions without the prefix `clang_`, typed for ctypes."""
+    """libclang's functions without the prefix `clang_`, typed for ctypes.
+
+    Handles are integers. What is not declared here takes places to write to, or is a callback's.
+    """
+
+    if TYPE_CHECKING:
+        disposeTranslationUnit: Callable[[int | None], None]
+        saveTranslationUnit: Callable[[int | None, bytes | None, int], int]
+        getTranslationUnitCursor: Callable[[int | None], Cursor]
+        getCursorExtent: Callable[[Cursor], SourceRange]
+        getCursorLocation: Callable[[Cursor], SourceLocation]
+        getCursorReferenced: Callable[[Cursor], Cursor]
+        getSpecializedCursorTemplate: Callable[[Cursor], Cursor]
+        getCursorSpelling: Callable[[Cursor], String]
+        getCursorType: Callable[[Cursor], Type]
+        getCursorResultType: Callable[[Cursor], Type]
+        getCanonicalType: Callable[[Type], Type]
+        getTypeDeclaration: Callable[[Type], Cursor]
+        getTypedefDeclUnderlyingType: Callable[[Cursor], Type]
+        getEnumDeclIntegerType: Callable[[Cursor], Type]
+        Type_getNamedType: Callable[[Type], Type]
+        getCursorSemanticParent: Callable[[Cursor], Cursor]
+        getTypeSpelling: Callable[[Type], String]
+        getArrayElementType: Callable[[Type], Type]
+        getPointeeType: Callable[[Type], Type]
+        getCursorPrettyPrinted: Callable[[Cursor, int | None], String]
+        Type_getSizeOf: Callable[[Type], int]
+        getNumArgTypes: Callable[[Type], int]
+        isFunctionTypeVariadic: Callable[[Type], int]
+        isCursorDefinition: Callable[[Cursor], int]
+        Cursor_getStorageClass: Callable[[Cursor], int]
+        Cursor_getVarDeclInitializer: Callable[[Cursor], Cursor]
+        Cursor_isMacroFunctionLike: Callable[[Cursor], int]
+        getEnumConstantDeclValue: Callable[[Cursor], int]
+        getFieldDeclBitWidth: Callable[[Cursor], int]
+        getCursorBinaryOperatorKind: Callable[[Cursor], int]
+        getCursorUnaryOperatorKind: Callable[[Cursor], int]
+        Cursor_Evaluate: Callable[[Cursor], int | None]
+        EvalResult_getKind: Callable[[int | None], int]
+        EvalResult_getAsLongLong: Callable[[int | None], int]
+        EvalResult_dispose: Callable[[int | None], None]
+        getFile: Callable[[int | None, bytes | None], int | None]
+        getFileName: Callable[[int | None], String]
+        getLocationForOffset: Callable[[int | None, int | None, int], SourceLocation]
+        getNumDiagnostics: Callable[[int | None], int]
+        getDiagnostic: Callable[[int | None, int], int | None]
+        disposeDiagnostic: Callable[[int | None], None]
+        getDiagnosticSpelling: Callable[[int | None], String]
+        getDiagnosticSeverity: Callable[[int | None], int]
+        getDiagnosticLocation: Callable[[int | None], SourceLocation]
+        getDiagnosticNumFixIts: Callable[[int | None], int]
+        getClangVersion: Callable[[], String]
+        getCString: Callable[[String], bytes | None]
+        disposeString: Callable[[String], None]
+        createIndex: Callable[[int, int], int | None]
 
     def __init__(self, path: str) -> None:
         library = CDLL(path)
@@ -252,7 +324,7 @@ def file_offset(location: SourceLocation) -> tuple[int | None, int]:
     return file.value, offset.value
 
 
-def fix_its(diagnostic: int) -> list[tuple[SourceLocation, SourceLocation, str]]:
+def fix_its(diagnostic: int | None) -> list[tuple[SourceLocation, SourceLocation, str]]:
     """The changes that would answer a complaint: from where to where, and the new text."""
     found = []
     for number in range(library().getDiagnosticNumFixIts(diagnostic)):

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.t2m.c_source import cursor_kinds, types
 from robosmi.transformations.t2m.c_source.context import DeclarationBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
@@ -212,7 +213,7 @@ def _record(context: UnitContext, node: Node) -> ccode.Declaration:
         kind = {"struct": "structType", "union": "unionType"}.get(first, kind)
     element = ccode.Record(
         name=_tag(context, node),
-        recordKind=getattr(ccode.RecordKind, kind),
+        recordKind=enum_literal(ccode.RecordKind, kind),
         fields=fields,
         methods=methods,
         **context.source.place(node.start, node.end),

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
 from robosmi.transformations.queries.source_text import HEADERS
 from robosmi.transformations.t2m.c_source import cursor_kinds
@@ -155,12 +156,14 @@ class Linker:
         known = self.externals.get(("symbol", name))
         if known is None:
             linkage = ccode.Linkage.declaredInHeader if header else ccode.Linkage.inferred
-            known = ccode.ExternalSymbol(name=name, linkage=linkage, header=header or None, use=getattr(ccode.SymbolUse, use))
+            known = ccode.ExternalSymbol(
+                name=name, linkage=linkage, header=header or None, use=enum_literal(ccode.SymbolUse, use)
+            )
             self.externals[("symbol", name)] = known
             self._uses[name] = use
         elif _STRENGTH.index(use) > _STRENGTH.index(self._uses[name]) and isinstance(known, ccode.ExternalSymbol):
             self._uses[name] = use
-            known.use = getattr(ccode.SymbolUse, use)
+            known.use = enum_literal(ccode.SymbolUse, use)
         return known
 
     def _link_types(self, number: int, context: UnitContext) -> None:

@@ -155,7 +155,7 @@ class TreeReader:
     def read(self) -> list[Node]:
         """The nodes of the file's top level with all below them; fills `expansions` and `cut`."""
         top: list[Node] = []
-        types: set[Any] = set()
+        types: set[int | None] = set()
         extent, expansion, place = self.extent, self._expansion, self._extent
         last = self.base + self.length
 
@@ -178,7 +178,7 @@ class TreeReader:
         self._read_below(top, types)
         return top
 
-    def _read_below(self, tops: list[Node], types: set[Any]) -> None:
+    def _read_below(self, tops: list[Node], types: set[int | None]) -> None:
         """Add all that is below the nodes of the top level; the types are those whose parts were read."""
         place, extent, cut = self._extent, self.extent, self.cut
         first, last = self.base, (self.base + self.length if self._back is None else -1)
@@ -225,7 +225,7 @@ class TreeReader:
                     visit(cursor, below, None)
 
     @staticmethod
-    def _enters(kind: int, cursor: Cursor, types: set[Any]) -> bool:
+    def _enters(kind: int, cursor: Cursor, types: set[int | None]) -> bool:
         """Whether to read what is below; the parser shows a type again below each declarator: twice as much for each level."""
         if kind not in _TAGGED:
             return True

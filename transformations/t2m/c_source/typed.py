@@ -7,7 +7,6 @@ the target's own headers decide (`size_t`). What is done with widths is `m2m.wid
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
@@ -145,7 +144,7 @@ class _Reader:
         platform: Collection[str],
         wider: Collection[str],
     ) -> None:
-        self.lib: Any = clang.library()
+        self.lib = clang.library()
         self.parsed, self.expanded, self.platform, self.wider = parsed, expanded, platform, wider
         self.here, self.there = machines
         self.data = parsed.source.data
@@ -258,7 +257,7 @@ class _Reader:
             target = self._enumeration(lib.getCursorSemanticParent(referenced))
             made.kind = made.kind._replace(target=target, enumerated=True)
 
-    def _declares(self, function: Any) -> bool:
+    def _declares(self, function: Cursor) -> bool:
         """Whether the text declares a function, which otherwise the parser made up where it is called."""
         begin, end, _ = self.parsed.reader.extent(function)
         return b"(" in self.data[begin:end]
@@ -269,7 +268,7 @@ class _Reader:
         """The type of an expression."""
         return self.typed(self.lib.getCursorType(node.cursor))
 
-    def typed(self, kind: Any) -> NumberKind:
+    def typed(self, kind: clang.Type) -> NumberKind:
         """A type on both platforms."""
         key = f"{kind.kind} {self.lib.text(self.lib.getTypeSpelling(kind))}"
         found = self._kinds.get(key)
@@ -277,7 +276,7 @@ class _Reader:
             found = self._kinds[key] = self._typed(kind)
         return found
 
-    def _typed(self, kind: Any) -> NumberKind:
+    def _typed(self, kind: clang.Type) -> NumberKind:
         plain = self.lib.getCanonicalType(kind)
         number = self._number(plain)
         if number is None:
@@ -285,7 +284,7 @@ class _Reader:
         base = " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(plain)).split() if w not in ("const", "volatile"))
         return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base, enumerated=plain.kind == _ENUM)
 
-    def _number(self, plain: Any) -> Number | None:
+    def _number(self, plain: clang.Type) -> Number | None:
         if plain.kind in _REAL:
             return Number(32, True, real=True)
         if plain.kind == _ENUM:
@@ -294,7 +293,7 @@ class _Reader:
             return None
         return Number(int(self.lib.Type_getSizeOf(plain)) * 8, plain.kind in _SIGNED)
 
-    def _target(self, kind: Any) -> Number | None:
+    def _target(self, kind: clang.Type) -> Number | None:
         lib = self.lib
         for _ in range(50):
             if kind.kind == _ELABORATED:
@@ -316,7 +315,7 @@ class _Reader:
             return Number(8, self.there.char_signed)
         return self._number(plain)
 
-    def _enumeration(self, declared: Any) -> Number:
+    def _enumeration(self, declared: Cursor) -> Number:
         """What the values of an enumeration are promoted to on the target, in C++."""
         values: list[int] = []
 

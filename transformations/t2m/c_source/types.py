@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 from robosmi.transformations.t2m.c_source import type_kinds
 from robosmi.transformations.t2m.c_source.clang import Cursor
@@ -60,7 +61,7 @@ class Specifiers:
 
 def storage(context: UnitContext, cursor: Cursor) -> ccode.Storage:
     """Storage class of a declaration."""
-    literal: ccode.Storage = getattr(ccode.Storage, _STORAGES.get(context.lib.Cursor_getStorageClass(cursor), "unspecified"))
+    literal: ccode.Storage = enum_literal(ccode.Storage, _STORAGES.get(context.lib.Cursor_getStorageClass(cursor), "unspecified"))
     return literal
 
 
