@@ -104,7 +104,7 @@ def _piece(piece: AdapterPiece, headers: Mapping[str, Sequence[str]]) -> dict[st
         if value == default:
             continue
         if key in _PARTS:
-            value = [[getattr(part, field.name) for field in fields(part)] for part in value]
+            value = [[*part] if isinstance(part, tuple) else [getattr(part, f.name) for f in fields(part)] for part in value]
         elif key == "needs":
             value = [_complete(name, piece.header, headers) for name in value]
         row[key] = value
