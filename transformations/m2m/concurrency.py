@@ -25,14 +25,14 @@ from robosmi.transformations.queries.live_code import live_in
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText, inside
-from robosmi.transformations.queries.stack_depth import interrupt_bytes, measured_stacks
+from robosmi.transformations.queries.stack_depth import IDLE, interrupt_bytes, measured_stacks
 
 GIVE_WAY = "give-way"
 """Rule of changes of text: a loop lets the others get on."""
 YIELD = "yield"
 """The target's function that lets others get on, and the piece that makes the next of them go on."""
-IDLE, SPARE = 80, 1.25
-"""Bytes that a coroutine needs that does nothing, interrupts of the core included; by what an estimate is multiplied."""
+SPARE = 1.25
+"""By what an estimate is multiplied."""
 _ENDS = re.compile(r"_end\b|stop\b|join\b|exit\b")
 REASON = "the others get on only when this loop waits"
 

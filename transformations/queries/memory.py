@@ -116,7 +116,7 @@ def _pieces(plan: migration.MigrationPlan, code: CompiledCode) -> list[platform.
     asked = {name for flow in plan.portFlows for name in _looked_up(flow, calls, code)}
     helpers = [piece for piece in plan.helpers if piece.name not in _LOOK_UPS or piece.name in asked]
     found = closure(piece for piece in (*symbols, *uses, *helpers) if piece is not None)
-    return closure((*found, *_at_interrupts(emitted(plan))))
+    return closure((*found, *_always_there(emitted(plan))))
 
 
 def _shared_access(plan: migration.MigrationPlan, code: CompiledCode, pieces: Sequence[platform.Adapter]) -> bool:
@@ -134,9 +134,9 @@ def _looked_up(flow: migration.PortFlow, calls: Set[int], code: CompiledCode) ->
         yield change.replacement.partition("(")[0]
 
 
-def _at_interrupts(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
-    """The pieces that handle interrupts, and those whose functions these call: they are there whatever else runs."""
-    found = {id(piece): piece for piece in pieces if piece.vectors}
+def _always_there(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
+    """The pieces that are there whatever runs: interrupts with what they call, objects of libraries (before main)."""
+    found = {id(piece): piece for piece in pieces if piece.vectors or (piece.libraries and piece.ramBytes)}
     waiting = list(found.values())
     while waiting:
         words = set(_words(str(waiting.pop().text)))

@@ -17,6 +17,8 @@ START = 4
 """Bytes of stack that the start of the program takes, until main is called."""
 ARGUMENT = 6
 """Bytes of each argument of a function that takes any number of them: its value and its kind."""
+IDLE = 80
+"""Bytes of stack that a coroutine needs that does nothing: interrupts of the core, and what it leaves while others get on."""
 CORE_INTERRUPT = 17
 """Bytes that the core's own clock interrupt takes upon all else: what it returns to, and the registers that it keeps."""
 
@@ -32,7 +34,8 @@ def depth(plan: migration.MigrationPlan) -> int:
     stacks = measured_stacks(filled.items())
     deepest = max((stack_bytes(main, stacks) for main in mains), default=0)
     passed = max((len(call.arguments) for use in plan.adapterUses if use.variadic for call in use.calls), default=0) * ARGUMENT
-    return START + deepest + passed + CORE_INTERRUPT + interrupt_bytes(piece for pieces in filled.values() for piece in pieces)
+    least = IDLE if plan.concurrency is not None else START + CORE_INTERRUPT  # beside others, main is a coroutine, too
+    return least + deepest + passed + interrupt_bytes(piece for pieces in filled.values() for piece in pieces)
 
 
 def measured_stacks(filled: Iterable[tuple[str, list[platform.Adapter]]]) -> dict[str, int]:
