@@ -137,14 +137,14 @@ def _no_part(path: Path, number: int, line: str) -> PlatformDataError:
 def _table(path: str, line: int, chunk: str) -> dict[str, Any]:
     parsed = parse_toml(chunk, path, line)
     table: dict[str, Any] = parsed["part"][0]
-    for key, known in [(key, ("part",)) for key in parsed] + [(key, _PART_KEYS) for key in table]:
-        if key not in known:
-            place = Location(path, line + (line_of_key(chunk, key) or 1) - 1)
-            raise PlatformDataError(f"'{key}' is no key of a part{did_you_mean(key.lower(), known)}", location=place, fix=_KEYS)
     ids: Any = table.get("ids")
     lists: list[Any] = [*ids.values()] if isinstance(ids, dict) else [ids]
     if not all(isinstance(texts, list) and texts for texts in lists) or not lists:
         raise PlatformDataError("a part has no ids", location=Location(path, line), fix='give it ids = ["..."]')
+    for key, known in [(key, ("part",)) for key in parsed] + [(key, _PART_KEYS) for key in table]:
+        if key not in known:
+            place = Location(path, line + (line_of_key(chunk, key) or 1) - 1)
+            raise PlatformDataError(f"'{key}' is no key of a part{did_you_mean(key.lower(), known)}", location=place, fix=_KEYS)
     if (role := table.get("role", "Unknown")) not in ROLES:
         cause = f"part '{lists[0][0]}' has the unknown role '{role}'"
         raise PlatformDataError(cause, location=Location(path, line), fix=f"use one of: {', '.join(ROLES)}")
