@@ -1,8 +1,7 @@
 """How quick the page of a plan is in a real browser: `python -m tests.bench.page [RUNS]` (in make bench; needs chromium).
 
 Of each figure the least and the median are printed, with the bound. Ready: from the first byte of the server's answer to the
-event that all is in place, by the clock, and what the page's thread computes for it; for a case study as it is, and for one with
-3,000 lines more and 5,000 findings. A choice shown: from the key to the new plan on the page, with the sketch made again.
+event that all is in place, by the clock; for a case study as it is, and for one with 3,000 lines more and 5,000 findings. A choice shown: from the key to the new plan on the page, with the sketch made again.
 Scrolling: the longest task that the browser reports to the page (it does so from 50 ms on, by the clock), and what the page's
 thread computes in the longest step, all its tasks together. What else the machine does shows in all that is by the clock.
 """
@@ -73,12 +72,12 @@ def measured(folder: Path, runs: int) -> Iterator[tuple[str, float, list[float]]
         (big / "models" / name).write_bytes(data)
     with chromium() as browser:
         with served(browser, small) as page:
-            yield from loading("the environmental monitoring robot", page, runs)
+            yield "ready, the environmental monitoring robot", 500, [ready(page) for _ in range(runs)]
             offered = page.offered("port:alarmLed")
             yield "a choice shown", 1000, [choice(page, offered[n % len(offered)]) for n in range(runs)]
         with served(browser, big) as page:
             what = f"{FINDINGS} findings, {LINES} more lines"
-            yield from loading(what, page, runs)
+            yield f"ready, {what}", 500, [ready(page) for _ in range(runs)]
             found = [scrolled(page) for _ in range(runs)]
             yield f"longest task while scrolling, {what}", 50, [longest for longest, _ in found]
             yield f"longest step of scrolling, {what}", 50, [step for _, step in found]
@@ -106,18 +105,10 @@ def served(browser: Any, out: Path) -> Iterator[Served]:
     server.server_close()
 
 
-def loading(what: str, page: Served, runs: int) -> Iterator[tuple[str, float, list[float]]]:
-    """How long the page takes until it is ready, by the clock and by what its thread computes."""
-    clock, computed = list[float](), list[float]()
-    page.browser.execute_cdp_cmd("Performance.enable", {"timeDomain": "threadTicks"})
-    for _ in range(runs):
-        before = task_seconds(page.browser)
-        page.open()
-        clock.append(float(page.script(READY)))
-        computed.append(1000 * (task_seconds(page.browser) - before))
-    page.browser.execute_cdp_cmd("Performance.disable", {})
-    yield f"ready, {what}", 500, clock
-    yield f"computed for that, {what}", 500, computed
+def ready(page: Served) -> float:
+    """Milliseconds from the server's answer until the page is ready."""
+    page.open()
+    return float(page.script(READY))
 
 
 def choice(page: Served, value: str) -> float:
