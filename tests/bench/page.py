@@ -1,7 +1,8 @@
 """How quick the page of a plan is in a real browser: `python -m tests.bench.page [RUNS]` (in make bench; needs chromium).
 
 Of each figure the least and the median are printed, with the bound. Ready: from the first byte of the server's answer to the
-event that all is in place, by the clock; for a case study as it is, and for one with 3,000 lines more and 5,000 findings. A choice shown: from the key to the new plan on the page, with the sketch made again.
+event that all is in place, by the clock; for a case study as it is, and for one with 3,000 lines more and 5,000 findings.
+A choice shown: from the key to the new plan on the page, with the sketch made again.
 Scrolling: the longest task that the browser reports to the page (it does so from 50 ms on, by the clock), and what the page's
 thread computes in the longest step, all its tasks together. What else the machine does shows in all that is by the clock.
 """
