@@ -16,6 +16,8 @@ from robosmi.query import all_contents
 from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, State, join
 from robosmi.transformations.queries.live_code import identity
 
+_NESTED = 5
+"""Loops that stand in so many others are gone through once, with nothing known where they begin: rounds multiply."""
 _ROUNDS = 4
 """So often a loop is gone through until nothing is taken to be known where it begins."""
 
@@ -127,7 +129,7 @@ class FoldedCode(FoldedValues):
         if loop.declaration is not None or (isinstance(loop, ccode.For) and loop.range is not None):
             self.whatever(loop, state)
             return state
-        head = self._at_head(loop, state)
+        head = self._at_head(loop, state) if len(self._breaks) < _NESTED else {}
         for number in range(_ROUNDS + 1):
             leaving, again = self._once(loop, dict(head))
             joined = join([head, again])

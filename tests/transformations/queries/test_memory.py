@@ -4,6 +4,7 @@ as the linker says it.
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
@@ -92,3 +93,13 @@ def test_the_stack_that_a_simulator_sees_is_nearly_the_one_estimated(tmp_path: P
     assert seen is not None
     assert seen > 260
     assert memory(made.models.plan).depth == pytest.approx(seen, abs=60)
+
+
+def test_loops_within_loops_take_no_time_to_look_at(tmp_path: Path) -> None:
+    program = tmp_path / "nested.c"
+    loops = "".join(f"for (int i{n} = 0; i{n} < 3; i{n}++) " for n in range(25))
+    program.write_text(f"int sum;\nint main() {{ {loops} {{ sum += i3; if (sum > i7) i9++; }} while (1); }}\n")
+    plan = plan_migration([program]).plan
+    begun = time.process_time()
+    assert memory(plan).of_variables == 4
+    assert time.process_time() - begun < 5
