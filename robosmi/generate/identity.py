@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore.ecore import EObject
-
 from robosmi.errors import ModelError
 from robosmi.model.driver import is_element, name_of, type_of
+from robosmi.model.ecore import EObject
 from robosmi.model.fragments import own_id
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
-from robosmi.generate.three_way import Chunk, by_words, chunks
+from robosmi.generate.three_way import Chunk, by_words, chunks, stretch
 
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
 
@@ -170,15 +170,15 @@ class _Merge:
         edits = [chunk for chunk in found if chunk.kind == "ours"]
         told = f"{len(edits)} edits outside of regions are kept" if len(edits) > 1 else "an edit outside of regions is kept"
         for chunk in found:
-            mine = ours[slice(*chunk.ours)]
+            mine = stretch(ours, chunk.ours)
             if chunk.kind == "theirs":
-                lines += [_Line(line) for line in theirs[slice(*chunk.theirs)]]
+                lines += [_Line(line) for line in stretch(theirs, chunk.theirs)]
             elif chunk.kind != "conflict":
                 lines += [_Line(line, chunk.ours[0] + k + 1) for k, line in enumerate(mine)]
                 if edits and chunk is edits[0] and mine:
                     lines[-len(mine)].notes.append(("RS512", Severity.info, told, None))
             elif (
-                merged := by_words(_whole(base[slice(*chunk.base)]), _whole(mine), _whole(theirs[slice(*chunk.theirs)]))
+                merged := by_words(_whole(stretch(base, chunk.base)), _whole(mine), _whole(stretch(theirs, chunk.theirs)))
             ) is not None:
                 lines += [_Line(line, chunk.ours[0] + k + 1) for k, line in enumerate(merged)]
                 both = "your edit and the newly made text change different words of the same lines: both are kept"
@@ -193,7 +193,7 @@ class _Merge:
                         "decide which lines stay and take the markers out; the old file is beside this one",
                     )
                 )
-                block = [*_whole(mine), BASE, *_whole(base[slice(*chunk.base)]), MIDDLE, *_whole(theirs[slice(*chunk.theirs)])]
+                block = [*_whole(mine), BASE, *_whole(stretch(base, chunk.base)), MIDDLE, *_whole(stretch(theirs, chunk.theirs))]
                 lines += [begin, *map(_Line, block), _Line(GENERATED, chunk.ours[1])]
                 self.save_old = True
         return lines
@@ -229,7 +229,7 @@ def _lines(text: str) -> list[str]:
     return re.findall(r"[^\n]*\n|[^\n]+", text)
 
 
-def _whole(lines: list[str]) -> list[str]:
+def _whole(lines: Sequence[str]) -> list[str]:
     """The lines, each with its line break."""
     return [line if line.endswith("\n") else line + "\n" for line in lines]
 

@@ -16,7 +16,6 @@ from typing import Any
 import jinja2
 from jinja2.runtime import Context
 from jinja2.sandbox import SandboxedEnvironment
-from pyecore.ecore import EObject
 
 from robosmi import resources
 from robosmi.diagnostics import Location
@@ -29,6 +28,7 @@ from robosmi.generate.regions import partition
 from robosmi.generate.sandbox import allowed, may_call, refused
 from robosmi.generate.template_cache import TemplateCache
 from robosmi.model.driver import ModelElement, features_of, name_of, type_of
+from robosmi.model.ecore import EObject
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
 

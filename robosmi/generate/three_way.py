@@ -17,7 +17,9 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from typing import TypeVar
 
+T = TypeVar("T")
 Span = tuple[int, int]
 Blocks = Callable[[Sequence[str], Sequence[str]], list[tuple[int, int, int]]]
 _WORDS = re.compile(r"\s*(?:\w+|[^\w\s])|\s+\Z")
@@ -42,6 +44,11 @@ class Chunk:
     base: Span
     ours: Span
     theirs: Span
+
+
+def stretch(lines: Sequence[T], span: Span) -> Sequence[T]:
+    """The lines from the first of a span to the last, which is exclusive."""
+    return lines[span[0] : span[1]]
 
 
 def chunks(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], blocks: Blocks | None = None) -> list[Chunk]:
@@ -97,7 +104,7 @@ def _line_by_words(base: str, ours: str, theirs: str) -> str | None:
     for chunk in chunks(before, mine, made, _in_common):
         if chunk.kind == "conflict":
             return None
-        merged += made[slice(*chunk.theirs)] if chunk.kind == "theirs" else mine[slice(*chunk.ours)]
+        merged += stretch(made, chunk.theirs) if chunk.kind == "theirs" else stretch(mine, chunk.ours)
     return "".join(merged)
 
 
@@ -223,7 +230,7 @@ def _between(
 ) -> Iterator[Chunk]:
     """What lies between two runs that both kept."""
     spans = [(a, b) for a, b in zip(start, stop, strict=True)]
-    was, mine, other = base[slice(*spans[0])], ours[slice(*spans[1])], theirs[slice(*spans[2])]
+    was, mine, other = stretch(base, spans[0]), stretch(ours, spans[1]), stretch(theirs, spans[2])
     if not was and not mine and not other:
         return
     if mine == other:

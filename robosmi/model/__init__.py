@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi.model.ecore import EObject
+
 if TYPE_CHECKING:
     from robosmi.model.driver import Model
     from robosmi.model.emf import EmfModel
@@ -52,7 +54,7 @@ def load_model(path: str | Path) -> Any:
     return next(iter(read_current(Path(path), built_in()).values()))
 
 
-def save_model(root: Any, path: str | Path, others: Mapping[str, Any] | None = None) -> None:
+def save_model(root: EObject, path: str | Path, others: Mapping[str, Any] | None = None) -> None:
     """Write a model as XMI, atomically.
 
     Args:

@@ -12,9 +12,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from pyecore.ecore import EObject
-from pyecore.valuecontainer import EAbstractSet, ECollection, EList, EOrderedSet, EValue
-
+from robosmi.model.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue
 from robosmi.model.emf import EmfModel
 from robosmi.model.pyecore_internals import (
     ASSIGN,
@@ -103,7 +101,7 @@ class Recording:
                     self._keep_element(one)
         self._keep_element(holder.owner)
 
-    def _keep_element(self, element: Any) -> None:
+    def _keep_element(self, element: EObject) -> None:
         if not isinstance(element, EObject) or id(element) in self._elements or not is_element(element):
             return
         self._elements[id(element)] = (

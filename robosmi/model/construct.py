@@ -11,10 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from pyecore import ecore
-from pyecore.ecore import EAttribute, EEnum, EEnumLiteral, EProxy, EStructuralFeature
-
-from robosmi.model import lean
+from robosmi.model import ecore, lean
+from robosmi.model.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
 from robosmi.model.feature_errors import unknown_feature
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, features_fixed, holder, note_link
 from robosmi.model.pyecore_internals import (
@@ -44,11 +42,17 @@ class Plan(dict[str, Entry]):
         self.bare: dict[str, type] = {}
 
 
-_PYTHON = {ecore.EString: str, ecore.EInt: int, ecore.ELong: int, ecore.EBoolean: bool, ecore.EDouble: float}
+_PYTHON: dict[EClassifier, type] = {
+    ecore.EString: str,
+    ecore.EInt: int,
+    ecore.ELong: int,
+    ecore.EBoolean: bool,
+    ecore.EDouble: float,
+}
 _PLANS: dict[type, Plan] = {}
 
 
-def initialise(element: Any, features: dict[str, Any]) -> None:
+def initialise(element: EObject, features: dict[str, Any]) -> None:
     """Set the features of an element that was just made.
 
     Raises:
@@ -77,7 +81,7 @@ def initialise(element: Any, features: dict[str, Any]) -> None:
         slots[SET_FEATURES].update(dict.fromkeys(plan[name][2] for name, value in features.items() if value is not None))
 
 
-def connect(element: Any, name: str, value: Any) -> None:
+def connect(element: EObject, name: str, value: Any) -> None:
     """Set a cross reference of an element as its constructor would; one that was set before is changed as by assignment.
 
     Raises:
@@ -101,19 +105,21 @@ class _Known:
         classes: that are of this kind.
         holder: of a single value.
         contains: whether it is a containment.
-        back: its opposite, or None.
+        back: its opposite, if it has one.
         back_key: the slot of the opposite.
     """
 
     __slots__ = ("back", "back_key", "classes", "contains", "holder", "kind")
 
-    def __init__(self, feature: Any) -> None:
-        self.kind = feature.eType
+    def __init__(self, feature: EStructuralFeature) -> None:
+        self.kind: Any = feature.eType
         self.classes: set[type] = set()
         self.contains = bool(feature.containment)
         self.holder = ContainedValue if self.contains else ReferenceValue
-        self.back = feature.eOpposite
-        self.back_key = key_of(self.back) if self.back is not None else ""
+        self.back_key = ""
+        if feature.eOpposite is not None:
+            self.back = feature.eOpposite
+            self.back_key = key_of(self.back)
 
     def takes(self, value: Any) -> bool:
         """Whether the feature accepts a value whose class is not in `classes` yet; proxies are left to pyecore's setter."""
@@ -132,6 +138,7 @@ def _plan(cls: type) -> Plan:
             if not isinstance(feature, EStructuralFeature):
                 continue
             put: Any
+            kind: Any
             bare = None
             if isinstance(feature, EAttribute):
                 enumeration = isinstance(feature.eType, EEnum)
@@ -160,7 +167,9 @@ def _plan(cls: type) -> Plan:
     return plan
 
 
-def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, values: Iterable[Any]) -> bool:
+def _put_attributes(
+    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, kind: Any, values: Iterable[Any]
+) -> bool:
     found = list(values) if values.__class__ is not str else None
     if found == []:
         return True
@@ -171,14 +180,14 @@ def _put_attributes(element: Any, slots: dict[str, Any], name: str, feature: Any
     return True
 
 
-def _put_literal(element: Any, slots: dict[str, Any], name: str, feature: Any, kind: Any, value: Any) -> bool:
+def _put_literal(element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, kind: Any, value: Any) -> bool:
     if value.__class__ is not EEnumLiteral or container_of(value) is not kind:
         return False
     slots[name] = value
     return True
 
 
-def _adopt(element: Any, feature: Any, known: _Known, value: Any, birth: Any) -> bool:
+def _adopt(element: EObject, feature: EStructuralFeature, known: _Known, value: Any, birth: Any) -> bool:
     """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
     if value.__class__ not in known.classes and not known.takes(value):
         return False
@@ -197,14 +206,18 @@ def _adopt(element: Any, feature: Any, known: _Known, value: Any, birth: Any) ->
     return True
 
 
-def _put_reference(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, value: Any) -> bool:
+def _put_reference(
+    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, value: Any
+) -> bool:
     if not _adopt(element, feature, known, value, (element, feature)):
         return False
     slots[name] = holder(known.holder, element, feature, value)
     return True
 
 
-def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, values: Iterable[Any]) -> bool:
+def _put_many(
+    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
+) -> bool:
     if values.__class__ is list and not values:
         return True
     many = slots[name] = collection(element, feature)
@@ -221,7 +234,9 @@ def _put_many(element: Any, slots: dict[str, Any], name: str, feature: Any, know
     return True
 
 
-def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, values: Iterable[Any]) -> bool:
+def _put_parts(
+    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
+) -> bool:
     """Containment of many with a single-valued opposite: the parts know their container under its name."""
     many = slots[name] = collection(element, feature)
     items, positions = many.items, many.map
@@ -243,7 +258,9 @@ def _put_parts(element: Any, slots: dict[str, Any], name: str, feature: Any, kno
     return True
 
 
-def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: Any, known: _Known, value: Any) -> bool:
+def _put_one_of_many(
+    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, value: Any
+) -> bool:
     """A single reference whose opposite collects many: the element joins the collection of what it refers to."""
     if value.__class__ not in known.classes and not known.takes(value):
         return False
@@ -258,7 +275,7 @@ def _put_one_of_many(element: Any, slots: dict[str, Any], name: str, feature: An
     return True
 
 
-def _set(slots: dict[str, Any], feature: Any) -> None:
+def _set(slots: dict[str, Any], feature: EStructuralFeature) -> None:
     """Note that a feature was set, where it is not read off the slots when somebody asks."""
     if SET_FEATURES in slots:
         slots[SET_FEATURES][feature] = None

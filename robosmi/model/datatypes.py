@@ -12,15 +12,16 @@ import struct
 from collections.abc import Callable
 from datetime import UTC, datetime
 from decimal import Decimal, InvalidOperation
-from typing import Any
-
-from pyecore.ecore import EDataType, EEnum, EProxy
+from typing import Any, TypeVar
 
 from robosmi.errors import did_you_mean
+from robosmi.model.ecore import EDataType, EEnum, EEnumLiteral, EProxy, EStructuralFeature
 from robosmi.model.pyecore_internals import proxied, proxy_place
 
 FromText = Callable[[str], Any]
 ToText = Callable[[Any], str]
+
+T = TypeVar("T")
 
 _WHOLE = re.compile(r"[+-]?[0-9]+")
 _REAL = re.compile(r"[+-]?(NaN|Infinity|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[fFdD]?)")
@@ -251,7 +252,7 @@ _ECORE = "http://www.eclipse.org/emf/2002/Ecore"
 FEATURE_MAP = "EFeatureMapEntry"
 
 
-def real(value: Any) -> Any:
+def real(value: T) -> T:
     """What a pyecore proxy stands for; anything else as it is, a proxy that nothing here resolves included."""
     if not isinstance(value, EProxy):
         return value
@@ -262,10 +263,11 @@ def real(value: Any) -> Any:
         value.force_resolve()
     except AttributeError:  # pyecore on a reference that leads to nothing
         return value
-    return proxied(value)
+    found: T = proxied(value)
+    return found
 
 
-def _key(datatype: Any) -> str:
+def _key(datatype: EDataType) -> str:
     """The name under which a data type stands in the tables: its own if it is Ecore's, else that of its Java class."""
     package = datatype.ePackage
     if package is None or getattr(package, "nsURI", None) == _ECORE:
@@ -273,12 +275,12 @@ def _key(datatype: Any) -> str:
     return str(getattr(datatype, "instanceClassName", None) or "")
 
 
-def literal_text(literal: Any) -> str:
+def literal_text(literal: EEnumLiteral) -> str:
     """The text of an enumeration's literal in a file; its name if it has no other."""
     return str(getattr(literal, "literal", None) or literal.name)
 
 
-def from_text(datatype: Any) -> FromText | None:
+def from_text(datatype: EDataType) -> FromText | None:
     """The function that turns a file's text into a value; None if the text is the value.
 
     The function raises ValueError with the cause.
@@ -303,7 +305,7 @@ def _guarded(convert: FromText) -> FromText:
     return read
 
 
-def _read_literal(enum: Any) -> FromText:
+def _read_literal(enum: EEnum) -> FromText:
     known = {literal.name: literal for literal in enum.eLiterals} | {literal_text(x): x for x in enum.eLiterals}
 
     def read(text: str) -> Any:
@@ -314,7 +316,7 @@ def _read_literal(enum: Any) -> FromText:
     return read
 
 
-def to_text(datatype: Any) -> ToText:
+def to_text(datatype: EDataType) -> ToText:
     """The function that turns a value into the text of a file; it raises ValueError with the cause."""
     if isinstance(datatype, EEnum):
         return _write_literal(datatype)
@@ -325,7 +327,7 @@ def to_text(datatype: Any) -> ToText:
     return convert
 
 
-def _write_literal(enum: Any) -> ToText:
+def _write_literal(enum: EEnum) -> ToText:
     texts = {literal: literal_text(literal) for literal in enum.eLiterals}
 
     def write(value: Any) -> str:
@@ -337,7 +339,7 @@ def _write_literal(enum: Any) -> ToText:
     return write
 
 
-def default(feature: Any, datatype: Any) -> Any:
+def default(feature: EStructuralFeature, datatype: EDataType) -> Any:
     """The value that an attribute has where a file says nothing, as EMF has it.
 
     Raises:
@@ -354,7 +356,7 @@ def default(feature: Any, datatype: Any) -> Any:
     return _DEFAULTS.get(_key(datatype))
 
 
-def is_primitive(datatype: Any) -> bool:
+def is_primitive(datatype: EDataType) -> bool:
     """Whether the type has no "nothing" in EMF, as int has none."""
     return _key(datatype) in _DEFAULTS
 

@@ -7,9 +7,9 @@ diagram needs no tool and cannot fall behind unseen.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from robosmi import resources
+from robosmi.model.ecore import EClass, EModelElement, EPackage
 from robosmi.model.ecore_loader import GENMODEL
 
 ORDER = ("ccode", "hardware", "platform", "migration", "trace")
@@ -28,13 +28,13 @@ are in the `.ecore`.
 """
 
 
-def documentation(element: Any) -> str:
+def documentation(element: EModelElement) -> str:
     """The GenModel documentation of an element of a metamodel (a pyecore object), or an empty text."""
     annotation = element.getEAnnotation(GENMODEL)
     return str(annotation.details.get("documentation", "")) if annotation else ""
 
 
-def to_mermaid(package: Any) -> str:
+def to_mermaid(package: EPackage) -> str:
     """The classes of an EPackage with their inheritance, containments and references.
 
     Args:
@@ -42,7 +42,7 @@ def to_mermaid(package: Any) -> str:
     """
     lines = ["classDiagram"]
     for eclass in package.eClassifiers:
-        if not hasattr(eclass, "eReferences"):
+        if not isinstance(eclass, EClass):
             continue
         if eclass.abstract:
             lines += [f"  class {eclass.name} {{", "    <<abstract>>", "  }"]

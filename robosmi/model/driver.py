@@ -13,12 +13,22 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, NoReturn
-
-from pyecore.ecore import EEnumLiteral, EObject
+from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias, TypeGuard
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import structure
+from robosmi.model.ecore import DynamicEObject, EClassifier, EEnumLiteral, EObject, Scalar
+
+Node: TypeAlias = "EObject | ModelElement"
+"""An element of any technology."""
+DynamicNode: TypeAlias = "DynamicEObject | ModelElement"
+"""An element of any technology of which only its model knows the features."""
+Type: TypeAlias = "EClassifier | type"
+"""A type of elements: a class of Ecore, or a Python class."""
+Kind: TypeAlias = "str | Type | TypeHandle"
+"""How a type may be given: itself, its name, or by a model."""
+FeatureValue: TypeAlias = "Scalar | ModelElement | Iterable[Scalar | ModelElement]"
+"""What a feature may be given."""
 
 
 class UnknownTypeError(ModelError, AttributeError):
@@ -44,12 +54,17 @@ class ModelElement(ABC):
 
     __slots__ = ("__weakref__",)
 
+    if TYPE_CHECKING:  # what features there are only the technology knows
+
+        def __getattr__(self, name: str) -> Any: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
+
     @abstractmethod
-    def eContainer(self) -> Any:
+    def eContainer(self) -> ModelElement | None:
         """The element that contains this one, or None."""
 
     @abstractmethod
-    def _contents(self) -> list[Any]:
+    def _contents(self) -> list[ModelElement]:
         """What this element contains directly."""
 
     @abstractmethod
@@ -75,10 +90,10 @@ class Model(ABC):
     # Types
 
     @abstractmethod
-    def types(self) -> Iterator[tuple[str, Any]]:
+    def types(self) -> Iterator[tuple[str, Type]]:
         """All types that can be named, as (qualified name, type); where there is no metamodel those that occur."""
 
-    def find_type(self, name: str) -> Any:
+    def find_type(self, name: str) -> Type | None:
         """The type of that name, simple or qualified (`library::Book`), or None."""
         return next((kind for path, kind in self.types() if name in (path, path.rpartition("::")[2])), None)
 
@@ -86,7 +101,7 @@ class Model(ABC):
         """The simple names of all types."""
         return [path.rpartition("::")[2] for path, _ in self.types()]
 
-    def type_named(self, name: str) -> Any:
+    def type_named(self, name: str) -> Type:
         """The type of that name (`Book`, `library::Book`, with or without `M!`).
 
         Raises:
@@ -98,11 +113,11 @@ class Model(ABC):
             raise unknown_type(name, self.type_names())
         return found
 
-    def type_of(self, element: Any) -> Any:
+    def type_of(self, element: Node) -> Type:
         """The exact type of an element."""
         return type_of(element)
 
-    def literal(self, name: str) -> Any:
+    def literal(self, name: str) -> EEnumLiteral:
         """An enumeration literal, `Genre#fiction`.
 
         Raises:
@@ -113,10 +128,10 @@ class Model(ABC):
     # Extents
 
     @abstractmethod
-    def all_contents(self) -> Iterator[Any]:
+    def all_contents(self) -> Iterator[Node]:
         """All elements, a container before what it contains."""
 
-    def all_of_kind(self, kind: Any) -> Sequence[Any]:
+    def all_of_kind(self, kind: Kind) -> Sequence[Node]:
         """The elements of a type and its subtypes, in the order of `all_contents`.
 
         Args:
@@ -128,7 +143,7 @@ class Model(ABC):
         wanted = self._class_of(kind)
         return [x for x in self.all_contents() if isinstance(x, wanted)]
 
-    def all_of_type(self, kind: Any) -> Sequence[Any]:
+    def all_of_type(self, kind: Kind) -> Sequence[Node]:
         """The elements of exactly a type, in the order of `all_contents`.
 
         Raises:
@@ -137,26 +152,26 @@ class Model(ABC):
         wanted = self._class_of(kind)
         return [x for x in self.all_contents() if x.__class__ is wanted]
 
-    def _class_of(self, kind: Any) -> type:
+    def _class_of(self, kind: Kind) -> type:
         return class_of(self.type_named(kind) if isinstance(kind, str) else kind)
 
     # Identity
 
     @abstractmethod
-    def element(self, identity: str) -> Any:
+    def element(self, identity: str) -> DynamicNode | None:
         """The element with that id, or None."""
 
     @abstractmethod
-    def id_of(self, element: Any) -> str:
+    def id_of(self, element: Node) -> str:
         """The id of an element, which `element` takes; the same for the same content of the file."""
 
     @abstractmethod
-    def owns(self, element: Any) -> bool:
+    def owns(self, element: Scalar | ModelElement) -> bool:
         """Whether the element is in this model."""
 
     # Change
 
-    def create(self, kind: Any, /, **features: Any) -> Any:
+    def create(self, kind: Kind, /, **features: FeatureValue) -> DynamicNode:
         """A new element of this model.
 
         Args:
@@ -170,7 +185,7 @@ class Model(ABC):
         """
         self._refuse("create an element")
 
-    def delete(self, element: Any) -> None:
+    def delete(self, element: Node) -> None:
         """Take an element with all it contains out of this model, and out of what refers to it where the technology knows.
 
         Raises:
@@ -200,7 +215,7 @@ class Model(ABC):
             raise ModelError(f"the model {self.name} has no file", fix="give a path to save it to")
         return Path(path) if path is not None else self.path  # type: ignore[return-value]
 
-    def _check_owned(self, element: Any) -> None:
+    def _check_owned(self, element: Node) -> None:
         if not self.owns(element):
             raise ModelError(f"{element!r} is not in the model {self.name}", fix="delete it in the model that holds it")
 
@@ -219,7 +234,7 @@ class Model(ABC):
             raise AttributeError(name)
         return self[name]
 
-    def _collected(self, items: Sequence[Any]) -> Any:
+    def _collected(self, items: Sequence[Node]) -> Any:
         """How a type handle gives many elements; layers above give collections of their own."""
         return items
 
@@ -249,7 +264,7 @@ class TypeHandle:
 
     __slots__ = ("kind", "model")
 
-    def __init__(self, model: Any, kind: Any) -> None:
+    def __init__(self, model: Model, kind: Type) -> None:
         self.model = model
         self.kind = kind
 
@@ -271,18 +286,18 @@ class TypeHandle:
         """The elements of exactly this type (EOL `T.allOfType`)."""
         return self.model._collected(self.model.all_of_type(self.kind))
 
-    def has(self, value: Any) -> bool:
+    def has(self, value: Scalar | ModelElement) -> bool:
         """Whether the value is an element of this model and of this type or a subtype."""
         return isinstance(value, class_of(self.kind)) and bool(self.model.owns(value))
 
-    def __call__(self, /, **features: Any) -> Any:
+    def __call__(self, /, **features: FeatureValue) -> DynamicNode:
         """A new element of this type in the model; see `Model.create`."""
         return self.model.create(self.kind, **features)
 
-    def __instancecheck__(self, value: Any) -> bool:
+    def __instancecheck__(self, value: Scalar | ModelElement) -> bool:
         return isinstance(value, class_of(self.kind))
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> EEnumLiteral:
         if name[:1] == "_":
             raise AttributeError(name)
         if not hasattr(self.kind, "eLiterals"):
@@ -307,12 +322,12 @@ def read_only(what: str, name: str) -> ReadOnlyError:
     return ReadOnlyError(f"cannot {what}: the model {name} is read-only", fix="change a copy in a technology that can, as XMI")
 
 
-def is_element(value: Any) -> bool:
+def is_element(value: Any) -> TypeGuard[DynamicNode]:
     """Whether the value is an element of a model; an enumeration literal is none."""
     return isinstance(value, ModelElement) or (isinstance(value, EObject) and not isinstance(value, EEnumLiteral))
 
 
-def type_of(element: Any) -> Any:
+def type_of(element: Node) -> Type:
     """The exact type of an element: its EClass, or its Python class."""
     return element.__class__ if isinstance(element, ModelElement) else element.eClass
 
@@ -332,28 +347,28 @@ def class_of(kind: Any) -> type:
     raise TypeError(f"{kind!r} is no type")
 
 
-def name_of(kind: Any) -> str:
+def name_of(kind: Type) -> str:
     """The simple name of a type."""
     return str(kind.__name__ if isinstance(kind, type) else kind.name)
 
 
-def features_of(element: Any) -> list[str]:
+def features_of(element: Node) -> list[str]:
     """The names of an element's features, in order."""
     return element._features() if isinstance(element, ModelElement) else structure.feature_names(element.eClass)
 
 
-def contents_of(element: Any) -> list[Any]:
+def contents_of(element: Node) -> Sequence[DynamicNode]:
     """What an element contains directly."""
     return element._contents() if isinstance(element, ModelElement) else structure.contents(element)
 
 
-def walk(root: Any) -> Iterator[Any]:
+def walk(root: Node) -> Iterator[DynamicNode]:
     """An element of any technology and everything it contains, a container before its contents; nothing recurses."""
     return _walk(root) if isinstance(root, ModelElement) else structure.walk(root)
 
 
-def _walk(root: ModelElement) -> Iterator[Any]:
-    stack: list[Any] = [root]
+def _walk(root: ModelElement) -> Iterator[ModelElement]:
+    stack: list[ModelElement] = [root]
     while stack:
         element = stack.pop()
         yield element
@@ -364,7 +379,7 @@ LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementI
 """The features that tell one element from another, the best first."""
 
 
-def label(element: Any) -> str:
+def label(element: Node) -> str:
     """An element in a few words: its type, and what it is called."""
     kind = name_of(type_of(element))
     known = set(features_of(element))

@@ -12,10 +12,12 @@ from decimal import Decimal
 from functools import partial
 from typing import Any
 
-from pyecore import ecore
+from pyecore import ecore as pyecore_ecore
 
 from robosmi.errors import ModelError
+from robosmi.model import ecore
 from robosmi.model.datatypes import default, literal_text
+from robosmi.model.ecore import Argument, EClass, EClassifier, EDataType, EEnum, EPackage, EStructuralFeature
 from robosmi.model.ecore_description import XML_TYPES, Class, Classifier, DataType, Enumeration, Feature, Package
 from robosmi.model.ecore_details import Details
 from robosmi.model.feature_values import FeatureCollection
@@ -33,7 +35,7 @@ _XML_TYPES = {
 _PYTHON: dict[str, Any] = {"java.math.BigInteger": int, "java.math.BigDecimal": Decimal}
 
 
-def make_packages(packages: list[Package]) -> list[Any]:
+def make_packages(packages: list[Package]) -> list[EPackage]:
     """pyecore EPackages for described ones.
 
     Args:
@@ -68,11 +70,11 @@ class PackageMaker:
 
     def __init__(self) -> None:
         self.made: dict[Classifier, Any] = {}
-        self.packages: dict[Package, Any] = {}
+        self.packages: dict[Package, EPackage] = {}
         self.features: dict[Feature, Any] = {}
         self.xml_types = ecore.EPackage(XML_TYPES.name, XML_TYPES.uri, XML_TYPES.prefix)
 
-    def make(self, packages: list[Package]) -> list[Any]:
+    def make(self, packages: list[Package]) -> list[EPackage]:
         """See `make_packages`."""
         before = dict(self.packages)
         try:
@@ -86,7 +88,7 @@ class PackageMaker:
         classes: list[Class] = []
         outermost = []
         for root in packages:
-            epackages: dict[Package, Any] = {}
+            epackages: dict[Package, EPackage] = {}
             for package in root.walk():
                 epackage = epackages[package] = self.packages[package] = ecore.EPackage(package.name, package.uri, package.prefix)
                 if package.parent is not None:
@@ -110,7 +112,7 @@ class PackageMaker:
         known: dict[Any, Any] = {**self.features, **self.packages}
         Details(packages, lambda one: self._classifier(one) if isinstance(one, Classifier) else known.get(one)).add()
 
-    def _class(self, cls: Class) -> Any:
+    def _class(self, cls: Class) -> EClass:
         supertypes = [self._classifier(base) for base in cls.supertypes]
         bases = [base.python_class for base in supertypes if base.python_class is not ecore.EObject]
         bases = [b for b in bases if not any(b is not other and issubclass(other, b) for other in bases)]
@@ -151,8 +153,8 @@ class PackageMaker:
             kind = self._classifier(operation.classifier)
             eclass.eOperations.append(ecore.EOperation(operation.name, kind, parameters, upper=operation.upper))
 
-    def _feature(self, feature: Feature) -> Any:
-        common = {
+    def _feature(self, feature: Feature) -> EStructuralFeature:
+        common: dict[str, Argument] = {
             "lower": feature.lower, "upper": feature.upper, "ordered": feature.ordered, "unique": feature.unique,
             "changeable": feature.changeable, "volatile": feature.volatile, "transient": feature.transient,
             "derived": feature.derived, "unsettable": feature.unsettable, "derived_class": FeatureCollection,
@@ -180,14 +182,14 @@ def _supertypes_first(classes: list[Class]) -> Iterator[Class]:
     return post_order(classes, lambda cls: [base for base in reversed(cls.supertypes) if base in wanted], refuse)
 
 
-def _datatype(described: Classifier) -> Any:
+def _datatype(described: Classifier) -> EDataType:
     if isinstance(described, Enumeration):
         return _enumeration(described)
     assert isinstance(described, DataType)
     return _plain(described.name, described.instance_class)
 
 
-def _plain(name: str, java: str) -> Any:
+def _plain(name: str, java: str) -> EDataType:
     """A data type that stands for a Java class; pyecore's own table would make an object for every default."""
     made = ecore.EDataType(name, instanceClassName=java or "java.lang.Object")
     if java not in _PRIMITIVE:
@@ -197,14 +199,14 @@ def _plain(name: str, java: str) -> Any:
     return made
 
 
-def _enumeration(described: Enumeration) -> Any:
+def _enumeration(described: Enumeration) -> EEnum:
     made = ecore.EEnum(described.name)
     collection = made.eLiterals
     for literal in described.literals:
         one = ecore.EEnumLiteral(literal.name, literal.value)
         one.literal = literal.text
         if hasattr(ecore.EEnum, literal.name) or literal.name in made.__dict__:  # pyecore makes an attribute of each literal
-            contain(one, made, ecore.EEnum.eLiterals)
+            contain(one, made, pyecore_ecore.EEnum.eLiterals)
             add_silently(collection, one)
         else:
             collection.append(one)
@@ -214,10 +216,10 @@ def _enumeration(described: Enumeration) -> Any:
     return made
 
 
-def _known(classifier: Classifier) -> Any:
+def _known(classifier: Classifier) -> EClassifier:
     """pyecore's classifier for one of Ecore's own or of XMLType."""
     if classifier.package.name == "ecore":
-        found = getattr(ecore, classifier.name, None)
+        found = getattr(pyecore_ecore, classifier.name, None)
         if isinstance(classifier, Class):
             eclass = getattr(found, "eClass", None) if isinstance(found, type) else None
             return eclass if eclass is not None else _map_entry() if "MapEntry" in classifier.name else ecore.EObject.eClass
@@ -227,7 +229,7 @@ def _known(classifier: Classifier) -> Any:
     return _plain(classifier.name, _XML_TYPES.get(classifier.name, "java.lang.String"))
 
 
-def _map_entry() -> Any:
+def _map_entry() -> EClass:
     """Ecore's EStringToStringMapEntry, which pyecore has as a dict."""
     python: Any = DynamicClass("EStringToStringMapEntry", (Element,), {})
     eclass = python.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=python)

@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from pyecore import ecore
+from pyecore import ecore as pyecore_ecore
 
+from robosmi.model import ecore
+from robosmi.model.ecore import EObject, EStructuralFeature
 from robosmi.model.ecore_description import Class, Classifier, DescribedElement, Feature, Operation, Package, Typed, TypeParameter
 from robosmi.model.ecore_xml import EcoreNode
 from robosmi.model.pyecore_internals import add_silently, contain, key_of, set_features_of
@@ -85,7 +87,7 @@ class Details:
             generic = [self.generic(package, child) for child in node.tagged("eGenericSuperTypes")]
             if any(map(_says_more, generic)):
                 for supertype in generic:
-                    _put(made, ecore.EClass.eGenericSuperTypes, supertype)
+                    _put(made, pyecore_ecore.EClass.eGenericSuperTypes, supertype)
 
     def typed(self, package: Package, one: Typed, made: Any) -> None:
         """Generic type, bounds, and what references and operations have besides."""
@@ -167,7 +169,7 @@ def _says_more(generic: Any) -> bool:
     return generic.eTypeParameter is not None or len(generic.eTypeArguments) > 0 or generic.eClassifier is None
 
 
-def _put(owner: Any, feature: Any, part: Any) -> None:
+def _put(owner: EObject, feature: EStructuralFeature, part: Any) -> None:
     """Put a part into a feature that holds many, and tell nobody."""
     contain(part, owner, feature)
     add_silently(getattr(owner, key_of(feature)), part)

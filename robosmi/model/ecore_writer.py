@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from pyecore import ecore
-
+from robosmi.model import ecore
 from robosmi.model.datatypes import is_data_type, real, to_text
+from robosmi.model.ecore import DynamicEObject, EObject
 from robosmi.model.features import as_package, eclass_of, is_off
 from robosmi.model.pyecore_internals import proxy_place, xmi_id_of
 
@@ -126,7 +126,7 @@ class EcoreText:
                 depth -= 1
                 self.add(f"{'  ' * depth}</{tag}>\n")
 
-    def of(self, element: Any) -> tuple[list[tuple[str, str]], list[Item]]:
+    def of(self, element: DynamicEObject) -> tuple[list[tuple[str, str]], list[Item]]:
         """The attributes of an element, and what is written inside of it."""
         attributes: list[tuple[str, str]] = []
         parts: list[Item] = []
@@ -149,7 +149,7 @@ class EcoreText:
                 attributes.append((name, self.escape(text, element, name)))
         return attributes, parts
 
-    def link(self, element: Any, name: str, target: Any, declared: str) -> str:
+    def link(self, element: EObject, name: str, target: Any, declared: str) -> str:
         """A reference, with the target's type before it if it lies elsewhere and the declared one is abstract."""
         if isinstance(target, ecore.EProxy):  # nothing here resolves it: it stays what it was
             kind = "EDataType" if isinstance(element, ecore.EAttribute) else "EClass"
@@ -160,7 +160,7 @@ class EcoreText:
         return uri if uri.startswith("#") or declared not in _ABSTRACT else f"ecore:{kind_of(target)} {uri}"
 
 
-def _value(element: Any, name: str) -> Any:
+def _value(element: DynamicEObject, name: str) -> Any:
     if name == "eSuperTypes" and len(element.eGenericSuperTypes):
         return ()  # they are given with their arguments
     if name == "eType" and element.eGenericType is not None:
@@ -173,14 +173,14 @@ def _value(element: Any, name: str) -> Any:
     return value
 
 
-def _default(feature: Any) -> str | None:
+def _default(feature: DynamicEObject) -> str | None:
     """The text of a default that is given as a value, as generated packages do; None if it is that of the type."""
     value = getattr(feature, "default_value", None)
     kind = real(feature.eType)
     return None if value is None or value == kind.default_value else str(to_text(kind)(value))
 
 
-def _text(element: Any, name: str, form: str, value: Any, default: Any) -> str | None:
+def _text(element: DynamicEObject, name: str, form: str, value: Any, default: Any) -> str | None:
     """The text of an attribute, or None if it is not written."""
     if form == "on":
         return "false" if is_off(element, name) else None
@@ -193,7 +193,7 @@ def _text(element: Any, name: str, form: str, value: Any, default: Any) -> str |
     return str(value)
 
 
-def kind_of(element: Any) -> str:
+def kind_of(element: EObject) -> str:
     """The name of an Ecore element's class; pyecore has the map entry as a data type, and users may extend Ecore's classes."""
     if element is ecore.EStringToStringMapEntry:
         return "EClass"

@@ -12,13 +12,13 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from pyecore.ecore import EObject
-
 from robosmi.errors import ModelError
+from robosmi.model.driver import FeatureValue, Kind, ModelElement, Node
+from robosmi.model.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.fragments import fragment_of, own_id, resolve
 from robosmi.model.making import as_data, unlink
 from robosmi.model.making import new as new
-from robosmi.model.metamodel import Metamodel, TypedModel
+from robosmi.model.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
@@ -37,23 +37,27 @@ class EmfModel(TypedModel):
     """
 
     def __init__(
-        self, roots: Any = (), metamodel: Metamodel | Iterable[Any] | None = None, name: str = "M", path: Path | None = None
+        self,
+        roots: EObject | Iterable[EObject] = (),
+        metamodel: Packages | None = None,
+        name: str = "M",
+        path: Path | None = None,
     ) -> None:
-        given: list[Any] = [roots] if isinstance(roots, EObject) else list(roots)
+        given = [roots] if isinstance(roots, EObject) else list(roots)
         if metamodel is None:
             metamodel = dict.fromkeys(_outermost(root.eClass.ePackage) for root in given)
         super().__init__(Metamodel.of(metamodel), name, path)
         self._watch = Watch()
         self._home = Home(self._watch)
-        self._roots: dict[int, Any] = {}
-        self._all: list[Any] = []
-        self._extents: dict[tuple[type, bool], list[Any]] = {}
-        self._ids: dict[str, Any] | None = None
+        self._roots: dict[int, DynamicEObject] = {}
+        self._all: list[DynamicEObject] = []
+        self._extents: dict[tuple[type, bool], list[DynamicEObject]] = {}
+        self._ids: dict[str, DynamicEObject] | None = None
         for root in given:
             self.add(root)
 
     @classmethod
-    def load(cls, path: str | Path, metamodel: Any = None, name: str | None = None) -> EmfModel:
+    def load(cls, path: str | Path, metamodel: Packages | str | Path | None = None, name: str | None = None) -> EmfModel:
         """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
 
         Args:
@@ -103,14 +107,14 @@ class EmfModel(TypedModel):
         write_atomic(target, to_xmi({target.name: content, **(others or {})}, [target.name])[target.name])
 
     @property
-    def packages(self) -> list[Any]:
+    def packages(self) -> list[EPackage]:
         """The outermost EPackages."""
         return self.metamodel.epackages
 
     # Extents
 
     @property
-    def roots(self) -> list[Any]:
+    def roots(self) -> list[DynamicEObject]:
         """The root elements, in order."""
         self._check_roots()
         return list(self._roots.values())
@@ -129,7 +133,7 @@ class EmfModel(TypedModel):
                 resource.listeners.append(watch)
                 watch.changed = True
 
-    def _everything(self) -> list[Any]:
+    def _everything(self) -> list[DynamicEObject]:
         self._check_roots()
         if self._watch.changed:
             self._all = [element for root in self._roots.values() for element in walk(root)]
@@ -142,11 +146,11 @@ class EmfModel(TypedModel):
         """Forget the extents; only needed after a change that pyecore does not report (`discard` on a feature's collection)."""
         self._watch.changed = True
 
-    def all_contents(self) -> Iterator[Any]:
+    def all_contents(self) -> Iterator[DynamicEObject]:
         """All elements in containment pre-order."""
         return iter(list(self._everything()))
 
-    def all_of_kind(self, kind: Any) -> list[Any]:
+    def all_of_kind(self, kind: Kind) -> list[DynamicEObject]:
         """The instances of a type and its subtypes, in pre-order.
 
         Raises:
@@ -154,7 +158,7 @@ class EmfModel(TypedModel):
         """
         return list(self._extent(self._class_of(kind), False))
 
-    def all_of_type(self, kind: Any) -> list[Any]:
+    def all_of_type(self, kind: Kind) -> list[DynamicEObject]:
         """The instances of exactly a type, in pre-order.
 
         Raises:
@@ -162,7 +166,7 @@ class EmfModel(TypedModel):
         """
         return list(self._extent(self._class_of(kind), True))
 
-    def _extent(self, cls: type, exact: bool) -> list[Any]:
+    def _extent(self, cls: type, exact: bool) -> list[DynamicEObject]:
         everything = self._everything()
         found = self._extents.get((cls, exact))
         if found is None:
@@ -172,14 +176,15 @@ class EmfModel(TypedModel):
 
     # Identity
 
-    def element(self, identity: str) -> Any:
+    def element(self, identity: str) -> DynamicEObject | None:
         """The element of an id or fragment (`//@sections.0/@items.1`), or None.
 
         Raises:
             ModelError: the fragment names a feature that is none.
         """
         if identity.startswith("/"):
-            return resolve(identity, self.roots)
+            resolved: DynamicEObject | None = resolve(identity, self.roots)
+            return resolved
         everything = self._everything()
         if self._ids is None:
             self._ids = {}
@@ -192,11 +197,11 @@ class EmfModel(TypedModel):
         self._ids = None  # ids are attributes and may have changed since
         return next((x for x in everything if own_id(x) == identity), None)
 
-    def id_of(self, element: Any) -> str:
+    def id_of(self, element: Node) -> str:
         """The id or fragment of an element, as EMF writes it."""
         return fragment_of(element, self.roots)
 
-    def owns(self, element: Any) -> bool:
+    def owns(self, element: Scalar | ModelElement) -> bool:
         """Whether the element is in this model."""
         if not isinstance(element, EObject):
             return False
@@ -223,14 +228,14 @@ class EmfModel(TypedModel):
         self._roots[id(root)] = root
         self._watch.changed = True
 
-    def create(self, kind: Any, /, **features: Any) -> Any:
+    def create(self, kind: Kind, /, **features: FeatureValue) -> DynamicEObject:
         """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
 
         Raises:
             UnknownTypeError: there is no such type.
             ModelError: it is abstract, or has no such feature.
         """
-        made = new(self.type_named(kind) if isinstance(kind, str) else kind, **features)
+        made: DynamicEObject = new(self.type_named(kind) if isinstance(kind, str) else kind, **features)
         current = not self._watch.changed
         self.add(made)
         if current and not contents(made):  # the common case: extents grow by one at the end
@@ -241,7 +246,7 @@ class EmfModel(TypedModel):
                     extent.append(made)
         return made
 
-    def delete(self, element: Any) -> None:
+    def delete(self, element: Node) -> None:
         """Take an element with all it contains out of this model and out of all references to it (EOL `delete`).
 
         Raises:
@@ -258,12 +263,12 @@ class EmfModel(TypedModel):
             self._ids = None
 
 
-def _outermost(package: Any) -> Any:
+def _outermost(package: EPackage) -> EPackage:
     while package.eSuperPackage is not None:
         package = package.eSuperPackage
     return package
 
 
-def open_xmi(path: Path, name: str | None = None, metamodel: Any = None) -> EmfModel:
+def open_xmi(path: Path, name: str | None = None, metamodel: Packages | str | Path | None = None) -> EmfModel:
     """Open an XMI file; see `EmfModel.load`."""
     return EmfModel.load(path, metamodel, name)

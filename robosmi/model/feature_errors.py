@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore import ecore
-
 from robosmi.errors import ModelError, did_you_mean
+from robosmi.model import ecore
+from robosmi.model.ecore import EEnum, EObject
 
 
 class UnknownFeatureError(ModelError, AttributeError):
@@ -37,7 +37,7 @@ def declared_features(cls: type) -> dict[str, Any]:
     return known
 
 
-def unknown_feature(element: Any, name: str) -> UnknownFeatureError:
+def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
     """The error for a name that is no feature of the element, with the nearest that is."""
     known = declared_features(type(element))
     return UnknownFeatureError(
@@ -46,7 +46,7 @@ def unknown_feature(element: Any, name: str) -> UnknownFeatureError:
     )
 
 
-def literal_wanted(owner: str, name: str, enumeration: Any, text: str) -> FeatureValueError:
+def literal_wanted(owner: str, name: str, enumeration: EEnum, text: str) -> FeatureValueError:
     """The error for a text in the place of a literal.
 
     Args:

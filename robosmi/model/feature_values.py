@@ -8,10 +8,9 @@ room does not know queries, so that they say how at their import (`queried_by`).
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from pyecore.ecore import ECollection
-from pyecore.valuecontainer import EBag, EList, EOrderedSet, ESet
+from robosmi.model.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
 
 _query: Callable[[Any], Any] | None = None
 
@@ -58,24 +57,30 @@ FeatureList: Any = _class("FeatureList", EList, "Values in order.")
 FeatureBag: Any = _class("FeatureBag", EBag, "Values in no order.")
 
 
-class FeatureCollection(ECollection):  # type: ignore[misc]
+if TYPE_CHECKING:
+    _Collection = ECollection[Any]
+else:
+    _Collection = ECollection
+
+
+class FeatureCollection(_Collection):
     """Makes the collection of a feature when it is first read; a feature's `derived_class`, in pyecore's words."""
 
     @staticmethod
-    def create(owner: Any, feature: Any) -> Any:
+    def create(owner: EObject, feature: EStructuralFeature) -> Any:
         """An empty collection for a feature of an element; a derived one is pyecore's, which refuses everything."""
         if feature.derived:
             return ECollection.create(owner, feature)
         return kind_of(feature)(owner, feature)
 
 
-def kind_of(feature: Any) -> Any:
+def kind_of(feature: EStructuralFeature) -> Any:
     """The class of the values of a feature that is not derived."""
     if feature.unique:
         return FeatureOrderedSet if feature.ordered else FeatureSet
     return FeatureList if feature.ordered else FeatureBag
 
 
-def is_stored(feature: Any) -> bool:
+def is_stored(feature: EStructuralFeature) -> bool:
     """Whether the values of a feature are kept in the element, not computed by a class of a person's own."""
     return feature.derived_class in (ECollection, FeatureCollection)

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore import ecore
-
+from robosmi.model import ecore
 from robosmi.model.datatypes import is_data_type, real
+from robosmi.model.ecore import EClass, EClassifier, EGenericType, EObject, EPackage, EReference, EStructuralFeature, Package
 from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import declared_type_of, set_features_of
 
 
-def eclass_of(kind: Any) -> Any:
+def eclass_of(kind: EClassifier | type | None) -> Any:
     """The EClass of a class, be it given as EClass, as generated Python class or as proxy."""
     kind = real(kind)
     if isinstance(kind, ecore.EClass) or kind is None:
@@ -25,21 +25,21 @@ def eclass_of(kind: Any) -> Any:
     return getattr(kind, "eClass", kind) if isinstance(kind, type) else kind
 
 
-def supertypes(eclass: Any) -> list[Any]:
+def supertypes(eclass: EClass) -> list[EClass]:
     """The direct supertypes of an EClass, those given by generic types included, each once."""
     generic = [g.eClassifier for g in eclass.eGenericSuperTypes if g.eClassifier is not None]
     return list(dict.fromkeys(eclass_of(base) for base in [*eclass.eSuperTypes, *generic]))
 
 
-def all_features(eclass: Any) -> list[Any]:
+def all_features(eclass: EClass) -> list[EStructuralFeature]:
     """All structural features in Ecore's order: those of supertypes first, each once."""
-    found: dict[Any, None] = {}
+    found: dict[EStructuralFeature, None] = {}
     for one in post_order([eclass], supertypes):
         found.update(dict.fromkeys(one.eStructuralFeatures))
     return list(found)
 
 
-def declared_type(feature: Any) -> Any:
+def declared_type(feature: EStructuralFeature) -> Any:
     """The EClass or EDataType of a feature; for a type parameter its bound, or EObject (EJavaObject for attributes)."""
     kind = real(declared_type_of(feature) if declared_type_of(feature) is not None else feature.eType)
     if kind is None:
@@ -50,7 +50,7 @@ def declared_type(feature: Any) -> Any:
     return kind if is_data_type(kind) else eclass_of(kind)
 
 
-def _erased(generic: Any) -> Any:
+def _erased(generic: EGenericType | None) -> EClassifier | None:
     seen = 0
     while generic is not None and seen < 100:  # a bound may be a type parameter again
         seen += 1
@@ -61,34 +61,34 @@ def _erased(generic: Any) -> Any:
     return None
 
 
-def has_type_parameter(feature: Any) -> bool:
+def has_type_parameter(feature: EStructuralFeature) -> bool:
     """Whether the feature's type is a type parameter."""
     generic = getattr(feature, "eGenericType", None)
     return generic is not None and generic.eTypeParameter is not None
 
 
-def opposite(feature: Any) -> Any:
+def opposite(feature: EStructuralFeature) -> EReference | None:
     """The opposite of a reference, or None."""
     return real(feature.eOpposite) if feature.is_reference else None
 
 
-def id_attribute(eclass: Any) -> Any:
+def id_attribute(eclass: EClass) -> EStructuralFeature | None:
     """The attribute whose value identifies an element in its file, or None."""
     return next((f for f in all_features(eclass) if f.is_attribute and f.iD), None)
 
 
-def is_abstract(eclass: Any) -> bool:
+def is_abstract(eclass: EClass) -> bool:
     """Whether the class has no elements of its own; Ecore's EObject is not abstract, whatever pyecore says."""
     return bool(eclass.abstract or getattr(eclass, "interface", False)) and eclass is not ecore.EObject.eClass
 
 
-def is_off(element: Any, name: str) -> bool:
+def is_off(element: EObject, name: str) -> bool:
     """Whether a flag that is on by default was switched off; pyecore says False of what was never set as well."""
     feature = type(element).__dict__.get(name) or getattr(type(element), name)
     return feature in set_features_of(element) and not getattr(element, name)
 
 
-def root_package(package: Any) -> Any:
+def root_package(package: Package) -> EPackage:
     """The outermost package, as EPackage (generated packages are modules)."""
     package = as_package(package)
     while package.eSuperPackage is not None:
@@ -96,14 +96,16 @@ def root_package(package: Any) -> Any:
     return package
 
 
-def as_package(package: Any) -> Any:
+def as_package(package: Package) -> EPackage:
     """The EPackage of a generated module, or the package itself."""
-    return package if isinstance(type(package), type(ecore.EPackage)) else package.eClass
+    given: Any = package
+    found: EPackage = given if isinstance(type(given), type(ecore.EPackage)) else given.eClass
+    return found
 
 
-def subpackages(package: Any) -> list[Any]:
+def subpackages(package: Package) -> list[EPackage]:
     """All packages below a package, given as EPackage or generated module."""
-    found: list[Any] = []
+    found: list[EPackage] = []
     pending = list(getattr(package, "eSubpackages", ()))
     while pending:
         one = pending.pop(0)
@@ -112,18 +114,18 @@ def subpackages(package: Any) -> list[Any]:
     return found
 
 
-def class_in(package: Any, name: str) -> Any:
+def class_in(package: Package | None, name: str) -> EClass | None:
     """The EClass of that name in a package (None, an EPackage or a generated module), or None."""
     found = package.getEClassifier(name) if package is not None else None
     return None if found is None or is_data_type(found) else eclass_of(found)
 
 
-def class_names(package: Any) -> list[str]:
+def class_names(package: Package) -> list[str]:
     """The names of a package's classes."""
     return [str(c.name) for c in as_package(package).eClassifiers if not is_data_type(c)]
 
 
-def is_of_ecore(classifier: Any) -> bool:
+def is_of_ecore(classifier: EClassifier) -> bool:
     """Whether the classifier is one of Ecore's own."""
     package = classifier.ePackage
     return package is None or getattr(package, "nsURI", None) == ecore.nsURI

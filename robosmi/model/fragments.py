@@ -6,18 +6,18 @@ reader's and writer's.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 from urllib.parse import quote, unquote
 
-from pyecore.ecore import EModelElement, ENamedElement
-
 from robosmi.errors import ModelError, did_you_mean
+from robosmi.model.ecore import EModelElement, ENamedElement, EObject
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import key_of, xmi_id_of
 from robosmi.model.structure import contents, place_in
 
 
-def own_id(element: Any) -> str | None:
+def own_id(element: EObject) -> str | None:
     """The xmi:id of an element, or the value of the attribute that is its class's id, or None."""
     if identity := xmi_id_of(element):
         return str(identity)
@@ -27,8 +27,8 @@ def own_id(element: Any) -> str | None:
     return None
 
 
-def _id_attributes(element: Any) -> list[str]:
-    cls = element.__class__
+def _id_attributes(element: EObject) -> list[str]:
+    cls: Any = element.__class__
     known: list[str] | None = cls.__dict__.get("_robosmi_ids")
     if known is None:
         known = [key_of(f) for f in all_features(element.eClass) if f.is_attribute and f.iD]
@@ -37,7 +37,7 @@ def _id_attributes(element: Any) -> list[str]:
     return known
 
 
-def fragment_of(element: Any, roots: list[Any]) -> str:
+def fragment_of(element: Any, roots: Sequence[EObject]) -> str:
     """The id or fragment of an element, as EMF writes it.
 
     Args:
@@ -47,8 +47,7 @@ def fragment_of(element: Any, roots: list[Any]) -> str:
     if identity := own_id(element):
         return identity
     steps: list[str] = []
-    while (container := element.eContainer()) is not None:
-        feature = element.eContainmentFeature()
+    while (container := element.eContainer()) is not None and (feature := element.eContainmentFeature()) is not None:
         name = element.name if isinstance(element, ENamedElement) else None
         if name and _named(container, name) is element:
             steps.append(quote(name, safe=_SAFE))
@@ -64,12 +63,12 @@ def fragment_of(element: Any, roots: list[Any]) -> str:
 _SAFE = "!$&'()*+,;=@~-._:"
 
 
-def _named(container: Any, name: str) -> Any:
+def _named(container: EObject, name: str) -> Any:
     """The first element of a metamodel with that name in a container, or None; EMF's fragments say names there."""
     return next((part for part in contents(container) if getattr(part, "name", None) == name), None)
 
 
-def resolve(fragment: str, roots: list[Any]) -> Any:
+def resolve(fragment: str, roots: Sequence[EObject]) -> Any:
     """The element at a fragment such as `//@sections.0/@items.1` or `/1/@items.0`, or None where nothing is.
 
     Raises:
@@ -89,7 +88,7 @@ def resolve(fragment: str, roots: list[Any]) -> Any:
     return element
 
 
-def _step(element: Any, step: str) -> Any:
+def _step(element: EObject, step: str) -> Any:
     """One step of a fragment, `@items.1`, `@parent`, or in a metamodel a name."""
     if step[:1] != "@" and isinstance(element, EModelElement):
         return _named(element, unquote(step))

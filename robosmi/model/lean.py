@@ -13,10 +13,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from pyecore.ecore import EAttribute, EEnum, EEnumLiteral
-from pyecore.valuecontainer import ECollection, EValue
-
 from robosmi.model import datatypes
+from robosmi.model.ecore import EAttribute, ECollection, EDataType, EEnum, EEnumLiteral, EObject, EStructuralFeature, EValue
 from robosmi.model.feature_values import FeatureCollection, FeatureOrderedSet, kind_of
 from robosmi.model.pyecore_internals import (
     CONTAINER,
@@ -64,7 +62,7 @@ BARE = frozenset([int, str, bool, float, EEnumLiteral])
 """Classes of the values that lie bare in an element, by their exact class."""
 
 
-def _value_of(self: Any, instance: Any, owner: Any = None) -> Any:
+def _value_of(self: Any, instance: EObject, owner: type | None = None) -> Any:
     if instance is None:
         return self
     value = instance.__dict__.get(key_of(self), _NOTHING)
@@ -75,7 +73,7 @@ def _value_of(self: Any, instance: Any, owner: Any = None) -> Any:
     return EAttribute.__get__(self, instance, owner)
 
 
-def _change(self: Any, instance: Any, value: Any) -> None:
+def _change(self: Any, instance: EObject, value: Any) -> None:
     slots = instance.__dict__
     if REFUSAL in slots:
         raise slots[REFUSAL](instance, key_of(self))
@@ -90,7 +88,7 @@ _BareAttribute: Any = _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _va
 """An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
 
 
-def bare(feature: Any) -> bool:
+def bare(feature: EStructuralFeature) -> bool:
     """Whether values of the feature may lie bare in elements from now on, which is for attributes of one value alone."""
     if feature.__class__ is EAttribute and not (feature.many or feature.derived or feature.volatile):
         feature.__class__ = _BareAttribute
@@ -102,7 +100,7 @@ def features_fixed(cls: type) -> bool:
     return getattr(cls, "_fixed_features", False)
 
 
-def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
+def holder(cls: Any, owner: EObject, feature: EStructuralFeature, value: Any) -> Any:
     """A holder of one of the classes above."""
     made = _new(cls)
     made.owner = owner
@@ -111,7 +109,7 @@ def holder(cls: Any, owner: Any, feature: Any, value: Any) -> Any:
     return made
 
 
-def collection(owner: Any, feature: Any) -> Any:
+def collection(owner: EObject, feature: EStructuralFeature) -> Any:
     """An empty collection for that feature, which is not derived."""
     form = feature.__dict__.get("_robosmi_form", _NOTHING)
     if form is _NOTHING:
@@ -139,7 +137,7 @@ def collection(owner: Any, feature: Any) -> Any:
     return made
 
 
-def holders_of(element: Any) -> list[Any]:
+def holders_of(element: EObject) -> list[Any]:
     """All holders and collections of an element, those made by a mere look included."""
     return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
 
@@ -156,14 +154,14 @@ class _Made:
         self.name = name
         self.make = make
 
-    def __get__(self, element: Any, owner: Any = None) -> Any:
+    def __get__(self, element: EObject, owner: type | None = None) -> Any:
         if element is None:
             raise AttributeError(self.name)  # pyecore asks classes too, when one becomes the type of a reference
         made = element.__dict__[self.name] = self.make(element)
         return made
 
 
-def _set_features(element: Any) -> Any:
+def _set_features(element: EObject) -> Any:
     """The features that were given a value: bare ones, those with a holder or collection of ours, collections with something."""
     found = FeatureSet()
     cls = element.__class__
@@ -180,7 +178,7 @@ def _set_features(element: Any) -> Any:
     return found
 
 
-def _back_links(element: Any) -> Any:
+def _back_links(element: EObject) -> Any:
     """Who refers to the element by references without opposite, as `note_link` and containers noted it."""
     slots = element.__dict__
     found = set(slots.pop("_linked", ()))
@@ -214,7 +212,7 @@ class _Own:
         self.of_class = of_class
         self.of_element = of_element
 
-    def __get__(self, element: Any, owner: Any = None) -> Any:
+    def __get__(self, element: EObject, owner: type | None = None) -> Any:
         return self.of_class if element is None else self.of_element(element)
 
 
@@ -247,7 +245,7 @@ def prepare(cls: Any) -> None:
         setattr(cls, name, _Own(getattr(cls, name, None), of_element))
 
 
-def repair_default(feature: Any, datatype: Any) -> None:
+def repair_default(feature: EStructuralFeature, datatype: EDataType) -> None:
     """Make pyecore give an attribute EMF's default, where its own is wrong: literals by their text, zero of small types."""
     literal = feature.defaultValueLiteral
     if isinstance(datatype, EEnum):
@@ -259,7 +257,7 @@ def repair_default(feature: Any, datatype: Any) -> None:
             feature.default_value = wanted
 
 
-def _literal_of(enum: Any) -> Any:
+def _literal_of(enum: EEnum) -> Any:
     def find(text: str) -> Any:
         return next((x for x in enum.eLiterals if text in (datatypes.literal_text(x), x.name)), None)
 

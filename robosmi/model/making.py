@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore import ecore
-
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import class_of
+from robosmi.model import ecore
+from robosmi.model.driver import Kind, class_of
+from robosmi.model.ecore import DynamicEObject, EObject, EStructuralFeature
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import (
     first_listeners_of,
@@ -20,7 +20,7 @@ from robosmi.model.pyecore_internals import (
 from robosmi.model.structure import walk
 
 
-def new(kind: Any, /, **features: Any) -> Any:
+def new(kind: Kind, /, **features: Any) -> Any:
     """A new element of a class or EClass, in no model.
 
     Raises:
@@ -40,7 +40,7 @@ def new(kind: Any, /, **features: Any) -> Any:
             raise UnknownFeatureError(
                 f"{eclass.name} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(sorted(known))}"
             )
-    made = of_ecore(cls) if cls.__module__ == ecore.__name__ else cls()
+    made = of_ecore(cls) if cls.__module__ == "pyecore.ecore" else cls()
     for name, value in features.items():
         if known[name].many:
             getattr(made, name).extend(value)
@@ -57,19 +57,19 @@ def of_ecore(cls: type) -> Any:
     """
     made: Any = cls("") if issubclass(cls, ecore.EClass) else cls()
     as_data(made)
-    if isinstance(made, ecore.EClass):  # no name was given yet
+    if issubclass(cls, ecore.EClass):  # no name was given yet
         made.name = None
         set_features_of(made).pop(ecore.ENamedElement.name, None)
     return made
 
 
-def as_data(classifier: Any) -> None:
+def as_data(classifier: EObject) -> None:
     """Let what is said of a class or enumeration of a metamodel that is a model have no effect on Python's classes."""
     if isinstance(classifier, (ecore.EClass, ecore.EEnum)) and classifier in first_listeners_of(classifier):
         first_listeners_of(classifier).remove(classifier)
 
 
-def unlink(element: Any) -> list[Any]:
+def unlink(element: Any) -> list[DynamicEObject]:
     """Take an element with all it contains out of its container, its resource and all references; all that was taken out."""
     doomed = list(walk(element))
     for one in reversed(doomed):
@@ -81,14 +81,14 @@ def unlink(element: Any) -> list[Any]:
                 read(slot).clear()
             elif slot is not None and read(slot) is not None:
                 setattr(one, key_of(feature), None)
-        if (container := one.eContainer()) is not None:
-            _forget(container, one.eContainmentFeature(), one)
+        if (container := one.eContainer()) is not None and (holding := one.eContainmentFeature()) is not None:
+            _forget(container, holding, one)
     if (resource := own_resource_of(element)) is not None:
         resource.remove(element)
     return doomed
 
 
-def _forget(owner: Any, feature: Any, value: Any) -> None:
+def _forget(owner: EObject, feature: EStructuralFeature, value: Any) -> None:
     held = getattr(owner, key_of(feature))
     if not feature.many:
         if held is value:

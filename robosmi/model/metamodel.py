@@ -8,12 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import Any, TypeAlias
 
 from robosmi.model.driver import Model, TypeHandle, unknown_type
+from robosmi.model.ecore import EClass, EClassifier, EEnum, EEnumLiteral, EPackage, Package
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.pyecore_internals import is_element
 from robosmi.model.strict_dynamic import make_strict
+
+Packages: TypeAlias = "Metamodels | Package | Iterable[Package]"
+"""What a metamodel may be given as."""
 
 
 class Metamodel(Metamodels):
@@ -27,13 +32,13 @@ class Metamodel(Metamodels):
     `mm.Book` is the Python class of an EClass, `mm.Genre` an EEnum: `mm.Book(name="x", genre=mm.Genre.fiction)`.
     """
 
-    def __init__(self, packages: Iterable[Any] = ()) -> None:
+    def __init__(self, packages: Iterable[Package] = ()) -> None:
         super().__init__(packages)
         for package in self.packages:
             if is_element(package):  # made in pyecore itself, and not a package of generated code
                 make_strict(package)
-        self.epackages: list[Any] = [p if is_element(p) else p.eClass for p in self.packages]
-        self._index: dict[str, Any] = {}
+        self.epackages = [p if is_element(p) else _generated(p) for p in self.packages]
+        self._index: dict[str, EClassifier] = {}
 
     @classmethod
     def load(cls, *paths: str | Path) -> Metamodel:
@@ -54,12 +59,12 @@ class Metamodel(Metamodels):
     @classmethod
     def ecore(cls) -> Metamodel:
         """Ecore itself, the metamodel of models that are metamodels: `EmfModel((), Metamodel.ecore(), "E")` is an empty one."""
-        from pyecore import ecore
+        from robosmi.model import ecore
 
         return cls([ecore.eClass])
 
     @staticmethod
-    def packages_of(path: Path) -> list[Any]:
+    def packages_of(path: Path) -> list[EPackage]:
         """The outermost packages of one .ecore file, without those of the files that it refers to.
 
         Raises:
@@ -73,15 +78,15 @@ class Metamodel(Metamodels):
         return [package for one, package in own if one.source == path]
 
     @classmethod
-    def of(cls, packages: Any) -> Metamodel:
+    def of(cls, packages: Packages) -> Metamodel:
         """A metamodel of what is given: a `Metamodel` as it is, `Metamodels`, packages, or one package."""
         if isinstance(packages, Metamodel):
             return packages
         if isinstance(packages, Metamodels):
             return cls(packages.packages)
-        return cls([packages] if hasattr(packages, "nsURI") else packages)
+        return cls([packages] if isinstance(packages, (EPackage, ModuleType)) else packages)
 
-    def classifiers(self) -> Iterator[tuple[str, Any]]:
+    def classifiers(self) -> Iterator[tuple[str, EClassifier]]:
         """All classifiers of the packages and their sub-packages, with the packages' names before theirs (`library::Book`)."""
         pending = [(str(p.name), p) for p in reversed(self.epackages)]
         while pending:
@@ -94,7 +99,7 @@ class Metamodel(Metamodels):
         """The simple names of all classes and enumerations."""
         return [str(c.name) for _, c in self.classifiers() if hasattr(c, "eSuperTypes") or hasattr(c, "eLiterals")]
 
-    def find(self, name: str) -> Any:
+    def find(self, name: str) -> EClassifier | None:
         """The classifier of that name, simple or with packages, or None; of several with a simple name the first."""
         if name not in self._index:
             self._index = {}
@@ -104,14 +109,14 @@ class Metamodel(Metamodels):
                     self._index.setdefault("::".join(parts[start:]), classifier)
         return self._index.get(name)
 
-    def literal(self, name: str) -> Any:
+    def literal(self, name: str) -> EEnumLiteral:
         """An enumeration literal, `Genre#fiction` or `library::Genre#fiction`; by its name, else by its literal text.
 
         Raises:
             UnknownTypeError: there is no such enumeration, or it has no such literal.
         """
         wanted, _, label = name.rpartition("#")
-        known = [(path, c) for path, c in self.classifiers() if hasattr(c, "eLiterals")]
+        known = [(path, c) for path, c in self.classifiers() if isinstance(c, EEnum)]
         for path, candidate in known:
             if wanted in ("", candidate.name, path) and (found := find_literal(candidate, label)) is not None:
                 return found
@@ -134,6 +139,12 @@ class Metamodel(Metamodels):
         return metamodel_html(self)
 
 
+def _generated(module: Any) -> EPackage:
+    """The EPackage of a Python package that was generated."""
+    made: EPackage = module.eClass
+    return made
+
+
 class TypedModel(Model):
     """A model whose types are those of a metamodel.
 
@@ -147,16 +158,16 @@ class TypedModel(Model):
         super().__init__(name, path)
         self.metamodel = metamodel
 
-    def types(self) -> Iterator[tuple[str, Any]]:
+    def types(self) -> Iterator[tuple[str, EClass]]:
         """All EClasses of the packages and their sub-packages."""
-        return ((path, kind) for path, kind in self.metamodel.classifiers() if hasattr(kind, "eSuperTypes"))
+        return ((path, kind) for path, kind in self.metamodel.classifiers() if isinstance(kind, EClass))
 
-    def find_type(self, name: str) -> Any:
+    def find_type(self, name: str) -> EClass | None:
         """The EClass of that name, simple or with packages, or None."""
         found = self.metamodel.find(name)
-        return found if hasattr(found, "eSuperTypes") else None
+        return found if isinstance(found, EClass) else None
 
-    def literal(self, name: str) -> Any:
+    def literal(self, name: str) -> EEnumLiteral:
         """An enumeration literal, `Genre#fiction` or `library::Genre#fiction`; by its name, else by its literal text.
 
         Raises:
@@ -177,7 +188,7 @@ class TypedModel(Model):
         return TypeHandle(self, found)
 
 
-def find_literal(enumeration: Any, label: str) -> Any:
+def find_literal(enumeration: EEnum, label: str) -> EEnumLiteral | None:
     """A literal of an EEnum by its name, else by its literal text, or None."""
     literals = list(enumeration.eLiterals)
     by_name = next((x for x in literals if x.name == label), None)

@@ -10,8 +10,8 @@ from __future__ import annotations
 import importlib
 from collections.abc import Iterable, Iterator
 from functools import cache
-from typing import Any
 
+from robosmi.model.ecore import Package
 from robosmi.model.pyecore_internals import is_element
 
 BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
@@ -25,11 +25,11 @@ class Metamodels:
         packages: Python packages as `robosmi metamodels generate` makes them, or pyecore EPackages.
     """
 
-    def __init__(self, packages: Iterable[Any] = ()) -> None:
-        self.packages: list[Any] = list(packages)
+    def __init__(self, packages: Iterable[Package] = ()) -> None:
+        self.packages: list[Package] = list(packages)
         self._packages = {package.nsURI: package for package in _with_subpackages(self.packages)}
 
-    def get(self, uri: str) -> Any:
+    def get(self, uri: str | None) -> Package | None:
         """The package of that namespace, or None; its `getEClassifier(name)` gives classes and EClasses."""
         return self._packages.get(uri)
 
@@ -38,7 +38,7 @@ class Metamodels:
         return sorted(uri for uri in self._packages if uri)
 
 
-def _with_subpackages(packages: Iterable[Any]) -> Iterator[Any]:
+def _with_subpackages(packages: Iterable[Package]) -> Iterator[Package]:
     """The packages and all below them, outer ones first."""
     pending = list(reversed(list(packages)))
     while pending:

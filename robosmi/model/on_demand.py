@@ -11,18 +11,16 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from typing import Any
 
-from pyecore.ecore import EReference
-from pyecore.valuecontainer import EList, EValue
-
 from robosmi.errors import InternalError
 from robosmi.model.driver import ReadOnlyError
+from robosmi.model.ecore import EList, EObject, EReference, EStructuralFeature, EValue
 from robosmi.model.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.features import all_features
 from robosmi.model.lean import BARE, REFUSAL, bare, prepare
 from robosmi.model.pyecore_internals import SET_FEATURES, GuardedValue, Slot, contain, fill_silently, hold, key_of, read, value_in
 
 
-def refused(element: Any, name: str) -> ReadOnlyError:
+def refused(element: EObject, name: str) -> ReadOnlyError:
     """The error for a change of an element that is built on demand."""
     return ReadOnlyError(
         f"{type(element).__name__}.{name} cannot be changed: the model is a view of its source and read-only",
@@ -42,7 +40,7 @@ class Promise(Slot):
 
     __slots__ = ("element", "feature", "hint", "make")
 
-    def __init__(self, element: Any, feature: Any, make: Callable[..., Any], hint: Any = None) -> None:
+    def __init__(self, element: EObject, feature: EStructuralFeature, make: Callable[..., Any], hint: Any = None) -> None:
         self.element = element
         self.feature = feature
         self.make = make
@@ -101,7 +99,7 @@ ReadOnlySet: Any = type("ReadOnlySet", (FeatureOrderedSet,), {"__doc__": "Unique
 ReadOnlyList: Any = type("ReadOnlyList", (FeatureList,), {"__doc__": "Values.", **dict.fromkeys(_CHANGES, _refuse)})
 
 
-def _collection(owner: Any, feature: Any, values: Iterable[Any]) -> Any:
+def _collection(owner: EObject, feature: EStructuralFeature, values: Iterable[Any]) -> Any:
     if not feature.unique:
         made = ReadOnlyList(owner, feature)
         list.extend(made, values)
@@ -111,7 +109,7 @@ def _collection(owner: Any, feature: Any, values: Iterable[Any]) -> Any:
     return made
 
 
-def fill(element: Any, feature: Any, value: Any) -> None:
+def fill(element: EObject, feature: EStructuralFeature, value: Any) -> None:
     """Put a value into a slot for good; contained elements learn of their container."""
     values = list(value) if feature.many else [] if value is None else [value]
     if feature.is_reference and feature.containment:
@@ -148,7 +146,7 @@ def stand_in(cls: type, make: Callable[[], Any], hint: Any) -> Any:
     return made
 
 
-def settle(element: Any, links: Callable[[Any, Any], Any] | None = None) -> Any:
+def settle(element: EObject, links: Callable[[Any, Any], Any] | None = None) -> Any:
     """Make an element that was just built, with all it contains already, read-only, its stand-ins into promises.
 
     Args:
@@ -161,7 +159,8 @@ def settle(element: Any, links: Callable[[Any, Any], Any] | None = None) -> Any:
     pending = [element]
     while pending:
         one = pending.pop()
-        slots, cls = one.__dict__, one.__class__
+        slots = one.__dict__
+        cls: type = type(one)
         slots[REFUSAL] = refused
         for feature, name, is_link, holds in _held(cls):
             slot = slots.get(name)
@@ -196,20 +195,20 @@ def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
     return [(f, key_of(f), _is_link(f), bool(f.is_reference and f.containment)) for f in features]
 
 
-def _is_link(feature: Any) -> bool:
+def _is_link(feature: EStructuralFeature) -> bool:
     return (
         isinstance(feature, EReference) and not feature.containment and not (feature.eOpposite and feature.eOpposite.containment)
     )
 
 
-def _parts(slot: Any, feature: Any) -> list[Any]:
+def _parts(slot: Any, feature: EStructuralFeature) -> list[Any]:
     """The elements that a slot of containment contains already."""
     if isinstance(slot, Promise):
         return []
     return list(slot) if feature.many else [] if value_in(slot) is None else [value_in(slot)]
 
 
-def _promised(element: Any, feature: Any, slot: Any) -> list[Any] | None:
+def _promised(element: EObject, feature: EStructuralFeature, slot: Any) -> list[Any] | None:
     """Turn a slot with stand-ins into a promise; the elements in it that are built already, or None if there was no stand-in."""
     parts = list(slot) if feature.many else [value_in(slot)]
     if not any(part is not None and "_make" in part.__dict__ for part in parts):
@@ -225,7 +224,7 @@ def _promised(element: Any, feature: Any, slot: Any) -> list[Any] | None:
 
 
 @cache
-def _empty(cls: Any, name: str, feature: Any) -> Any:
+def _empty(cls: Any, name: str, feature: EStructuralFeature) -> Any:
     """The slot of a feature without a value; all elements of a class share it."""
     if feature.many:
         return _collection(_Anyone(cls), feature, ())

@@ -293,11 +293,11 @@ class XmlModel(Model):
         self._bindings.append((tag, attribute, target, target_attribute, many))
 
     def _referred(self, element: XmlElement, attribute: str) -> Any:
-        for tag, name, target, identity, many in self._bindings:
+        for tag, name, target, by, many in self._bindings:
             if name == attribute and tag == _local(element._node.tag):
                 value = element._attribute(attribute) or ""
-                wanted = [part.strip() for part in value.split(",")] if many else [value.strip()]
-                found = [x for x in self.all_of_kind(self._kind(target)) if x._attribute(identity) in wanted]
+                ids = [part.strip() for part in value.split(",")] if many else [value.strip()]
+                found = [x for x in self.all_of_kind(self._kind(target)) if isinstance(x, XmlElement) and x._attribute(by) in ids]
                 return found if many else (found[0] if found else None)
         raise UnknownFeatureError(
             f"{element!r} has no reference 'x_{attribute}'", fix="say with bind() what the attribute refers to"

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore.ecore import EClass, EEnum
-
 from robosmi.model.driver import Model, features_of, is_element, name_of, type_of, walk
+from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, EStructuralFeature
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.show import plain
 from robosmi.quoting import plantuml
@@ -52,15 +51,15 @@ def _classes(metamodel: Metamodel) -> list[str]:
     return lines + links
 
 
-def _bounds(feature: Any, form: str = "{}") -> str:
+def _bounds(feature: EStructuralFeature, form: str = "{}") -> str:
     upper = "*" if feature.upperBound < 0 else str(feature.upperBound)
     text = upper if feature.lowerBound == feature.upperBound else f"{feature.lowerBound}..{upper}"
     return "" if form != "{}" and upper == "1" else form.format(text)
 
 
-def _path(classifier: Any) -> str:
+def _path(classifier: EClassifier) -> str:
     names = [str(classifier.name)]
-    package = classifier.ePackage
+    package: EPackage | None = classifier.ePackage
     while package is not None:
         names.append(str(package.name))
         package = package.eSuperPackage
@@ -95,7 +94,7 @@ def _objects(elements: list[Any], limit: int) -> list[str]:
     return lines + list(dict.fromkeys(links))
 
 
-def _is_part(element: Any, name: str, target: Any) -> bool:
+def _is_part(element: EObject, name: str, target: Any) -> bool:
     """Whether a feature shows only what contains what, which is drawn once for all."""
     feature = element.eClass.findEStructuralFeature(name) if hasattr(element, "eClass") else None
     if feature is None:

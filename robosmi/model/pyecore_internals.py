@@ -18,11 +18,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from operator import attrgetter, methodcaller
-from typing import Any
+from typing import Any, TypeGuard
 
-from pyecore.ecore import EAttribute, EClass, EDataType, EReference
 from pyecore.innerutils import InternalSet
-from pyecore.valuecontainer import EValue
+
+from robosmi.model.ecore import (
+    DynamicEObject,
+    EAttribute,
+    EClass,
+    EClassifier,
+    EDataType,
+    EObject,
+    EReference,
+    EStructuralFeature,
+    EValue,
+    Listener,
+)
 
 CONTAINER = "_container"
 """Field of an element: its container, or None."""
@@ -50,25 +61,25 @@ FIELDS = frozenset(
 ASSIGN = "_set"
 """Name of the method of a slot that assigns."""
 
-container_of = attrgetter(CONTAINER)
+container_of: Callable[[EObject], DynamicEObject | None] = attrgetter(CONTAINER)
 """The container of an element, or None; `eContainer()` without the call."""
-containing_feature_of = attrgetter(CONTAINING_FEATURE)
+containing_feature_of: Callable[[EObject], EReference | None] = attrgetter(CONTAINING_FEATURE)
 """The feature of its container that holds an element, or None."""
-own_resource_of = attrgetter(RESOURCE)
+own_resource_of: Callable[[EObject], Any] = attrgetter(RESOURCE)
 """The resource whose root an element is, or None; `eResource` is that of the outermost container."""
-xmi_id_of = attrgetter(IDENTITY)
+xmi_id_of: Callable[[EObject], str | None] = attrgetter(IDENTITY)
 """The xmi:id of an element, or None."""
-set_features_of = attrgetter(SET_FEATURES)
+set_features_of: Callable[[EObject], Any] = attrgetter(SET_FEATURES)
 """The features of an element that were given a value, as the keys of a dictionary."""
-inverse_references_of = attrgetter(INVERSE_REFERENCES)
+inverse_references_of: Callable[[EObject], set[tuple[DynamicEObject, EStructuralFeature]]] = attrgetter(INVERSE_REFERENCES)
 """The pairs of an element and its feature without opposite that refer to an element."""
-first_listeners_of = attrgetter(FIRST_LISTENERS)
+first_listeners_of: Callable[[EObject], list[Listener | EObject]] = attrgetter(FIRST_LISTENERS)
 """Who is told of changes of an element first."""
-key_of = attrgetter("_name")
+key_of: Callable[[EStructuralFeature], str] = attrgetter("_name")
 """The key of a feature's slot: the feature's name, or another one where that name is taken."""
-declared_type_of = attrgetter("_eType")
+declared_type_of: Callable[[EStructuralFeature], EClassifier | None] = attrgetter("_eType")
 """The `eType` of a feature as it was declared, a proxy unresolved; None if it has a generic type."""
-value_in = attrgetter("_value")
+value_in: Callable[[Any], Any] = attrgetter("_value")
 """The value that an `EValue` holds."""
 read = methodcaller("_get")
 """The value of a slot, or the collection in it."""
@@ -81,7 +92,7 @@ FeatureSet: type = InternalSet
 """Class of the features that were set: a dictionary from feature to None, with `add`."""
 
 
-def is_element(value: Any) -> bool:
+def is_element(value: Any) -> TypeGuard[Any]:
     """Whether a value is an element with fields of its own: no unresolved proxy, no package that is a Python module."""
     return hasattr(value, SET_FEATURES)
 
@@ -101,7 +112,7 @@ def hold(holder: Any, value: Any) -> None:
     holder._value = value
 
 
-def contain(element: Any, container: Any, feature: Any) -> None:
+def contain(element: Any, container: EObject, feature: EStructuralFeature) -> None:
     """Let an element say where it is contained, without a word to its container."""
     element._container = container
     element._containment_feature = feature
@@ -219,7 +230,7 @@ class Slot:
         raise NotImplementedError
 
 
-class GuardedValue(EValue):  # type: ignore[misc]
+class GuardedValue(EValue):
     """A holder of one value that says itself what assigning does."""
 
     def _set(self, value: Any, update_opposite: bool = True) -> None:

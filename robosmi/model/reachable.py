@@ -11,10 +11,8 @@ import sys
 from types import ModuleType
 from typing import Any
 
-from pyecore.ecore import EObject
-from pyecore.valuecontainer import ECollection
-
 from robosmi.model.driver import Model, ModelElement, TypeHandle
+from robosmi.model.ecore import ECollection, EObject
 from robosmi.model.feature_values import Queried
 
 OF_ELEMENTS = frozenset(

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from robosmi.model.ecore import EObject
 from robosmi.model.pyecore_internals import ListenedTo, set_own_resource
 
 
@@ -33,7 +34,7 @@ class Home(ListenedTo):
         super().__init__([watch])
         self.contents = _Roots()
 
-    def remove(self, root: Any) -> None:
+    def remove(self, root: EObject) -> None:
         """Called by pyecore when a root is put into a container."""
         self.contents.remove(root)
         set_own_resource(root, None)
@@ -48,7 +49,7 @@ class _Roots:
     def __init__(self) -> None:
         self._items: dict[int, Any] = {}
 
-    def __contains__(self, root: Any) -> bool:
+    def __contains__(self, root: EObject) -> bool:
         return id(root) in self._items
 
     def __len__(self) -> int:
@@ -57,14 +58,14 @@ class _Roots:
     def __iter__(self) -> Iterator[Any]:
         return iter(list(self._items.values()))
 
-    def index(self, root: Any) -> int:
+    def index(self, root: EObject) -> int:
         """The position of a root."""
         return list(self._items).index(id(root))
 
-    def append(self, root: Any) -> None:
+    def append(self, root: EObject) -> None:
         """A new root."""
         self._items[id(root)] = root
 
-    def remove(self, root: Any) -> None:
+    def remove(self, root: EObject) -> None:
         """Take a root out, if it is one."""
         self._items.pop(id(root), None)

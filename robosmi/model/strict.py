@@ -8,11 +8,10 @@ element is `construct`'s and `lean`'s business.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from pyecore import ecore
-
+from robosmi.model import ecore
 from robosmi.model.construct import initialise
 from robosmi.model.feature_errors import (
     FeatureValueError,
@@ -28,27 +27,17 @@ __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError",
 
 if TYPE_CHECKING:
 
-    class _Base:
-        """What of pyecore's EObject the typed code uses."""
+    class _Base(ecore.EObject):
+        """What of pyecore's EObject the typed code uses; what contains an element and what it contains is strict, too."""
 
-        eClass: ClassVar[Any]
-        eResource: Any
-        eContents: Sequence[Element]
-
+        @property
+        def eContents(self) -> list[Element]: ...
         def __init__(self, /, **features: Any) -> None: ...
         def eContainer(self) -> Element | None: ...
-        def eContainmentFeature(self) -> Any: ...
         def eAllContents(self) -> Iterator[Element]: ...
-        def eIsSet(self, feature: str) -> bool: ...
-        def eGet(self, feature: str) -> Any: ...
-        def eSet(self, feature: str, value: Any) -> None: ...
-        def delete(self, recursive: bool = True) -> None: ...
 
-    class EnumLiteral:
+    class EnumLiteral(ecore.EEnumLiteral):
         """A literal of an enumeration."""
-
-        name: str
-        value: int
 
 else:
     _Base = ecore.EObject

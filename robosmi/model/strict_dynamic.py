@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore import ecore
-
 from robosmi.errors import did_you_mean
+from robosmi.model import ecore
+from robosmi.model.ecore import EPackage
 from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, literal_wanted
 from robosmi.model.pyecore_internals import is_static
 from robosmi.model.strict import INTERNAL, Element
 
 
-def make_strict(package: Any) -> None:
+def make_strict(package: EPackage) -> None:
     """Make the dynamic classes of an EPackage and its sub-packages strict, from now on and for whoever uses them.
 
     Args:

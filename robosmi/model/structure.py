@@ -11,18 +11,19 @@ from collections.abc import Iterator
 from typing import Any
 
 from robosmi.errors import ModelError
+from robosmi.model.ecore import DynamicEObject, EClass, EObject
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import container_of, key_of, own_resource_of, read
 
 
-def feature_names(eclass: Any) -> list[str]:
+def feature_names(eclass: EClass) -> list[str]:
     """The names by which all features of an EClass are read from an element, those of supertypes first."""
     return [str(key_of(feature)) for feature in all_features(eclass)]
 
 
-def contents(element: Any) -> list[Any]:
+def contents(element: EObject) -> list[DynamicEObject]:
     """What an element contains directly."""
-    found: list[Any] = []
+    found: list[DynamicEObject] = []
     cls = element.__class__
     names = cls.__dict__.get("_robosmi_containments")
     if names is None:
@@ -41,9 +42,9 @@ def contents(element: Any) -> list[Any]:
     return found
 
 
-def _containments(element: Any) -> list[tuple[str, bool]]:
+def _containments(element: EObject) -> list[tuple[str, bool]]:
     """The containment features of an element's class: name, and whether it holds many."""
-    cls = element.__class__
+    cls: Any = element.__class__
     features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not f.derived]
     names = [(key_of(f), f.many) for f in features]
     if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
@@ -51,9 +52,9 @@ def _containments(element: Any) -> list[tuple[str, bool]]:
     return names
 
 
-def walk(root: Any) -> Iterator[Any]:
+def walk(root: EObject) -> Iterator[DynamicEObject]:
     """An element and everything it contains, in pre-order."""
-    stack = [root]
+    stack: list[Any] = [root]
     while stack:
         element = stack.pop()
         yield element
@@ -62,14 +63,14 @@ def walk(root: Any) -> Iterator[Any]:
             stack += held
 
 
-def root_of(element: Any) -> Any:
+def root_of(element: EObject) -> Any:
     """The outermost container of an element, or the element itself."""
     while (container := element.eContainer()) is not None:
         element = container
     return element
 
 
-def resource_of(element: Any) -> Any:
+def resource_of(element: EObject) -> Any:
     """The resource of an element's root container; a loop, since pyecore asks for it at every change, recursively.
 
     Raises:
@@ -86,7 +87,7 @@ def resource_of(element: Any) -> Any:
     return own_resource_of(element)
 
 
-def place_in(collection: Any, element: Any) -> int:
+def place_in(collection: Any, element: EObject) -> int:
     """The position of an element in a many-valued feature, by identity; -1 if it is not there."""
     positions = getattr(collection, "map", None)
     guess = positions.get(element, -1) if positions is not None else -1

@@ -16,7 +16,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
-from robosmi.model.driver import Model, ModelElement
+from robosmi.model.driver import Model, ModelElement, name_of
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 
 _DELIMITERS = ",;\t|"
@@ -155,7 +155,7 @@ class TableModel(Model):
         wanted = self.type_named(kind) if isinstance(kind, str) else self._class_of(kind)
         table = next((t for t in self._tables.values() if t.kind is wanted), None)
         if table is None:
-            raise ModelError(f"{wanted.__name__} is no table of the model {self.name}", fix="name one of its tables")
+            raise ModelError(f"{name_of(wanted)} is no table of the model {self.name}", fix="name one of its tables")
         row = table.kind(table, ["" if kind is str else None for kind in table.types])
         for name, value in features.items():
             setattr(row, name, value)

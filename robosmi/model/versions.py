@@ -14,6 +14,7 @@ from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
+from robosmi.model.ecore import EObject
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
@@ -69,11 +70,11 @@ def _current(roots: dict[Path, Any], steps: dict[str, Any]) -> tuple[dict[Path, 
     return current, replaced
 
 
-def _namespace(root: Any) -> str:
+def _namespace(root: EObject) -> str:
     return str(root.eClass.ePackage.nsURI)
 
 
-def _reference_into(root: Any, replaced: list[Any]) -> Any:
+def _reference_into(root: EObject, replaced: list[Any]) -> Any:
     """An element of a model that refers to one of those that were replaced, or None."""
     from robosmi.model.features import all_features
     from robosmi.model.structure import root_of, walk

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.errors import did_you_mean
+from robosmi.model.ecore import EObject
 from robosmi.model.features import class_in, class_names
 from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
@@ -58,7 +59,9 @@ class Builder:
         """Pass over everything up to the end of the current element."""
         raise NotImplementedError
 
-    def contain(self, element: Any, slots: dict[str, Any], entry: FeatureEntry, child: Any, child_slots: dict[str, Any]) -> None:
+    def contain(
+        self, element: EObject, slots: dict[str, Any], entry: FeatureEntry, child: EObject, child_slots: dict[str, Any]
+    ) -> None:
         """Put a child into a feature that takes one."""
         feature = entry.feature
         if entry.many:
@@ -144,7 +147,7 @@ class Builder:
         return None
 
     def rare_attribute(
-        self, child: Any, slots: dict[str, Any], plan: ClassPlan, entry: FeatureEntry, name: str, text: str
+        self, child: EObject, slots: dict[str, Any], plan: ClassPlan, entry: FeatureEntry, name: str, text: str
     ) -> None:
         """Attributes other than single values and references."""
         if entry.kind == XMI_ID:
@@ -158,12 +161,12 @@ class Builder:
         elif entry.kind != IGNORED:
             self.here(f"{plan.name}.{name} contains elements: it cannot be an attribute")
 
-    def identify(self, text: str, child: Any) -> None:
+    def identify(self, text: str, child: EObject) -> None:
         """Note an element's id."""
         if self.document.ids.setdefault(text, child) is not child:
             self.here(f"the id '{text}' is used twice")
 
-    def add_value(self, element: Any, slots: dict[str, Any], owner: str, entry: FeatureEntry, text: str | None) -> None:
+    def add_value(self, element: EObject, slots: dict[str, Any], owner: str, entry: FeatureEntry, text: str | None) -> None:
         """Set a value, or add one to many; None is xsi:nil."""
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
@@ -183,7 +186,7 @@ class Builder:
         if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
 
-    def part_elsewhere(self, element: Any, entry: FeatureEntry, link: str) -> None:
+    def part_elsewhere(self, element: EObject, entry: FeatureEntry, link: str) -> None:
         """Note a contained element that lies in another file."""
         if element is None or entry.kind not in (CHILD, CHILDREN):
             self.here("a root cannot lie in another file")

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore import ecore
-
 from robosmi.errors import ModelError
-from robosmi.model import datatypes, features
+from robosmi.model import datatypes, ecore, features
+from robosmi.model.ecore import EClass, EObject, EStructuralFeature
 from robosmi.model.feature_values import is_stored
 from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
@@ -49,7 +48,7 @@ class Column:
         "names_types", "plain", "rendered", "start", "upper",
     )  # fmt: skip
 
-    def __init__(self, kind: int, feature: Any) -> None:
+    def __init__(self, kind: int, feature: EStructuralFeature) -> None:
         self.kind = kind
         self.feature = feature
         self.name = str(feature.name)
@@ -92,7 +91,7 @@ class Layout:
 
     __slots__ = ("columns", "eclass", "has_id", "shapes")
 
-    def __init__(self, eclass: Any) -> None:
+    def __init__(self, eclass: EClass) -> None:
         self.eclass = eclass
         self.shapes: dict[tuple[str, ...], list[Shaped]] = {}
         cls = eclass.python_class
@@ -114,7 +113,7 @@ class Layout:
         return found
 
 
-def _column(eclass: Any, feature: Any) -> Column | None:
+def _column(eclass: EClass, feature: EStructuralFeature) -> Column | None:
     kind = features.declared_type(feature)
     if feature.derived and (feature.many or not is_stored(feature)):
         return None
@@ -153,7 +152,7 @@ class Layouts:
     def __init__(self) -> None:
         self.known: dict[type, Layout] = {}
 
-    def of(self, element: Any) -> Layout:
+    def of(self, element: EObject) -> Layout:
         """The layout of an element's class."""
         found = self.known[element.__class__] = Layout(element.eClass)
         return found

@@ -12,9 +12,8 @@ from collections.abc import Callable
 from typing import Any
 from urllib.parse import unquote
 
-from pyecore import ecore
-
-from robosmi.model import lean
+from robosmi.model import ecore, lean
+from robosmi.model.ecore import EObject
 from robosmi.model.features import as_package
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import add_silently, contain, container_of, fill_silently, is_value, key_of, value_in
@@ -76,7 +75,7 @@ class XmiLinker:
                     targets.append(target)
             self._add(document, line, owner, entry, targets)
 
-    def _wrong(self, document: Document, line: int, owner: Any, entry: FeatureEntry, text: str) -> None:
+    def _wrong(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, text: str) -> None:
         self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name} {text}")
 
     def _one(self, document: Document, text: str) -> list[str]:
@@ -91,7 +90,7 @@ class XmiLinker:
 
     # --- URIs
 
-    def target(self, document: Document, link: str, line: int, owner: Any, entry: FeatureEntry) -> Any:
+    def target(self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry) -> Any:
         """The element that a URI leads to, or None with the problem noted."""
         found: Any = None
         if link in document.ids:
@@ -112,7 +111,7 @@ class XmiLinker:
 
     # --- values
 
-    def _set(self, document: Document, line: int, owner: Any, entry: FeatureEntry, target: Any) -> None:
+    def _set(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, target: Any) -> None:
         slots = owner.__dict__
         slot = slots.get(entry.key)
         if slot is not None and value_in(slot) is not None and value_in(slot) is not target:
@@ -124,7 +123,7 @@ class XmiLinker:
         else:
             self._two_sided.append((document, line, owner, entry, [target]))
 
-    def _add(self, document: Document, line: int, owner: Any, entry: FeatureEntry, targets: list[Any]) -> None:
+    def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[Any]) -> None:
         slots = owner.__dict__
         many = slots.get(entry.key)
         if many is None:
@@ -154,7 +153,7 @@ class XmiLinker:
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
                     )
 
-    def _contain(self, document: Document, owner: Any, entry: FeatureEntry, link: str, line: int, place: int) -> None:
+    def _contain(self, document: Document, owner: EObject, entry: FeatureEntry, link: str, line: int, place: int) -> None:
         """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
         part = self.target(document, link, line, owner, entry)
         if part is None:
@@ -162,7 +161,7 @@ class XmiLinker:
         if not entry.takes(part.__class__):
             self._wrong(document, line, owner, entry, f"does not take {shown(part)}")
             return
-        container = owner
+        container: EObject | None = owner
         while container is not None:
             if container is part:
                 self._wrong(document, line, owner, entry, f"would make {shown(part)} contain itself")
@@ -231,7 +230,7 @@ def resolve(where: Any, fragment: str) -> Any:
     return element
 
 
-def _step(element: Any, step: str) -> Any:
+def _step(element: EObject, step: str) -> Any:
     if step[:1] != "@":
         return _by_name(element, step) if isinstance(element, ecore.EModelElement) else None
     name, _, index = step[1:].partition(".")
@@ -248,7 +247,7 @@ def _step(element: Any, step: str) -> Any:
     return value if isinstance(value, ecore.EObject) else None
 
 
-def _by_keys(element: Any, name: str, wanted: dict[str, str]) -> Any:
+def _by_keys(element: EObject, name: str, wanted: dict[str, str]) -> Any:
     """The element of a collection whose key attributes have these texts (`@items[name='a']`)."""
     for one in element.__dict__.get(name, ()):
         if wanted and all(str(getattr(one, key, None)) == unquote(text) for key, text in wanted.items()):
@@ -256,7 +255,7 @@ def _by_keys(element: Any, name: str, wanted: dict[str, str]) -> Any:
     return None
 
 
-def _by_name(element: Any, name: str) -> Any:
+def _by_name(element: EObject, name: str) -> Any:
     """The part of a metamodel element with that name."""
     parts: list[Any] = []
     for feature in ("eClassifiers", "eSubpackages", "eStructuralFeatures", "eOperations", "eLiterals", "eParameters"):

@@ -14,6 +14,7 @@ from typing import Any
 from xml.parsers import expat
 
 from robosmi.errors import did_you_mean
+from robosmi.model.ecore import EObject
 from robosmi.model.features import class_in
 from robosmi.model.lean import AttributeValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, key_of
@@ -193,7 +194,7 @@ class _Parser(Builder):
         return start, end
 
     def other_child(
-        self, element: Any, slots: Any, entries: dict[str, FeatureEntry], tag: str, attributes: dict[str, str]
+        self, element: EObject, slots: Any, entries: dict[str, FeatureEntry], tag: str, attributes: dict[str, str]
     ) -> tuple[ClassPlan | None, Any]:
         """A root, a value or reference in an element of its own, or a name that is no feature.
 
@@ -230,7 +231,7 @@ class _Parser(Builder):
             self.text_of(element, slots, entry, attributes)
         return None, None
 
-    def text_of(self, element: Any, slots: Any, entry: FeatureEntry, attributes: dict[str, str]) -> None:
+    def text_of(self, element: EObject, slots: Any, entry: FeatureEntry, attributes: dict[str, str]) -> None:
         """Take the text up to the end of the current element as a value or a reference."""
         line = self.expat.CurrentLineNumber
         owner = type(element).__name__

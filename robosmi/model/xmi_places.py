@@ -14,10 +14,9 @@ from pathlib import PurePosixPath
 from typing import Any
 from urllib.parse import quote
 
-from pyecore import ecore
-
 from robosmi.errors import ModelError
-from robosmi.model import datatypes
+from robosmi.model import datatypes, ecore
+from robosmi.model.ecore import EModelElement, EObject, EPackage, EStructuralFeature
 from robosmi.model.features import as_package, id_attribute, root_package
 from robosmi.model.lean import plain_value
 from robosmi.model.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
@@ -69,7 +68,7 @@ class XmiPlaces:
         identity = self.identity(target) if file else None
         return file, way if identity is None or _ODD_ID.search(identity) else identity
 
-    def identity(self, element: Any) -> str | None:
+    def identity(self, element: EObject) -> str | None:
         """The xmi:id of an element or the value of its ID attribute, or None."""
         own = xmi_id_of(element)
         if own is not None:
@@ -80,7 +79,7 @@ class XmiPlaces:
             if attribute is None:
                 known = (None, None, None)
             else:
-                kind = attribute.eType
+                kind: Any = attribute.eType
                 known = (key_of(attribute), datatypes.to_text(kind), datatypes.default(attribute, kind))
             self._ids[element.__class__] = known
         key, convert, default = known
@@ -133,7 +132,7 @@ class _Step:
 
     __slots__ = ("is_plain", "key", "keys", "many", "text")
 
-    def __init__(self, feature: Any) -> None:
+    def __init__(self, feature: EStructuralFeature) -> None:
         self.key = key_of(feature)
         self.many = feature.many
         self.keys = list(getattr(feature, "eKeys", None) or ())
@@ -141,7 +140,7 @@ class _Step:
         self.text = f"/@{feature.name}{'.' if self.many and not self.keys else ''}"
 
 
-def shown(element: Any) -> str:
+def shown(element: EObject | None) -> str:
     """An element as errors name it; pyecore's own classes only say where in memory it is."""
     text = repr(element)
     if " object at 0x" not in text:
@@ -151,7 +150,7 @@ def shown(element: Any) -> str:
     return f"<{type(element).__name__}{f' name={value!r}' if value is not None else ''}>"
 
 
-def _rest(step: _Step, slot: Any, child: Any) -> str:
+def _rest(step: _Step, slot: Any, child: EObject) -> str:
     """What follows the feature's name in a fragment, where it is no index of an ordered set."""
     if not step.many:
         if slot is None or value_in(slot) is not child:
@@ -164,7 +163,7 @@ def _rest(step: _Step, slot: Any, child: Any) -> str:
     return f"[{','.join(pairs)}]"
 
 
-def _index(items: list[Any], child: Any) -> int:
+def _index(items: list[Any], child: EObject) -> int:
     """The place of a child among its siblings.
 
     Raises:
@@ -176,7 +175,7 @@ def _index(items: list[Any], child: Any) -> int:
     raise Unplaced
 
 
-def metamodel_uri(element: Any) -> str:
+def metamodel_uri(element: EModelElement | type) -> str:
     """The URI of an element of a metamodel, by the namespace of its outermost package: `http://lab/m#//Class/feature`.
 
     Raises:
@@ -188,7 +187,7 @@ def metamodel_uri(element: Any) -> str:
     return f"{package.nsURI}#{fragment}"
 
 
-def metamodel_place(element: Any) -> tuple[Any, str]:
+def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
     """The outermost package of an element of a metamodel, and its fragment in there: `//Class/feature`.
 
     Raises:
@@ -205,7 +204,7 @@ def metamodel_place(element: Any) -> tuple[Any, str]:
         steps.append(quote(str(one.name), safe=_SAFE))
         one = container
     package, root = as_package(one), root_package(one)
-    while package is not root:
+    while package is not root and package.eSuperPackage is not None:
         steps.append(quote(str(package.name), safe=_SAFE))
         package = as_package(package.eSuperPackage)
     return root, f"/{''.join(f'/{step}' for step in reversed(steps))}"

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from pyecore import ecore
-
-from robosmi.model import datatypes, features, lean
+from robosmi.model import datatypes, ecore, features, lean
+from robosmi.model.ecore import EClass, EStructuralFeature
 from robosmi.model.feature_values import is_stored
 from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
@@ -42,9 +41,9 @@ class FeatureEntry:
 
     __slots__ = ("accepted", "back", "convert", "declared", "feature", "is_id", "key", "kind", "many", "message", "plan")
 
-    def __init__(self, kind: int, feature: Any = None, message: str = "") -> None:
+    def __init__(self, kind: int, feature: EStructuralFeature | None = None, message: str = "") -> None:
         self.kind = kind
-        self.feature = feature
+        self.feature: Any = feature
         self.key: str = key_of(feature) if feature is not None else ""
         self.many = feature is not None and feature.many
         self.convert: Any = None
@@ -81,7 +80,7 @@ class ClassPlan:
 
     __slots__ = ("abstract", "bounds", "cls", "eclass", "entries", "name", "refused")
 
-    def __init__(self, eclass: Any) -> None:
+    def __init__(self, eclass: EClass) -> None:
         self.eclass = eclass
         self.cls = eclass.python_class
         self.name = str(eclass.name)
@@ -93,7 +92,7 @@ class ClassPlan:
         for feature in features.all_features(eclass):
             self._add(feature)
 
-    def _add(self, feature: Any) -> None:
+    def _add(self, feature: EStructuralFeature) -> None:
         name = str(feature.name)
         kind = features.declared_type(feature)
         if feature.is_attribute:
@@ -107,7 +106,7 @@ class ClassPlan:
             if lower > 0 or upper > 1:
                 self.bounds.append((entry.key, name, lower, upper))
 
-    def _attribute(self, feature: Any, kind: Any) -> FeatureEntry:
+    def _attribute(self, feature: EStructuralFeature, kind: Any) -> FeatureEntry:
         if getattr(kind, "name", "") == datatypes.FEATURE_MAP:
             self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
             return FeatureEntry(REFUSED, feature, self.refused)
@@ -119,7 +118,7 @@ class ClassPlan:
         entry.is_id = bool(feature.iD)
         return entry
 
-    def _reference(self, feature: Any, kind: Any) -> FeatureEntry:
+    def _reference(self, feature: EStructuralFeature, kind: Any) -> FeatureEntry:
         if feature.derived and (feature.many or not is_stored(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         back = features.opposite(feature)
@@ -138,7 +137,7 @@ class Plans:
     def __init__(self) -> None:
         self._plans: dict[Any, ClassPlan] = {}
 
-    def of(self, eclass: Any) -> ClassPlan:
+    def of(self, eclass: EClass) -> ClassPlan:
         """The plan of an EClass."""
         plan = self._plans.get(eclass)
         if plan is None:

@@ -183,7 +183,7 @@ class _Reader:
         self.documents[path] = document
         return document
 
-    def package(self, uri: str) -> Any:
+    def package(self, uri: Any) -> Any:
         """The package of a namespace, or None."""
         found = self.metamodels.get(uri)
         return found if found is not None else self.packages.get(uri)
@@ -244,7 +244,7 @@ class _Reader:
         key = (document.path, uri)
         if key in self._opened:
             return self._opened[key]
-        from pyecore import ecore
+        from robosmi.model import ecore
 
         location = Location(str(document.path), line)
         found = ecore.EString.ePackage if uri == ecore.nsURI else self.package(uri)

@@ -12,11 +12,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from types import ModuleType
 from typing import Any
 
-from pyecore import ecore
-from pyecore.valuecontainer import EOrderedSet
-
 from robosmi.errors import ModelError
+from robosmi.model import ecore
 from robosmi.model.datatypes import real
+from robosmi.model.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.ecore_writer import EcoreText
 from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
@@ -56,7 +55,7 @@ def _roots(given: Any) -> list[Any]:
 class _Writer:
     """One file."""
 
-    def __init__(self, name: str, roots: list[Any], places: XmiPlaces) -> None:
+    def __init__(self, name: str, roots: list[EObject], places: XmiPlaces) -> None:
         self.name = name
         self.roots = roots
         self.places = places
@@ -93,7 +92,7 @@ class _Writer:
         text = f'<?xml version="1.0" encoding="UTF-8"?>\n<{tag} xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"{xsi}{spaces}'
         return text.encode()
 
-    def name_of(self, eclass: Any) -> str:
+    def name_of(self, eclass: EClass) -> str:
         """The qualified name of a class; its package gets a prefix."""
         found = self.qualified.get(eclass)
         if found is None:
@@ -182,7 +181,7 @@ class _Writer:
         done.append("".join(out).encode())
         return b"".join(done)
 
-    def metamodel_link(self, element: Any, name: str, target: Any) -> str:
+    def metamodel_link(self, element: EObject, name: str, target: Any) -> str:
         """The URI of a metamodel's element, seen from this file."""
         try:
             package, fragment = metamodel_place(target)
@@ -194,7 +193,7 @@ class _Writer:
             raise self.problem(element, None, what, "put it into a package") from None
         return f"#{fragment}" if file == self.name else f"{relative(self.name, file)}#{fragment}"
 
-    def metamodel_text(self, text: str, element: Any, name: str) -> str:
+    def metamodel_text(self, text: str, element: EObject, name: str) -> str:
         """A text of a metamodel, escaped."""
         try:
             return self.plain(text)
@@ -204,7 +203,7 @@ class _Writer:
     # --- values
 
     def value(
-        self, element: Any, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
+        self, element: EObject, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
     ) -> list[Any] | None:
         """A value as attribute; what is written for a plain value is kept for the next time."""
         if value is None or column.is_unsettable:
@@ -217,7 +216,7 @@ class _Writer:
             column.rendered[value] = text
         return later
 
-    def value_text(self, element: Any, column: Column, value: Any) -> str:
+    def value_text(self, element: EObject, column: Column, value: Any) -> str:
         """The text of a value, not yet escaped."""
         try:
             return str(column.convert(value))
@@ -231,12 +230,12 @@ class _Writer:
         except ValueError as error:
             raise ModelError(f"{self.name}: {error}", fix="remove the character from the source") from None
 
-    def problem(self, element: Any, column: Any, what: str, fix: str) -> ModelError:
+    def problem(self, element: EObject, column: Any, what: str, fix: str) -> ModelError:
         """The error for a value."""
         name = f".{column.name}" if column is not None else ""
         return ModelError(f"{self.name}: {shown(element)}{name} {what}", fix=fix)
 
-    def identify(self, element: Any, append: Any) -> None:
+    def identify(self, element: EObject, append: Any) -> None:
         """Write the xmi:id, and make sure that no id is used twice."""
         try:
             identity = self.places.identity(element)
@@ -253,7 +252,7 @@ class _Writer:
             append(f' xmi:id="{in_attribute(identity)}"')
 
     def nothing(
-        self, element: Any, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
+        self, element: EObject, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
     ) -> list[Any] | None:
         """A feature that holds nothing though its default is something, or that knows whether it was set."""
         if column.is_unsettable:
@@ -284,7 +283,7 @@ class _Writer:
         return later
 
     def rarer(
-        self, element: Any, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
+        self, element: EObject, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
     ) -> list[Any] | None:
         """Many values, as elements; anything else is refused."""
         if column.kind != VALUES:
@@ -303,7 +302,7 @@ class _Writer:
             later = self.more(later, f"{indent}  <{column.name}>{text}</{column.name}>\n")
         return later
 
-    def limit(self, element: Any, column: Column, values: Any) -> None:
+    def limit(self, element: EObject, column: Column, values: Any) -> None:
         """Refuse more values than the feature takes."""
         if 1 < column.upper < len(values):
             raise self.problem(element, column, f"takes {column.upper} values, not {len(values)}", "remove what is too much")
@@ -311,7 +310,7 @@ class _Writer:
     # --- references
 
     def links(
-        self, element: Any, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
+        self, element: EObject, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
     ) -> list[Any] | None:
         """References: fragments in an attribute if all lead into this file, else elements with hrefs."""
         targets = slot if column.many else () if value_in(slot) is None else (value_in(slot),)
@@ -338,7 +337,7 @@ class _Writer:
             later = self.more(later, self.href(element, column, target, file, fragment, indent))
         return later
 
-    def place(self, element: Any, column: Column, target: Any) -> tuple[str, str]:
+    def place(self, element: EObject, column: Column, target: Any) -> tuple[str, str]:
         """File and fragment of a target."""
         try:
             return self.places.find(target)
@@ -350,7 +349,7 @@ class _Writer:
             fix = "add the target to a model that is saved with this one, or remove the reference"
             raise self.problem(element, column, what, fix) from None
 
-    def href(self, element: Any, column: Column, target: Any, file: str, fragment: str, indent: str) -> str:
+    def href(self, element: EObject, column: Column, target: Any, file: str, fragment: str, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
         eclass = target.eClass if isinstance(target, ecore.EObject) else type(target).eClass
@@ -367,7 +366,7 @@ class _Writer:
             link = f"{self.hrefs[file]}#{fragment}"
         return f'{indent}  <{column.name}{kind} href="{in_attribute(link)}"/>\n'
 
-    def child(self, element: Any, column: Column, child: Any, indent: str, later: list[Any] | None) -> list[Any]:
+    def child(self, element: EObject, column: Column, child: EObject, indent: str, later: list[Any] | None) -> list[Any]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""
         child = real(child)
         if container_of(child) is not element:

@@ -11,10 +11,9 @@ from datetime import date
 from decimal import Decimal
 from typing import Any
 
-from pyecore.ecore import EEnumLiteral
-
 from robosmi.errors import ModelError, UsageError
 from robosmi.model.driver import Model, TypeHandle, features_of, is_element, name_of, type_of
+from robosmi.model.ecore import EEnumLiteral
 from robosmi.query.collections import Lazy
 from robosmi.query.models import id_of
 from robosmi.query.types import EolType

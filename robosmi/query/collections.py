@@ -14,8 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
 from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
 
-from pyecore.valuecontainer import ECollection
-
+from robosmi.model.ecore import ECollection
 from robosmi.model.feature_values import queried_by
 from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder

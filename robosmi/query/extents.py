@@ -7,10 +7,10 @@ date, and nothing recurses.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar, overload
 
-from robosmi.model.driver import Model, contents_of, walk
+from robosmi.model.driver import DynamicNode, Model, Node, contents_of, walk
 from robosmi.query.collections import Q
 from robosmi.query.types import matching, resolve
 
@@ -64,6 +64,6 @@ def ancestor_of_kind(element: Any, kind: type[T]) -> T | None:
     return container
 
 
-def contents(element: Any) -> list[Any]:
+def contents(element: Node) -> Sequence[DynamicNode]:
     """What the element contains directly, features of supertypes first."""
     return contents_of(element)

@@ -14,6 +14,7 @@ from typing import Any
 
 from robosmi.errors import ModelError
 from robosmi.model.driver import Model, TypeHandle, unknown_type
+from robosmi.model.ecore import DynamicEObject, EPackage
 from robosmi.model.emf import EmfModel
 from robosmi.model.fragments import fragment_of
 from robosmi.model.making import new, unlink
@@ -41,14 +42,16 @@ class ModelView(Model):
         self.read_only = self.model.read_only
 
     @property
-    def roots(self) -> list[Any]:
+    def roots(self) -> list[DynamicEObject]:
         """The root elements, of EMF's models only."""
-        return list(self.model.roots)
+        model: Any = self.model  # others have a type of this name, or an error
+        return list(model.roots)
 
     @property
-    def packages(self) -> list[Any]:
+    def packages(self) -> list[EPackage]:
         """The outermost EPackages, of EMF's models only."""
-        return list(self.model.packages)
+        model: Any = self.model
+        return list(model.packages)
 
     def _collected(self, items: Sequence[Any]) -> Q[Any]:
         return items if isinstance(items, Q) else Q._of(list(items))
@@ -183,7 +186,7 @@ def all_instances(name: str) -> Q[Any]:
     if len(having) > 1:
         others = ", ".join(f"{m.name}!{plain}" for m in having)
         warnings.warn(f"the type '{name}' may be any of {others}; the first is taken", stacklevel=2)
-    return Q._of(list(having[0].all_of_kind(having[0].find_type(plain))))
+    return Q._of(list(having[0].all_of_kind(having[0].find_type(plain) or plain)))
 
 
 def model_named(name: str) -> Any:

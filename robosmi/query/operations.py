@@ -10,11 +10,9 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
-from pyecore.ecore import EClass, EEnumLiteral
-from pyecore.valuecontainer import ECollection
-
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.model.driver import Model, TypeHandle, is_element
+from robosmi.model.ecore import EClass, ECollection, EEnumLiteral
 from robosmi.query import types
 from robosmi.query.collections import Map, Q, collection
 from robosmi.query.first_order import FIRST_ORDER

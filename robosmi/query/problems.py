@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from pyecore.ecore import EObject
-
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import UnknownTypeError, unknown_type
+from robosmi.model.ecore import EObject
 from robosmi.query.values import collection_kind
 
 __all__ = [

@@ -12,9 +12,8 @@ from operator import attrgetter
 from types import BuiltinFunctionType, CodeType, FrameType, FunctionType, GeneratorType, MethodType, ModuleType, TracebackType
 from typing import Any
 
-from pyecore.ecore import EClass, EEnumLiteral, EObject
-
 from robosmi.model.driver import ModelElement
+from robosmi.model.ecore import EClass, EEnumLiteral, EObject
 from robosmi.model.reachable import of_models
 from robosmi.query.collections import Map, Tuple, collection
 from robosmi.query.operations import has_plain_operation, plain_operation

@@ -14,11 +14,9 @@ from pathlib import Path
 from types import BuiltinMethodType, CodeType, FunctionType, MethodType
 from typing import Any, NoReturn
 
-from pyecore.ecore import EObject
-from pyecore.valuecontainer import ECollection
-
 from robosmi.errors import UsageError
 from robosmi.model.driver import Model, ModelElement, TypeHandle
+from robosmi.model.ecore import ECollection, EObject
 from robosmi.model.reachable import is_resource, of_models
 from robosmi.query import collections, models, types
 from robosmi.query.first_order import FIRST_ORDER

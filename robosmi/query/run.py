@@ -12,9 +12,8 @@ from collections.abc import Set
 from contextvars import ContextVar, Token
 from typing import Any
 
-from pyecore.ecore import EObject
-
 from robosmi.model.driver import ModelElement
+from robosmi.model.ecore import EObject
 from robosmi.query.values import key
 
 

@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from pyecore.ecore import EClass
-
 from robosmi.model import driver
 from robosmi.model.driver import TypeHandle, is_element, unknown_type
+from robosmi.model.ecore import EClass
 from robosmi.query.run import current_run
 from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind
 

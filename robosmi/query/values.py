@@ -15,8 +15,7 @@ from collections.abc import Set as AbstractSet
 from decimal import Decimal
 from typing import Any, cast
 
-from pyecore.ecore import EEnumLiteral
-from pyecore.valuecontainer import ECollection
+from robosmi.model.ecore import ECollection, EEnumLiteral
 
 INT_MIN, INT_MAX = -(2**31), 2**31 - 1
 

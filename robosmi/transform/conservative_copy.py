@@ -10,9 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from pyecore.ecore import EEnum, EEnumLiteral, EObject
-
 from robosmi.model.driver import class_of
+from robosmi.model.ecore import EEnum, EEnumLiteral, EObject
 from robosmi.model.features import all_features
 from robosmi.query.values import collection_kind
 
@@ -71,7 +70,8 @@ class ConservativeCopy:
     def value(self, value: Any) -> Any:
         """One value as the new model has it: equivalents of elements, literals of the same name, others as they are."""
         if isinstance(value, EEnumLiteral):
-            literal = self._literal(value.eContainer().name, value.name)
+            enumeration: Any = value.eContainer()
+            literal = self._literal(enumeration.name, value.name)
             if literal is None:
                 self._warn(f"Could not find in migrated metamodel an enumeration value equivalent to: {value.name}")
             return literal

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.driver import is_element
+from robosmi.model.ecore import DynamicEObject
 from robosmi.query.values import key
 
 if TYPE_CHECKING:
@@ -142,7 +143,7 @@ class Trace:
         return trace.Trace(links=links)
 
     @classmethod
-    def of_model(cls, model: trace.Trace) -> Trace:
+    def of_model(cls, model: trace.Trace | DynamicEObject) -> Trace:
         """A trace model, read from a file perhaps, to be looked up both ways."""
         made = cls()
         for link in model.links:

@@ -117,6 +117,7 @@ def test_an_ecore_file_is_a_model_whose_types_are_those_of_ecore() -> None:
     assert [c.name for c in model.all_of_type("EClass")] == ["Part", "Store", "Shop"]
     assert [c.name for c in model.all_of_kind("EClassifier")] == ["Part", "Failure", "Names", "Store", "Shop", "Kind"]
     parts = model.element("//Store/parts")
+    assert parts is not None
     assert (parts.name, model.id_of(parts), model.owns(parts)) == ("parts", "//Store/parts", True)
     assert model.element("//Store/nothing") is None
     again = EmfModel.load(path)
@@ -127,4 +128,6 @@ def test_an_ecore_file_is_a_model_whose_types_are_those_of_ecore() -> None:
 @pytest.mark.parametrize("element", ["//Store/parts", "//Store/fetch/amount", "//Kind/small", "//Shop/@eGenericSuperTypes.0"])
 def test_a_fragment_in_a_metamodel_leads_back(element: str) -> None:
     model = EmfModel.load(Path(__file__).parent / "metamodels" / "everything.ecore")
-    assert model.id_of(model.element(element)) == element
+    found = model.element(element)
+    assert found is not None
+    assert model.id_of(found) == element

@@ -59,7 +59,7 @@ def test_two_versions_of_a_namespace_stay_apart(tmp_path: Path) -> None:
     s = Session()
     old, new = s.metamodel(LIBRARY), s.metamodel(newer)
     assert old.find("Book") is not new.find("Book")
-    assert new.find("Booklet").eSuperTypes[0] is new.find("Book")
+    assert new.Booklet.eClass.eSuperTypes[0] is new.find("Book")
     f = Flock(s.open_model(EPSILON / "eol" / "library.xmi", name="Old", metamodel=LIBRARY), ModelView(EmfModel((), new, "New")))
     f.retype("Comic", "Booklet")
     assert len(list(f.run().all_contents())) > 3
@@ -73,8 +73,8 @@ def test_a_namespace_that_a_file_names_for_itself_is_its_own(tmp_path: Path) -> 
         (tmp_path / f"{name}.ecore").write_text(text.replace('"#//', f'"{uri}#//').replace(" #//", f" {uri}#//"))
     s = Session()
     one, two = s.metamodel(tmp_path / "one.ecore"), s.metamodel(tmp_path / "two.ecore")
-    assert one.find("Book").eSuperTypes[0] is one.find("Item")
-    assert two.find("Book").eSuperTypes[0] is two.find("Item")
+    assert one.Book.eClass.eSuperTypes[0] is one.find("Item")
+    assert two.Book.eClass.eSuperTypes[0] is two.find("Item")
     assert one.find("Item") is not two.find("Item")
 
 

@@ -19,6 +19,7 @@ from pyecore import ecore
 from pyecore.resources import URI, ResourceSet
 
 from robosmi.errors import ModelError
+from robosmi.model.features import class_in
 from robosmi.model.xmi_reader import read_documents
 from robosmi.model.xmi_writer import to_xmi
 from tests.emf_judge import judge, judge_same, look
@@ -95,7 +96,7 @@ SAME: dict[str, Fill] = {
     "many references with opposite": lambda k, root, a, b: a.uses.extend([a, b]),
     "the same link twice": lambda k, root, a, b: a.links.extend([b, b, root]),
     "subtypes and a sub-package": leaves,
-    "reference to a class": lambda k, root, a, b: setattr(a, "type", kitchen().get("http://lab/kitchen").getEClassifier("Leaf")),
+    "reference to a class": lambda k, root, a, b: setattr(a, "type", class_in(kitchen().get("http://lab/kitchen"), "Leaf")),
     "reference to a type of Ecore": lambda k, root, a, b: setattr(a, "type", ecore.EString),
 }  # fmt: skip
 

@@ -16,7 +16,7 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
-from robosmi.model.strict import Element, enum_literal
+from robosmi.model.strict import enum_literal
 from robosmi.query import ancestor_of_kind
 from robosmi.query.run import current_run
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -218,7 +218,7 @@ class Given(EmfModel):
         super().__init__(of.program, name="code")
         self.move = of
 
-    def all_of_kind(self, kind: Any) -> list[Element]:
+    def all_of_kind(self, kind: Any) -> list[Any]:
         """The instances of a class of the program's metamodel, in pre-order."""
         if kind is ccode.SourceUnit:
             return [view.unit for view in self.move.views]

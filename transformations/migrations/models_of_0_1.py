@@ -72,7 +72,7 @@ def rules(f: Flock) -> None:
 
     @f.post
     def targets() -> None:
-        plans = [root for root in f.migrated.roots if isinstance(root, migration.MigrationPlan)]
+        plans: list[Any] = [root for root in f.migrated.roots if isinstance(root, migration.MigrationPlan)]
         for plan in plans:
             repository = plan.target.eContainer() if plan.target is not None else None
             described = repository.targets if isinstance(repository, platform.PlatformRepository) else ()

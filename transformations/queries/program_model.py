@@ -7,6 +7,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model import Model
+from robosmi.model.driver import Node
 from robosmi.model.fragments import fragment_of, resolve
 from robosmi.model.strict import Element
 from robosmi.query import all_contents, root_of
@@ -57,10 +58,10 @@ class ProgramModel(Model):
         """The element of a fragment, or None."""
         return resolve(identity, [self.program])
 
-    def id_of(self, element: Element) -> str:
+    def id_of(self, element: Node) -> str:
         """The fragment of an element."""
         return fragment_of(element, [self.program])
 
-    def owns(self, element: Element) -> bool:
+    def owns(self, element: Any) -> bool:
         """Whether the element is in the program."""
         return root_of(element) is self.program

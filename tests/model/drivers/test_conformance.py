@@ -76,7 +76,7 @@ def test_asking_again_gives_the_same_elements_in_a_list_of_ones_own(driver: Driv
 
 
 def test_exact_types_are_exact(driver: Driver, model: Model) -> None:
-    kind = model.find_type(driver.kind)
+    kind = model.type_named(driver.kind)
     exact = model.all_of_type(kind)
     assert [id(x) for x in exact] == [id(x) for x in model.all_of_kind(kind) if type_of(x) is kind]
 

@@ -18,7 +18,7 @@ REPOSITORY = resources.built_in("platform_repo")
 def test_a_source_platform_has_every_declaration_of_its_data() -> None:
     model = open_model(REPOSITORY / "propeller")
     data = json.loads((REPOSITORY / "propeller" / "api.json").read_text(encoding="utf-8"))["headers"]
-    headers = {header.name: header for header in model.all_of_type(model.find_type("Header"))}
+    headers = {header.name: header for header in model["Header"].all_of_type}
     for name, content in data.items():
         functions = {*content.get("functions", ()), *(m for m, like in content.get("macros", {}).items() if like)}
         assert {f.name for f in headers[name].functions} == functions, name
@@ -28,9 +28,9 @@ def test_a_source_platform_has_every_declaration_of_its_data() -> None:
 
 def test_a_target_platform_has_its_boards() -> None:
     model = open_model(REPOSITORY / "arduino" / "platform.toml", "platform")
-    boards = {board.name for board in model.all_of_type(model.find_type("Board"))}
+    boards = {board.name for board in model["Board"].all_of_type}
     assert boards == {path.stem for path in (REPOSITORY / "arduino" / "boards").glob("*.toml")}
-    assert {mapping.board.name for mapping in model.all_of_type(model.find_type("BoardMapping"))} == boards
+    assert {mapping.board.name for mapping in model["BoardMapping"].all_of_type} == boards
     assert "platform" in drivers()
     assert not [name for name in drivers() if "/" in name]
 

@@ -18,6 +18,7 @@ from typing import Any
 
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
+from robosmi.model.driver import Node
 from robosmi.model.features import all_features
 from robosmi.model.fragments import fragment_of, resolve
 from robosmi.model.lean import collector_at_rest
@@ -162,11 +163,11 @@ class OnDemandProgram(TypedModel):
         """
         return resolve(identity, [self.program]) if identity.startswith("/") else None
 
-    def id_of(self, element: Element) -> str:
+    def id_of(self, element: Node) -> str:
         """The fragment of an element, the same as in the stored model."""
         return fragment_of(element, [self.program])
 
-    def owns(self, element: Element) -> bool:
+    def owns(self, element: Any) -> bool:
         """Whether the element is in this program."""
         return isinstance(element, Element) and root_of(element) is self.program
 

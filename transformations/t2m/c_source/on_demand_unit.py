@@ -193,7 +193,7 @@ def in_building_order(unit: Unit) -> None:
 
 def _parts(element: Element) -> list[Any]:
     """What an element contains, in the order in which it is built."""
-    parts = contents(element)
+    parts: list[Any] = contents(element)
     if isinstance(element, ccode.DoWhile):
         parts = [element.body, element.condition]
     elif isinstance(element, ccode.For):
