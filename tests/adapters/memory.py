@@ -85,21 +85,24 @@ def measurements(language: str, pieces: Sequence[AdapterPiece]) -> Counter[tuple
 
 
 def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
-    """The text of an adapter file with its markers `ram` as measured."""
+    """The text of an adapter file with its markers `ram` as measured; a variant for some programs keeps what it says."""
     lines: list[str] = []
     header = size = ""
+    variant = False
     for line in text.split("\n"):
         if size and not line.startswith(f"{MARK}   "):
             lines.append(f"{MARK}   ram: {size}")
             size = ""
-        if line.startswith(f"{MARK}   ram:"):
+        if line.startswith(f"{MARK}   members:"):
+            size, variant = "", True
+        if line.startswith(f"{MARK}   ram:") and not variant:
             continue
         lines.append(line)
         words = line[len(MARK) :].split() if line.startswith(MARK) else []
         if line.startswith(f"{MARK} header"):
             header = words[1]
         elif line.startswith(f"{MARK} ") and not line.startswith(f"{MARK}   ") and len(words) == 2:
-            size = str(sizes[header, words[1]] or "")
+            size, variant = str(sizes[header, words[1]] or ""), False
     return "\n".join(lines)
 
 

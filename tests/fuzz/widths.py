@@ -30,7 +30,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cases", type=int, default=10_000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--each", type=int, default=60, help="cases of one program")
+    parser.add_argument("--each", type=int, default=240, help="cases of one program")
     arguments = parser.parse_args()
     done = wrong = left = 0
     programs = Programs(arguments.seed)

@@ -9,12 +9,14 @@
 #define AREA (K * 50)
 #define TICKS(t) ((t) * 80)
 enum { BIG = 40000, SMALL = 3 };
+enum below { UNDER = -5, OVER = 30000 };
 typedef unsigned char byte_t;
 struct reading { unsigned value : 12; unsigned flag : 4; short raw; char id; };
 unsigned char hi = 0x90, lo = 1, data[4] = { 0x90, 0x10, 0xFF, 0x7F };
 short a = 300, b = 200, minus = -2;
 unsigned short port = 40000, full = 0xFFFF;
 int total = 70000;
+enum below under = UNDER;
 char ch = 200, text[8] = "70000";
 struct reading rd = { 0xFFF, 9, -5, 65 };
 short twice(short v) { return v * 2; }
@@ -89,6 +91,7 @@ unsigned case_unsigned_wrap(void) { unsigned n = 0; return n - 1; }
 int case_hex_mask(void) { int n = -5; return n & 0xFFFF; }
 int case_byte_array_checksum(void) { int i; unsigned sum = 0; for (i = 0; i < 4; i++) sum = (sum << 5) + sum + data[i]; return sum; }
 int case_nested(void) { return ((hi << 4 | lo) + (a * b)) * 3 - (b << 8); }
+int case_choice_of_two_enumerations(void) { return total ? under : BIG; }
 int case_sum_of_long_and_int(void) { long n = 100000; return n + a * b; }
 
 int main(void) {}

@@ -57,6 +57,7 @@ from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices, d
 from robosmi.transformations.m2m.widths import Widened, lost_findings, text_findings
 from robosmi.transformations.queries.plan import binding_json, library_json
 from robosmi.transformations.queries.ports import ProgramPorts
+from robosmi.transformations.queries.record_members import outside_members
 
 GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
@@ -189,7 +190,8 @@ def judgement(
         PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
     """
     how = adapters or defaults()["migrate"]["adapters"]
-    choice = adapter_choice(adapter_files_of(settings, target, api), api, board, how, widened=widths != KEEP)
+    files = adapter_files_of(settings, target, api)
+    choice = adapter_choice(files, api, board, how, widened=widths != KEEP, members=outside_members(program.views))
     known = api.settings.get("ports", {}).get("look_up", {})
     look_up = [str(known[name]) for name in looked_up(ports) if name in known]
     judged = judge_program(program.views, target, choice, program.copies, look_up)

@@ -30,7 +30,7 @@ RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
 """How calls correspond (paper 3.4): one to one, to several statements, several to one, another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
-_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "library", "symmetric")
+_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "members", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
 _TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack", "ram", "range")
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?( split)?(?: ([\w-]+))?")
@@ -110,6 +110,7 @@ class AdapterPiece:
         vectors: interrupts that it handles.
         taken: interrupts that a library which it includes handles itself.
         mcus: microcontrollers that this variant is for; empty for all.
+        members: this variant is for programs that use one of these members of a record; empty for all programs.
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
         tables: tables that it looks ports up in.
@@ -138,6 +139,7 @@ class AdapterPiece:
     vectors: list[str] = field(default_factory=list)
     taken: list[str] = field(default_factory=list)
     mcus: list[str] = field(default_factory=list)
+    members: list[str] = field(default_factory=list)
     pins: list[AdapterPin] = field(default_factory=list)
     ports: list[ConventionalPort] = field(default_factory=list)
     tables: list[PortTable] = field(default_factory=list)
@@ -189,13 +191,14 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
     pieces += _pieces(path, text.split("\n"), made)
     if not made.header:
         raise _wrong(Location(str(path)), "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
-    seen: set[tuple[str, str]] = set()
+    seen: set[tuple[str, str, str]] = set()
     for piece in pieces:
+        members = " ".join(sorted(piece.members))
         for mcu in piece.mcus or [""]:
-            if (piece.name, mcu) in seen:
+            if (piece.name, mcu, members) in seen:
                 where = f" for {mcu}" if mcu else ""
                 raise _wrong(piece.location, f"'{piece.name}' is there twice{where}", "remove one, or give them `mcu`")
-            seen.add((piece.name, mcu))
+            seen.add((piece.name, mcu, members))
     return made
 
 

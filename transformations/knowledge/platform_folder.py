@@ -39,7 +39,9 @@ class FolderFacts:
         own: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
         inherited = self._standard.headers if self._standard is not None else {}
         self.headers: dict[str, dict[str, Any]] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
-        self.entries: Mapping[str, Sequence[ApiEntry]] = _Entries(self.headers, self.settings["parser"].get("builtins", {}))
+        self.entries: Mapping[str, Sequence[ApiEntry]] = _Entries(
+            self.headers, self.settings["parser"].get("builtins", {}), self.settings.get("type_names", {})
+        )
         registers: set[str] = set(self.settings.get("registers", {}).get("names", ()))
         self.registers = frozenset(registers.union(*(content.get("registers", ()) for content in self.headers.values())))
 
@@ -100,10 +102,13 @@ class _Entries(Mapping[str, Sequence[ApiEntry]]):
     Args:
         headers: the headers, as `api.json` has them.
         builtins: function of the compiler itself -> its return type; it hides what headers say.
+        type_names: type -> the type of the platform that it is another name of.
     """
 
-    def __init__(self, headers: Mapping[str, Mapping[str, Any]], builtins: Mapping[str, str]) -> None:
-        self._headers, self._builtins = headers, builtins
+    def __init__(
+        self, headers: Mapping[str, Mapping[str, Any]], builtins: Mapping[str, str], type_names: Mapping[str, str]
+    ) -> None:
+        self._headers, self._builtins, self._type_names = headers, builtins, type_names
         self._where: dict[str, list[tuple[str, str]]] = {}
         for header, content in headers.items():
             for kind in _KINDS:
@@ -129,6 +134,8 @@ class _Entries(Mapping[str, Sequence[ApiEntry]]):
             return ApiEntry(header, "function", result, parameters)
         if kind == "macros":
             return ApiEntry(header, "function_macro" if said else "macro")
+        if kind == "types" and said == "typedef" and name in self._type_names:
+            said = f"typedef {self._type_names[name]}"
         return ApiEntry(header, "variable" if kind == "vars" else "type", said)
 
     def __iter__(self) -> Iterator[str]:

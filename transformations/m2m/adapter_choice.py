@@ -53,14 +53,24 @@ class AdapterChoice:
         mcu: the microcontroller.
         filled: whether functions get bodies; constants have their values in any case.
         widened: whether the program's numbers are written with the widths of the source, which are those of adapters.
+        members: of the platform's records, which the program uses by name.
 
     Attributes:
         chosen_pieces: the pieces that elements were made of.
     """
 
-    def __init__(self, index: AdapterIndex, api: ApiIndex, mcu: str, *, filled: bool = True, widened: bool = False) -> None:
+    def __init__(
+        self,
+        index: AdapterIndex,
+        api: ApiIndex,
+        mcu: str,
+        *,
+        filled: bool = True,
+        widened: bool = False,
+        members: Collection[str] = (),
+    ) -> None:
         self.index, self.api, self.mcu, self.filled, self.widened = index, api, mcu, filled, widened
-        self.pieces = AdapterPieces(index)
+        self.pieces = AdapterPieces(index, members)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
         self.chosen_pieces: list[AdapterPiece] = []
         self._unserved: dict[str, UnservedHeader] = {}
@@ -180,7 +190,9 @@ class AdapterChoice:
         return self._made[key]
 
 
-def adapter_choice(index: AdapterIndex, api: ApiIndex, board: platform.Board, how: str, *, widened: bool) -> AdapterChoice:
+def adapter_choice(
+    index: AdapterIndex, api: ApiIndex, board: platform.Board, how: str, *, widened: bool, members: Collection[str]
+) -> AdapterChoice:
     """The adapters of a plan.
 
     Args:
@@ -189,6 +201,7 @@ def adapter_choice(index: AdapterIndex, api: ApiIndex, board: platform.Board, ho
         board: the target board.
         how: one of `ADAPTERS`.
         widened: whether the program's numbers are written with the widths of the source.
+        members: of the platform's records, which the program uses by name.
 
     Raises:
         UsageError: adapters are neither filled nor placeholders.
@@ -196,7 +209,7 @@ def adapter_choice(index: AdapterIndex, api: ApiIndex, board: platform.Board, ho
     if how not in ADAPTERS:
         raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
     mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
-    return AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widened)
+    return AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members)
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:

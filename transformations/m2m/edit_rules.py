@@ -174,6 +174,16 @@ def _insert(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
     return lambda element, choice, text: [(element.startOffset, element.startOffset, words)]
 
 
+def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
+    """What comes into the place of the word static, which may stand before or within the declaration."""
+
+    def changed(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+        found = re.compile(rb"static\b\s*").search(text.data, text.line_start(element.startOffset), element.endOffset)
+        return [(found.start(), found.end(), words)] if found else []
+
+    return changed
+
+
 def _share_one(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """One of several names of a declaration; its sizes stand behind the name."""
     place = variable.endOffset
@@ -269,6 +279,8 @@ RULES: dict[str, EditRule] = {
     "return-at-end": _return_at_end,
     "implicit-int": _implicit_int,
     "declare-only": _insert("extern "),
+    "declare-static": _static("extern "),
+    "no-static": _static(""),
     "share": _insert("__attribute__((weak)) "),
     "share-one": _share_one,
     "replace": _replace,

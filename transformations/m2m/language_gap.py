@@ -273,6 +273,8 @@ TEXT_RULES = frozenset(
         "implicit-int",
         "return-at-end",
         "declare-only",
+        "declare-static",
+        "no-static",
         "define-extern",
         "define-local",
         "share",

@@ -8,7 +8,7 @@ already is put aside for the program only (see `target_names`).
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -225,23 +225,47 @@ def type_uses(
     }
     pointed = {word for text in signatures if "*" in text for word in type_names(text.partition("*")[0])}
     found = (in_program | {word for text in signatures for word in type_names(text)}) - there
+    meant = {name: other for name in found if (other := _meant(name, views))}
+    found |= set(meant.values()) - there
     made = []
     for name in sorted(found):
-        entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
+        standard = (e for v in views for e in v.api.entries(name) if e.header in target.standard_headers)
+        entry = next((e for e in (*standard, *(v.resolve(name) for v in views)) if e is not None), None)
         piece = declare(name, entry.header if entry is not None else "")
         if piece is not None:
             text, status = "", migration.AdapterStatus.filled
         elif entry is not None and entry.header in target.standard_headers:
             text, status = f"#include <{entry.header}>", migration.AdapterStatus.filled
+        elif name in meant:
+            text, status = f"typedef {meant[name]} {name};", migration.AdapterStatus.filled
         else:
-            text, status = _type(name, views, sources, target, pointed=name in pointed), migration.AdapterStatus.todo
+            names_of_it = {name, *(other for other, one in meant.items() if one == name)}
+            text = _type(name, names_of_it, views, sources, target, pointed=not pointed.isdisjoint(names_of_it))
+            status = migration.AdapterStatus.todo
             if target.language == PLAIN_C and text.startswith("struct "):  # in C the tag alone names no type
                 text = f"typedef {text.removesuffix(';')} {name};"
         made.append(migration.SymbolUse(name=name, placeholder=text, status=status, adapter=piece))
+    made = _inner_first(made)
     if any(f"{ANY_VALUE} " in str(each.placeholder) for each in made):
         filled = migration.AdapterStatus.filled
         made.insert(0, migration.SymbolUse(name=ANY_VALUE, placeholder=_ANY_VALUE, status=filled))
     return made
+
+
+def _inner_first(types: Iterable[migration.SymbolUse]) -> list[migration.SymbolUse]:
+    """Types in an order in which each stands behind those that its members have."""
+    left = {str(each.name): each for each in types}
+    ordered: list[migration.SymbolUse] = []
+
+    def place(name: str) -> None:
+        if (each := left.pop(name, None)) is not None:
+            for word in _WORD.findall(str(each.placeholder or "")):
+                place(word)
+            ordered.append(each)
+
+    for name in list(left):
+        place(name)
+    return ordered
 
 
 ANY_VALUE = "AnyValue"
@@ -272,10 +296,25 @@ def _is_pointer(value: ccode.Expression | None) -> bool:
     return kind is not None and (kind.depth > 0 or kind.function)
 
 
-def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], target: TargetFacts, *, pointed: bool) -> str:
-    uses = [t for v in views for t in v.of_kind(ccode.TypeUse) if t.declaration is not None and t.declaration.name == name]
-    fields = members(name, views, sources)
-    listed = _listed(name, views)
+def _meant(name: str, views: Sequence[CodeView]) -> str:
+    """The type of the platform that a typedef of its gives another name; empty for others."""
+    entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
+    other = entry.detail.removeprefix("typedef ") if entry is not None and entry.kind == "type" else ""
+    return other if other != "typedef" and other != name and any(v.resolve(other) is not None for v in views) else ""
+
+
+def _type(
+    name: str,
+    names: Collection[str],
+    views: Sequence[CodeView],
+    sources: Mapping[str, bytes],
+    target: TargetFacts,
+    *,
+    pointed: bool,
+) -> str:
+    uses = [t for v in views for t in v.of_kind(ccode.TypeUse) if t.declaration is not None and t.declaration.name in names]
+    fields = members(names, views, sources)
+    listed = max((_listed(each, views) for each in names), key=len)
     anything = target.language != PLAIN_C
     if anything:
         pointers = pointers_in(views)
@@ -284,7 +323,7 @@ def _type(name: str, views: Sequence[CodeView], sources: Mapping[str, bytes], ta
     values = [f"{kind} value{number}" for number in range(1, len(listed) + 1)]
     fields += values[len(fields) :]
     tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)
-    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not _computed(name, views)):
+    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not any(_computed(n, views) for n in names)):
         return f"struct {name} {{{''.join(f' {f};' for f in fields)}{' ' * bool(fields)}}};"
     return f"typedef int32_t {name};"
 

@@ -67,10 +67,32 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
             by_name.setdefault(declaration.name, []).append(declaration)
     for variables in by_name.values():
         kept = next((v for v in variables if v.initialised), variables[0])
+        needed = [v for v in variables if _used_before(kept, v)]
+        shown = False
         for variable in variables if len(variables) > 1 else ():
-            if variable is not kept and not declared_with_others(variable):
-                rule = "declare-only" if variable.storage.name == "unspecified" else "take-out"
-                yield Change(variable, rule, "", "the variable is declared a second time")
+            if variable is kept or declared_with_others(variable):
+                continue
+            if variable.storage.name == "unspecified":
+                yield Change(variable, "declare-only", "", "the variable is declared a second time")
+            elif needed and variable is needed[0] and not declared_with_others(kept) and not _elsewhere(view.unit, kept):
+                shown = True
+                yield Change(variable, "declare-static", "", "it is used before it is defined")
+            else:
+                yield Change(variable, "take-out", "", "the variable is declared a second time")
+        if shown:
+            yield Change(kept, "no-static", "", "it is declared as extern where it is first used")
+
+
+def _used_before(kept: ccode.Variable, declared: ccode.Variable) -> bool:
+    """Whether uses of a variable stand between one of its declarations and the one that is kept."""
+    uses = (use for variable in (kept, declared) for use in variable.references)
+    return declared.startOffset < kept.startOffset and any(declared.startOffset < u.startOffset < kept.startOffset for u in uses)
+
+
+def _elsewhere(unit: ccode.SourceUnit, variable: ccode.Variable) -> bool:
+    """Whether another file of the program declares something of a variable's name."""
+    others = (u for u in unit.program.units if u is not unit) if unit.program is not None else ()
+    return any(d.name == variable.name for u in others for d in u.declarations)
 
 
 def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

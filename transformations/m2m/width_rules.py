@@ -269,7 +269,8 @@ class Walk:
             if child.form == "member" and child.bits >= 0:
                 numbers[place] = child.kind.target  # GCC does not promote a bit-field there
         first, second = numbers[1:] if len(numbers) == 3 else (None, None)
-        if first is not None and second is not None and all(child.kind.enumerated for child in node.children[1:]):
+        enumerations = {child.kind.enumeration for child in node.children[1:]}
+        if first is not None and second is not None and len(enumerations) == 1 and enumerations != {""}:
             return max(
                 first, second, key=lambda number: number.bits
             )  # a cast would make a number of it: no enumeration takes one

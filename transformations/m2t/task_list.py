@@ -46,11 +46,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),
-        "kept": [
-            {"name": f.name, "ports": ", ".join(b.name for b in f.bindings) or "any", "why": "; ".join(f.evidence)}
-            for f in plan.portFlows
-            if f.choice == "source"
-        ],
+        "kept": _kept_numbers(plan),
         "libraries": [_library(c) for c in plan.libraryChoices],
         "counts": _counts(judged),
         "groups": [*(_group(u, judged) for u in (plan.program.units if plan.program else [])), *_outside(judged)],
@@ -58,6 +54,13 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[
         "limits": _limits(plan),
         "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
+
+
+def _kept_numbers(plan: migration.MigrationPlan) -> list[dict[str, str]]:
+    """The flows whose numbers stay those of the source, each said once."""
+    flows = [flow for flow in plan.portFlows if flow.choice == "source"]
+    rows = [(str(f.name), ", ".join(b.name for b in f.bindings) or "any", "; ".join(f.evidence)) for f in flows]
+    return [{"name": name, "ports": ports, "why": why} for name, ports, why in dict.fromkeys(rows)]
 
 
 def _sections(screen: FirstScreen) -> list[dict[str, Any]]:

@@ -1,12 +1,12 @@
 """Which pieces of adapter files a program needs, and in which order they stand: the closure of what the adapters declare.
 
 Names are looked up in the piece's own header first, then among all; `servo.h/servo_set` names a piece of another header. A
-variant for a microcontroller counts before one for all.
+variant for a microcontroller counts before one for all, one for the members of a record that the program uses before that.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -43,9 +43,11 @@ class AdapterPieces:
 
     Args:
         source: where they come from, or the pieces themselves.
+        members: of records that the program does not declare, which it uses by name.
     """
 
-    def __init__(self, source: PieceSource | Iterable[AdapterPiece]) -> None:
+    def __init__(self, source: PieceSource | Iterable[AdapterPiece], members: Collection[str] = ()) -> None:
+        self.members = frozenset(members)
         self._source: PieceSource = _Listed(source) if isinstance(source, Iterable) else source
         self._known: dict[str, dict[str, list[list[AdapterPiece]]]] = {}
 
@@ -76,9 +78,13 @@ class AdapterPieces:
     def variant(self, key: tuple[str, str], mcu: str) -> AdapterPiece | None:
         """The variant of a piece for a microcontroller."""
         for group in self._of(key[0]).get(key[1], ()):
-            own = next((piece for piece in group if mcu in piece.mcus), None)
-            if (found := own or next((piece for piece in group if not piece.mcus), None)) is not None:
-                return found
+            fitting = [
+                piece
+                for piece in group
+                if (not piece.mcus or mcu in piece.mcus) and (not piece.members or not self.members.isdisjoint(piece.members))
+            ]
+            if fitting:
+                return max(fitting, key=lambda piece: (bool(piece.members), bool(piece.mcus)))
         return None
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:

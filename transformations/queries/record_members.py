@@ -6,19 +6,46 @@ parameter or field of the type. Members of members become records within.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TypeAlias
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import type_of
 
 Tree: TypeAlias = "dict[str, Tree]"
 """A member's name -> the members that are used of it."""
 
 
-def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, bytes]) -> list[str]:
+def outside_members(views: Iterable[CodeView]) -> set[str]:
+    """Names of members that the program uses of records that it does not declare."""
+    views = list(views)
+    own = {str(field.name) for view in views for field in view.of_kind(ccode.Field)}
+    found = set()
+    for member in (each for view in views for each in view.of_kind(ccode.Member)):
+        kind = type_of(member.object, {})
+        if kind.declaration is None or isinstance(kind.declaration, ccode.ExternalSymbol) if kind else member.name not in own:
+            found.add(str(member.name))
+    return found
+
+
+def record_values(views: Iterable[CodeView], sources: Mapping[str, bytes]) -> dict[str, str]:
+    """Member that is given a whole record somewhere -> the type of that record, which the program does not declare either."""
+    found: dict[str, str] = {}
+    for view in views:
+        for given in view.of_kind(ccode.Assignment):
+            kind = type_of(given.right, {}) if isinstance(given.left, ccode.Member) and given.operator == "=" else None
+            if kind is not None and not kind.depth and isinstance(kind.declaration, ccode.ExternalSymbol) and not kind.arithmetic:
+                left = sources[view.unit.path][given.startOffset : given.right.startOffset]  # type: ignore[union-attr]
+                names = [text for kind_, _, _, text in tokens(left) if kind_ == "name"]
+                found.setdefault(names[-1], kind.base)
+    return found
+
+
+def members(type_names: Collection[str], views: Iterable[CodeView], sources: Mapping[str, bytes]) -> list[str]:
     """Declarators of the members that are used, `int32_t x`, sorted by name."""
+    views = list(views)
     tree: Tree = {}
     for view in views:
         named: tuple[ccode.Variable | ccode.Parameter | ccode.Field, ...] = (
@@ -29,7 +56,7 @@ def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, byt
         mine = [
             v
             for v in named
-            if v.valueType is not None and v.valueType.declaration is not None and v.valueType.declaration.name == type_name
+            if v.valueType is not None and v.valueType.declaration is not None and v.valueType.declaration.name in type_names
         ]
         holders = {v.name for v in mine if not isinstance(v, ccode.Field)}
         fields = {v.name for v in mine if isinstance(v, ccode.Field)}
@@ -42,7 +69,7 @@ def members(type_name: str, views: Iterable[CodeView], sources: Mapping[str, byt
                     _chain(words, i + 1, tree)
                 elif word in holders and words[i + 1 : i + 3] == ["=", "{"] and words[i + 3 : i + 4] == ["."]:
                     tree.setdefault(words[i + 4], {})
-    return _declarators(tree)
+    return _declarators(tree, record_values(views, sources))
 
 
 def _chain(words: list[str], i: int, tree: Tree) -> None:
@@ -78,11 +105,11 @@ def _behind_brackets(words: list[str], i: int) -> int:
     return i
 
 
-def _declarators(tree: Tree) -> list[str]:
+def _declarators(tree: Tree, records: Mapping[str, str]) -> list[str]:
     made = []
     for name, inner in sorted(tree.items()):
         within = {k: v for k, v in inner.items() if k not in ("[]", "()")}
-        kind = f"struct {{ {'; '.join(_declarators(within))}; }}" if within else "int32_t"
+        kind = f"struct {{ {'; '.join(_declarators(within, records))}; }}" if within else records.get(name, "int32_t")
         if "()" in inner:
             made.append(f"int32_t (*{name})(...)")
         else:

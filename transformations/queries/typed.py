@@ -53,7 +53,7 @@ class NumberKind(NamedTuple):
         pointer: it is a pointer or an array.
         target: the number that a declaration of this type is on the target; None where that is not known.
         base: its plain name (`int`, `unsigned long`), empty for what is no number.
-        enumerated: it is an enumeration, or one of its constants.
+        enumeration: the enumeration that it is, or is a constant of; empty for others.
     """
 
     number: Number | None = None
@@ -61,7 +61,7 @@ class NumberKind(NamedTuple):
     pointer: bool = False
     target: Number | None = None
     base: str = ""
-    enumerated: bool = False
+    enumeration: str = ""
 
 
 _UNKNOWN = NumberKind()

@@ -19,7 +19,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_spelling import tidy
-from robosmi.transformations.knowledge.lexer import definition_parts, directive_parts, tokens
+from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
 
@@ -204,11 +204,18 @@ def _entry(unit: ccode.SourceUnit, by_path: dict[str, str]) -> dict[str, Any]:
                 entry["types"].setdefault(scope + name, _RECORDS[declaration.recordKind.name])
                 pending += [(m, f"{scope}{name}::") for m in reversed(declaration.methods)]
         elif isinstance(declaration, ccode.Typedef) and name:
-            entry["types"].setdefault(scope + name, "typedef")
+            entry["types"].setdefault(scope + name, _aliased(declaration))
     for kind in ("functions", "macros", "vars", "types"):
         entry[kind] = dict(sorted(entry[kind].items()))
     entry["consts"] = sorted(set(entry["consts"]))
     return entry
+
+
+def _aliased(declaration: ccode.Typedef) -> str:
+    """What a typedef is: `typedef`, with the name of the type that it gives another one."""
+    said = str(declaration.aliased.spelling) if declaration.aliased is not None and not declaration.aliased.arrayDims else ""
+    named = re.fullmatch(r"[A-Za-z_]\w*", said) and said != declaration.name
+    return f"typedef {said}" if named and said not in {*TYPE_WORDS, "enum", "struct", "union"} else "typedef"
 
 
 def _damaged(unit: ccode.SourceUnit, entry: dict[str, Any]) -> list[str]:

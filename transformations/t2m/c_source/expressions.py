@@ -225,12 +225,7 @@ def _size_of(context: UnitContext, node: Node) -> ccode.Expression:
         return ccode.SizeOf(operand=expression(context, children[0]), **place)
     measured = _parenthesised_type(context, node)
     if measured is not None:  # the parser's type is that of the result, not of what is measured
-        measured = ccode.TypeUse(
-            spelling=measured.spelling,
-            canonical=measured.spelling,
-            pointerDepth=measured.pointerDepth,
-            arrayDims=measured.arrayDims or None,
-        )
+        measured.canonical, measured.bits, measured.signed, measured.constant = measured.spelling, 0, False, False
     return ccode.SizeOf(measured=measured, **place)
 
 

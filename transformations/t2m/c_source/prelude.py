@@ -77,9 +77,10 @@ class Prelude:
             for number, pattern in enumerate(_UNKNOWN):
                 if match := pattern.match(message):
                     names.setdefault(match["name"], number == 0)
-            if (match := _NOT_RECORD.match(message)) and self.types.get(match["name"]) is False:
-                self.types[match["name"]] = new = True
-                self._fixed.add(match["name"])
+            if (match := _NOT_RECORD.match(message)) and (wrong := self._behind(match["name"])):
+                self.types |= dict.fromkeys(wrong, True)
+                self._fixed |= wrong
+                new = True
             for name in _NOT_SCALAR.findall(message):
                 scalar.add(name)
         library = [m for m in map(_IN_STD.match, messages) if m and m["name"] not in self.in_std] if self.cxx else []
@@ -120,6 +121,13 @@ class Prelude:
             self._declare(name, False, uses, own)
         self.members |= {m: form for m, form in uses.members.items() if m not in self.macros}
         self._add_functions(uses, own)
+
+    def _behind(self, name: str) -> set[str]:
+        """The types taken for numbers that a name may mean: itself, or for a name of the program's any of the platform."""
+        if name in self.types:
+            return {name} if not self.types[name] else set()
+        candidates = {each for each, record in self.types.items() if not record} - self._fixed
+        return {each for each in candidates if any(entry.kind == "type" for entry in self.platform.entries(each))}
 
     def _known(self, name: str) -> bool:
         return name in self.types or name in self.values or name in self.macros or name in self.standard

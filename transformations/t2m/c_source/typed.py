@@ -254,8 +254,9 @@ class _Reader:
             made.origin = "platform" if name.startswith(VIRTUAL) else "program"
         if referenced.kind == _LITERAL and made.origin == "program":
             made.form = "enumerator"
-            target = self._enumeration(lib.getCursorSemanticParent(referenced))
-            made.kind = made.kind._replace(target=target, enumerated=True)
+            parent = lib.getCursorSemanticParent(referenced)
+            named = self._plainly(lib.getCanonicalType(lib.getCursorType(parent)))
+            made.kind = made.kind._replace(target=self._enumeration(parent), enumeration=named)
 
     def _declares(self, function: Cursor) -> bool:
         """Whether the text declares a function, which otherwise the parser made up where it is called."""
@@ -281,8 +282,13 @@ class _Reader:
         number = self._number(plain)
         if number is None:
             return NumberKind(pointer=plain.kind in _POINTERS)
-        base = " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(plain)).split() if w not in ("const", "volatile"))
-        return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base, enumerated=plain.kind == _ENUM)
+        base = self._plainly(plain)
+        enumeration = base if plain.kind == _ENUM else ""
+        return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base, enumeration=enumeration)
+
+    def _plainly(self, kind: Any) -> str:
+        """The spelling of a type without qualifiers."""
+        return " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(kind)).split() if w not in ("const", "volatile"))
 
     def _number(self, plain: clang.Type) -> Number | None:
         if plain.kind in _REAL:

@@ -104,6 +104,21 @@ struct text_t {
   bool waits;       // until a byte is sent: the terminal does, lines that a cog sends do not
 };
 
+//# type text_t
+//#   members: rxChar txChar cogid devst
+//#   fidelity: devices of the program work through their own functions; those of adapters have a port and none
+struct text_t {
+  Stream *port;  // of adapters; 0 for a device of the program
+  int32_t terminalEcho;
+  char ecA, ecB;    // these end a line when they are written
+  char ecsA, ecsB;  // and this is sent then; 0 for nothing
+  bool waits;       // until a byte is sent: the terminal does, lines that a cog sends do not
+  int32_t (*rxChar)(text_t *p);
+  int32_t (*txChar)(text_t *p, int32_t ch);
+  int32_t cogid[7];
+  volatile void *devst;
+};
+
 //# type terminal
 //#   needs: text_t
 //#   fidelity: exact
@@ -114,6 +129,13 @@ typedef text_t terminal;
 //#   setup: Serial.begin(115200);
 //#   ram: 11
 static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true};
+
+//# helper console
+//#   members: rxChar txChar cogid devst
+//#   needs: text_t
+//#   setup: Serial.begin(115200);
+//#   ram: 45
+static text_t console = {&Serial, 0, '\r', '\n', '\n', 0, true, 0, 0, {0}, 0};
 
 //# variable dport_ptr
 //#   needs: text_t console
@@ -241,6 +263,27 @@ inline void waitSent(text_t *device) {  // the program goes on when the terminal
   if (device && device->port && device->waits) device->port->flush();
 }
 
+//# helper sendChar
+//#   members: rxChar txChar cogid devst
+//#   needs: text_t
+//#   fidelity: through the device's own function where it has one; one that ends a line is sent as the device's line end; it does not wait
+inline void sendByte(text_t *device, char c) {
+  if (!device) return;
+  if (device->txChar) device->txChar(device, c);
+  else if (device->port) device->port->write((uint8_t)c);
+}
+
+inline void sendChar(text_t *device, char c) {
+  if (!device) return;
+  if (c != device->ecA && c != device->ecB) return sendByte(device, c);
+  if (device->ecsA) sendByte(device, device->ecsA);
+  if (device->ecsB) sendByte(device, device->ecsB);
+}
+
+inline void waitSent(text_t *device) {  // the program goes on when the terminal has its text, as there
+  if (device && device->port && device->waits) device->port->flush();
+}
+
 //# adapter writeByte
 //#   for: void writeByte(text_t *p, char c)
 //#   kind: oneToOne
@@ -286,6 +329,21 @@ inline void putChar(char c) {
 //#   fidelity: it waits; 0 to 255. Bytes that came before the call are kept here, 64 of them, and lost there
 inline int32_t readByte(text_t *device) {
   if (!device || !device->port) return 0;
+  while (!device->port->available()) yield();
+  return device->port->read();
+}
+
+//# adapter readByte
+//#   for: int readByte(text_t *text)
+//#   kind: oneToMany
+//#   members: rxChar txChar cogid devst
+//#   needs: text_t
+//#   fidelity: it waits; 0 to 255, or what the device's own function gives. Bytes that came to a serial port before the call are
+//#   fidelity: kept here, 64 of them, and lost there
+inline int32_t readByte(text_t *device) {
+  if (!device) return 0;
+  if (device->rxChar) return device->rxChar(device);
+  if (!device->port) return 0;
   while (!device->port->available()) yield();
   return device->port->read();
 }
