@@ -91,6 +91,14 @@ def test_a_busy_wait_ends_when_the_cog_says_so(tmp_path: Path) -> None:
     assert len(trace.levels("D13")) >= 18, "the cog goes on when main has nothing more to do"
 
 
+def test_jumps_back_and_macros_that_are_loops_give_way(tmp_path: Path) -> None:
+    trace = run("jumps_and_macros", tmp_path, 400)
+    times = [at / 1000 for at, _ in trace.levels("D12")]
+    assert gaps(times)[-3:] == [pytest.approx(40, abs=3)] * 3, "each wait lasts two turns of the cog"
+    assert trace.text == "1 1\n"
+    assert len(trace.levels("D13")) >= 18
+
+
 def test_a_lock_lets_one_cog_in(tmp_path: Path) -> None:
     assert run("locks", tmp_path, 200).text == "done 2, worst 1\n"
 

@@ -190,6 +190,7 @@ def judgement(
         PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
     """
     how = adapters or defaults()["migrate"]["adapters"]
+    target.reserve_names_of(board)
     files = adapter_files_of(settings, target, api)
     choice = adapter_choice(files, api, board, how, widened=widths != KEEP, members=outside_members(program.views))
     known = api.settings.get("ports", {}).get("look_up", {})

@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 
-from robosmi import inputs, resources
-from robosmi.data_text import Json, json_of
+from robosmi import resources
+from robosmi.data_text import Json
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
@@ -26,6 +26,7 @@ from robosmi.transformations.knowledge.board_models import (
     table_of,
     text_of,
 )
+from robosmi.transformations.knowledge.target_names import KINDS, TargetNames, add_names_of, reserved_names
 from robosmi.verify.tables import DataTable
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
@@ -33,7 +34,6 @@ STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.
 PLAIN_C, CPLUSPLUS = "C", "C++"
 LANGUAGES = (PLAIN_C, CPLUSPLUS)
 _NUMBERS = ("intBits", "longBits", "pointerBits", "doubleBits")
-_NAMES = ("declared", "macros", "same", "absent", "keywords")
 _KEYS = (
     "platform", "board", "generator", "toolchain", "structure", "language", "suffix", "module_suffix", "project_file",
     "libraries", "any_board", "by_board",
@@ -41,27 +41,6 @@ _KEYS = (
 
 
 _Board = platform.Board  # the class below has a property of the module's name
-
-
-class TargetNames:
-    """The names that a program shares with the core of its target, as sets.
-
-    Args:
-        names: the element; None for a target that shares none.
-    """
-
-    def __init__(self, names: platform.ReservedNames | None) -> None:
-        def of(kind: str) -> frozenset[str]:
-            return frozenset(getattr(names, kind)) if names is not None else frozenset()
-
-        self.declared, self.macros, self.same, self.absent, self.keywords = (of(kind) for kind in _NAMES)
-
-    def beside(self, declared: frozenset[str], macros: frozenset[str]) -> TargetNames:
-        """The same with further names that a program shares with other text: those declared there, and macros."""
-        made = TargetNames(None)
-        made.declared, made.macros = self.declared | declared, self.macros | macros
-        made.same, made.absent, made.keywords = self.same, self.absent, self.keywords
-        return made
 
 
 class TargetFacts:
@@ -80,6 +59,17 @@ class TargetFacts:
         self._platform: platform.Platform = model.platform
         self.shared = model.platform.names
         """All names that the platform shares with programs, also once a plan has kept some of them only."""
+
+    def reserve_names_of(self, board: _Board, project: Path | None = None) -> None:
+        """Take over the names that sketches share with a board of another microcontroller.
+
+        Args:
+            board: of the plan; a drawing may have another one than the target.
+            project: the project folder; the current folder if None.
+        """
+        mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
+        if mcu and self.shared is not None:
+            add_names_of(mcu, self.platform, self.shared, project)
 
     @property
     def target(self) -> str:
@@ -306,22 +296,11 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
             widerNames=[
                 platform.TypeWidth(sourceType=name, targetType=kept) for name, kept in data.get("wider_names", {}).items()
             ],
-            names=_names(folder, project),
+            names=reserved_names(folder, project),
             **{key: data[key] for key in _NUMBERS},
         )
     except KeyError as error:
         raise PlatformDataError(f"the key {error} is missing", location=Location(str(table.path)), fix="add it") from None
-
-
-def _names(folder: str, project: Path | None) -> platform.ReservedNames:
-    path = resources.find(KIND, f"{folder}/names.json", project)
-    try:
-        data = json_of(inputs.read_bytes(path, inputs.DATA))
-        return platform.ReservedNames(**{key: data[key] for key in _NAMES})
-    except (OSError, ValueError, KeyError) as error:
-        raise PlatformDataError(
-            f"the names cannot be read: {error}", location=Location(str(path)), fix="correct the file"
-        ) from error
 
 
 def _toolchain(name: str, named_in: DataTable, project: Path | None) -> platform.Toolchain:
@@ -372,7 +351,7 @@ def target_repository(
     made.libraries.clear()
     made.libraries.extend(libraries)
     if facts.shared is not None:
-        made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in _NAMES})
+        made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in KINDS})
     chip = board.microcontroller
     return platform.PlatformRepository(
         platforms=[source, made],

@@ -13,7 +13,8 @@ from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts, TargetNames
+from robosmi.transformations.knowledge.target_names import TargetNames
+from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.own_headers import included

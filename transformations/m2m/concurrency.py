@@ -1,8 +1,8 @@
 """Code that a program starts on other cores, as coroutines of a target with one core: the plan's decision about it.
 
 A program that starts none has no such decision; neither has one whose starts no adapter serves. The only changes of text are
-calls of `yield` in loops that would keep the others waiting without end. What has to give way, and how much stack is needed, is
-told by `queries.cooperation`.
+calls of `yield` in loops that would keep the others waiting without end (`yielding`). What has to give way, and how much stack is
+needed, is told by `queries.cooperation`.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import re
 from collections.abc import Sequence
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2m.yielding import YIELD, yields
 from robosmi.transformations.queries.code import CodeView, CogStart, cogs_of
 from robosmi.transformations.queries.cooperation import (
     Waiting,
     gives_way,
     giving_way,
-    loops_of,
     main_loop,
     stack_bytes,
     starts_at_once,
@@ -24,17 +24,12 @@ from robosmi.transformations.queries.cooperation import (
 from robosmi.transformations.queries.live_code import live_in
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
-from robosmi.transformations.queries.source_text import SourceText, inside
+from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.stack_depth import IDLE, interrupt_bytes, measured_stacks
 
-GIVE_WAY = "give-way"
-"""Rule of changes of text: a loop lets the others get on."""
-YIELD = "yield"
-"""The target's function that lets others get on, and the piece that makes the next of them go on."""
 SPARE = 1.25
 """By what an estimate is multiplied."""
 _ENDS = re.compile(r"_end\b|stop\b|join\b|exit\b")
-REASON = "the others get on only when this loop waits"
 
 
 def concurrency(
@@ -79,9 +74,7 @@ def concurrency(
     )
     divided = {id(d.loop) for d in divisions if d.loop is not None}
     for view, text in zip(views, texts, strict=True):
-        for loop in loops_of(view):
-            if id(loop) not in divided and not _expanded(loop, view) and not gives_way(loop, waiting):
-                made.changes.extend(_changes(loop, text))
+        made.changes.extend(yields(view, text, waiting, divided))
     made.loopGivesWay = any(
         gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided
     )
@@ -92,27 +85,3 @@ def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[cc
     """The program's functions that are started, each once."""
     own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
     return [own[name] for name in dict.fromkeys(s.function for s in starts) if name in own]
-
-
-def _expanded(loop: ccode.Loop, view: CodeView) -> bool:
-    """Whether a loop comes from a macro, so that its text is elsewhere."""
-    return any(use.startOffset <= loop.startOffset < use.endOffset for use in view.unit.macroUses)
-
-
-def _changes(loop: ccode.Loop, text: SourceText) -> list[migration.TextChange]:
-    """What lets a loop give way each time: the shortest text that its body allows."""
-    body = loop.body
-    if isinstance(body, ccode.Block):
-        start = inside(text.data, body)[0]
-        return [_change(text, start, start, f" {YIELD}();")]
-    if body is None or isinstance(body, ccode.EmptyStatement):
-        end = text.data.find(b";", int(body.startOffset) if body is not None else int(loop.endOffset))
-        return [_change(text, end, end + 1, f" {YIELD}();")] if end >= 0 else []
-    start, end = int(body.startOffset), text.statement_end(body)
-    return [_change(text, start, start, f"{{ {YIELD}(); "), _change(text, end, end, " }")]
-
-
-def _change(text: SourceText, start: int, end: int, new: str) -> migration.TextChange:
-    return migration.TextChange(
-        unit=text.unit, startOffset=start, endOffset=end, replacement=new, rule=GIVE_WAY, reason=REASON, step=migration.Step.code
-    )

@@ -13,7 +13,8 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
-from robosmi.transformations.knowledge.target_platform import PLAIN_C, TargetFacts, TargetNames
+from robosmi.transformations.knowledge.target_names import TargetNames
+from robosmi.transformations.knowledge.target_platform import PLAIN_C, TargetFacts
 from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations, type_of

@@ -22,7 +22,7 @@ from robosmi.transformations.queries.binding_edits import referred, trace_bindin
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import SourceText
-from robosmi.transformations.queries.verdicts import body_effort, unserved_headers
+from robosmi.transformations.queries.verdicts import UNDEFINED, body_effort, unserved_headers
 
 _BARE_KEY = re.compile(r"[\w-]+")
 """A key that TOML takes without quotation marks."""
@@ -174,6 +174,22 @@ def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
         )
 
 
+def _undefined(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Variables that the program declares and that no file given defines."""
+    for disposition in plan.dispositions:
+        variable = disposition.element
+        if isinstance(variable, ccode.Variable) and not UNDEFINED.isdisjoint(disposition.rules):
+            yield Task(
+                rule="RS502",
+                severity=Level.warning,
+                message=f"give '{variable.name}' its value: no file that was given defines it",
+                effort="small",
+                fix="where it is declared; or give the file that defines it, too",
+                elements=[disposition],
+                **_place(variable),  # type: ignore[arg-type]
+            )
+
+
 def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
     for binding in plan.portBindings:
         if not binding.open:
@@ -261,5 +277,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _bindings, _libraries, _unsupported, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _unused,
 )  # fmt: skip

@@ -17,7 +17,8 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transform import ETL, Trace
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import COMPILER
-from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts, TargetNames
+from robosmi.transformations.knowledge.target_names import TargetNames
+from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts
 from robosmi.transformations.m2m.adapter_choice import HELPERS, TYPES, VALUES, AdapterChoice, UnservedHeader, serve
 from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, hide_types, own_prototypes, own_types
 from robosmi.transformations.m2m.concurrency import concurrency

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.target_platform import TargetNames
+from robosmi.transformations.knowledge.target_names import TargetNames
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.tokens import name_tokens
 

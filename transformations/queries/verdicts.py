@@ -180,7 +180,7 @@ class _Judge:
         if disposition.action is _Action.rewrite and CARRIED_OVER.issuperset(disposition.rules):
             reasons.append("a port in it has another pin on the target")
         verdict = _OF_ACTION.get(disposition.action, ADAPTED)
-        if _UNKNOWN_HEADER in disposition.rules:
+        if _UNKNOWN_HEADER in disposition.rules or not UNDEFINED.isdisjoint(disposition.rules):
             verdict = NEEDS_YOU
         effort = {UNSUPPORTED: "medium", NEEDS_YOU: "small"}.get(verdict, "")
         return Judged(verdict, "; ".join(reasons), effort)
@@ -225,6 +225,8 @@ class _Judge:
         )
 
 
+UNDEFINED = frozenset({"define-extern", "define-local"})
+"""Rules by which the declaration of a variable that no file defines became its definition."""
 _TO_DO = frozenset({"RS312", "RS321"})
 """Rules of warnings that leave something to be written: C that C++ refuses, code that needs a core of its own."""
 

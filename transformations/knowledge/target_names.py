@@ -1,0 +1,82 @@
+"""The names that programs share with the core of a target, which their own cannot have there.
+
+Those of a platform lie in `<platform>/names.json` of the platform repository, those that only boards with a microcontroller have
+in `<platform>/names/<microcontroller>.json`. What is renamed for them is told in `m2m.renaming`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from pathlib import Path
+
+from robosmi import inputs, resources
+from robosmi.data_text import json_of
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.metamodels import platform
+from robosmi.transformations.knowledge.board_models import KIND
+
+KINDS = ("declared", "macros", "same", "absent", "keywords")
+"""Functions, variables and types; macros; names that mean the same; missing standard functions; words of the language."""
+
+
+class TargetNames:
+    """The names that a program shares with the core of its target, as sets.
+
+    Args:
+        names: the element; None for a target that shares none.
+    """
+
+    def __init__(self, names: platform.ReservedNames | None) -> None:
+        def of(kind: str) -> frozenset[str]:
+            return frozenset(getattr(names, kind)) if names is not None else frozenset()
+
+        self.declared, self.macros, self.same, self.absent, self.keywords = (of(kind) for kind in KINDS)
+
+    def beside(self, declared: frozenset[str], macros: frozenset[str]) -> TargetNames:
+        """The same with further names that a program shares with other text: those declared there, and macros."""
+        made = TargetNames(None)
+        made.declared, made.macros = self.declared | declared, self.macros | macros
+        made.same, made.absent, made.keywords = self.same, self.absent, self.keywords
+        return made
+
+
+def reserved_names(folder: str, project: Path | None) -> platform.ReservedNames:
+    """The names of a platform, as a new element.
+
+    Args:
+        folder: of the platform in the repository.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: the file is missing or damaged.
+    """
+    return platform.ReservedNames(**_read_names(resources.find(KIND, f"{folder}/names.json", project), KINDS))
+
+
+def add_names_of(mcu: str, folder: str, names: platform.ReservedNames, project: Path | None) -> None:
+    """Add the names that only boards with a microcontroller have, where there is a file of them.
+
+    Raises:
+        PlatformDataError: the file is damaged.
+    """
+    paths = (each / folder / "names" / f"{mcu}.json" for each in resources.folders(KIND, project))
+    path = next((path for path in paths if path.is_file()), None)
+    for kind, more in (_read_names(path, ("declared", "macros")) if path is not None else {}).items():
+        known = set(getattr(names, kind))
+        getattr(names, kind).extend([name for name in more if name not in known])
+
+
+def _read_names(path: Path, kinds: Collection[str]) -> dict[str, list[str]]:
+    """The names of a file by kind.
+
+    Raises:
+        PlatformDataError: the file cannot be read, or lacks a kind.
+    """
+    try:
+        data = json_of(inputs.read_bytes(path, inputs.DATA))
+        return {kind: list(data[kind]) for kind in kinds}
+    except (OSError, ValueError, KeyError) as error:
+        raise PlatformDataError(
+            f"the names cannot be read: {error}", location=Location(str(path)), fix="correct the file"
+        ) from error

@@ -1,0 +1,134 @@
+"""Changes of text that let code beside others give way where it goes round: in loops, at jumps back, in macros that are loops.
+
+Each puts a call of the target's function that lets others get on into the way round. Which loops need one is told by
+`queries.cooperation`; that a program runs so at all is decided in `concurrency`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.cooperation import Waiting, gives_way, loops_of
+from robosmi.transformations.queries.source_text import SourceText, inside
+
+GIVE_WAY = "give-way"
+"""Rule of changes of text: a loop lets the others get on."""
+YIELD = "yield"
+"""The target's function that lets others get on, and the piece that makes the next of them go on."""
+REASON = "the others get on only when this loop waits"
+_HEAD = re.compile(rb"[ \t]*#[ \t]*define[ \t]+\w+(?:\([^)]*\))?")
+
+
+def yields(view: CodeView, text: SourceText, waiting: Waiting, divided: set[int]) -> Iterator[migration.TextChange]:
+    """What makes the loops of a unit give way that keep the others waiting.
+
+    Args:
+        view: the unit.
+        text: its text.
+        waiting: which statements surely wait.
+        divided: identities of loops that are functions now, which are called again and again.
+    """
+    macros: dict[int, ccode.Macro] = {}
+    for loop in loops_of(view):
+        if id(loop) in divided or gives_way(loop, waiting):
+            continue
+        use = _use_around(loop, view)
+        if use is None or _stands_behind(loop, use):
+            yield from _in_loop(loop, text)
+        elif use.macro is not None and use.macro in view.unit.macros:
+            macros[id(use.macro)] = use.macro
+    for macro in macros.values():
+        yield from _in_macro(macro, text)
+    for goto in view.of_kind(ccode.Goto):
+        if _use_around(goto, view) is None and _goes_back(goto, view, waiting):
+            start, end = int(goto.startOffset), text.statement_end(goto)
+            yield from (_change(text, start, start, f"{{ {YIELD}(); "), _change(text, end, end, " }"))
+
+
+def _use_around(element: ccode.Located, view: CodeView) -> ccode.MacroUse | None:
+    """The use of a macro that an element begins in, so that its text is elsewhere."""
+    uses = (use for use in view.unit.macroUses if use.startOffset <= element.startOffset < use.endOffset)
+    return next(uses, None)
+
+
+def _stands_behind(loop: ccode.Loop, use: ccode.MacroUse) -> bool:
+    """Whether only the head of a loop comes from a macro (`FOR_EVER { ... }`, `UNTIL(x);`)."""
+    return loop.body is not None and loop.body.startOffset >= use.endOffset
+
+
+def _goes_back(goto: ccode.Goto, view: CodeView, waiting: Waiting) -> bool:
+    """Whether a goto leads back over nothing that surely waits."""
+    function = ancestor_of_kind(goto, ccode.Function)
+    labels = (each for each in view.of_kind(ccode.Label) if each.name == goto.labelName)
+    label = next((each for each in labels if ancestor_of_kind(each, ccode.Function) is function), None)
+    if label is None or label.startOffset > goto.startOffset:
+        return False
+    block = ancestor_of_kind(label, ccode.Block)
+    between = (
+        (s for s in block.statements if label.startOffset <= s.startOffset and s.endOffset <= goto.startOffset) if block else ()
+    )
+    return not any(waiting.waits(s.statement if isinstance(s, ccode.Label) else s) for s in between)
+
+
+def _in_loop(loop: ccode.Loop, text: SourceText) -> list[migration.TextChange]:
+    """What lets a loop give way each time: the shortest text that its body allows."""
+    body = loop.body
+    if isinstance(body, ccode.Block):
+        start = inside(text.data, body)[0]
+        return [_change(text, start, start, f" {YIELD}();")]
+    if body is None or isinstance(body, ccode.EmptyStatement):
+        end = text.data.find(b";", int(body.startOffset) if body is not None else int(loop.endOffset))
+        return [_change(text, end, end + 1, f" {YIELD}();")] if end >= 0 else []
+    start, end = int(body.startOffset), text.statement_end(body)
+    return [_change(text, start, start, f"{{ {YIELD}(); "), _change(text, end, end, " }")]
+
+
+def _in_macro(macro: ccode.Macro, text: SourceText) -> Iterator[migration.TextChange]:
+    """The same in the definition of a macro: `while (x);`, `for (;;) { ... }`, `do { ... } while (x)`."""
+    head = _HEAD.match(text.data, int(macro.startOffset), int(macro.endOffset))
+    first = head.end() if head is not None else text.data.find(str(macro.name).encode(), int(macro.startOffset)) + len(macro.name)
+    words = [t for t in tokens(text.data[first : macro.endOffset]) if t[0] != "comment" and t[3] != "\\"]
+    opened: list[bool] = []  # of each brace that is open: whether it is the body of a do
+    at, tail = 0, False
+    while at < len(words):
+        word = words[at][3]
+        if word == "{":
+            opened.append(at > 0 and words[at - 1][3] == "do")
+            if opened[-1]:
+                place = first + words[at][2]
+                yield _change(text, place, place, f" {YIELD}();")
+        elif word == "}":
+            tail = bool(opened and opened.pop())
+        elif word in ("while", "for") and not tail:
+            close = _closing(words, at + 1)
+            if close is None:
+                return
+            following = words[close + 1] if close + 1 < len(words) else None
+            if following is not None and following[3] in ("{", ";"):
+                block = following[3] == "{"
+                place = first + following[2 if block else 1]
+                yield _change(text, place, place, f" {YIELD}()" + ";" * block)
+        else:
+            tail = False
+        at += 1
+
+
+def _closing(words: list[Token], at: int) -> int | None:
+    """The number of the parenthesis that closes the one at a place."""
+    depth = 0
+    for number in range(at, len(words)):
+        depth += (words[number][3] == "(") - (words[number][3] == ")")
+        if depth == 0:
+            return number
+    return None
+
+
+def _change(text: SourceText, start: int, end: int, new: str) -> migration.TextChange:
+    return migration.TextChange(
+        unit=text.unit, startOffset=start, endOffset=end, replacement=new, rule=GIVE_WAY, reason=REASON, step=migration.Step.code
+    )
