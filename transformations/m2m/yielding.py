@@ -111,7 +111,7 @@ def _in_macro(macro: ccode.Macro, text: SourceText) -> Iterator[migration.TextCh
             following = words[close + 1] if close + 1 < len(words) else None
             if following is not None and following[3] in ("{", ";"):
                 block = following[3] == "{"
-                place = first + following[2 if block else 1]
+                place = first + (following[2] if block else following[1])
                 yield _change(text, place, place, f" {YIELD}()" + ";" * block)
         else:
             tail = False

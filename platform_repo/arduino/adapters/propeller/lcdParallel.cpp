@@ -198,7 +198,8 @@ template <class... Arguments>
 inline int32_t lcdParallel_print(lcdParallel *device, const char *fmt, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
   LcdStream stream(device);
-  text_t text = {&stream, 0, 0, 0, 0, 0, false};
+  text_t text = text_t();
+  text.port = &stream;
   return format_text<true>(TextOut(&text), fmt, arguments + 1, sizeof...(given));
 }
 

@@ -496,7 +496,8 @@ inline int32_t c_fflush(FILE *fp) {
 template <class... Arguments>
 inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
-  text_t device = {file_of(fp), 0, 0, 0, 0, 0, false};
+  text_t device = text_t();
+  device.port = file_of(fp);
   return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, arguments + 1, sizeof...(given));
 }
 
@@ -662,6 +663,7 @@ inline int32_t c_vprintf(const char *fmt, va_list ap) {
 //#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
 inline int32_t c_vfprintf(FILE *fp, const char *fmt, va_list ap) {
   ListArguments given(fmt, ap);
-  text_t device = {file_of(fp), 0, 0, 0, 0, 0, false};
+  text_t device = text_t();
+  device.port = file_of(fp);
   return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, given.values, given.count);
 }
