@@ -76,8 +76,7 @@ class ConventionalPort(NamedTuple):
     role: str
 
 
-@dataclass(frozen=True)
-class PortTable:
+class PortTable(NamedTuple):
     """A table that an adapter looks ports of the source up in: an array, declared with the pin of each port from 0 on.
 
     Attributes:
