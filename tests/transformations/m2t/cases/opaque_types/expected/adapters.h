@@ -4,11 +4,13 @@
 
 #include <Arduino.h>
 
-struct fdserial {};  // TODO: complete symbol
+struct text_t {};  // TODO: complete symbol
+
+typedef text_t fdserial;
 
 struct i2c {};  // TODO: complete symbol
 
-struct serial {};  // TODO: complete symbol
+typedef text_t serial;
 
 // fdserial *fdserial_open(int rxpin, int txpin, int mode, int baudrate)  [fdserial.h]
 // called in line 9
