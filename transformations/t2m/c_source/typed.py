@@ -286,7 +286,7 @@ class _Reader:
         enumeration = base if plain.kind == _ENUM else ""
         return NumberKind(number, plain.kind in _CHARS, target=self._target(kind), base=base, enumeration=enumeration)
 
-    def _plainly(self, kind: Any) -> str:
+    def _plainly(self, kind: clang.Type) -> str:
         """The spelling of a type without qualifiers."""
         return " ".join(w for w in self.lib.text(self.lib.getTypeSpelling(kind)).split() if w not in ("const", "volatile"))
 
