@@ -65,11 +65,6 @@ def test_a_drawing_that_cannot_be_used_is_refused(command: str, name: str, cause
         "recommend": ["recommend", cases / name],
         "migrate": ["migrate", cases / "first_main.c", "--hardware", cases / name, "-o", tmp_path / "out"],
     }
-    if (command, name) == ("hardware", "no_board.fz"):  # parts and nets can be read without one
-        outcome = run(*words[command])
-        assert outcome.code == 0
-        assert "RS229" in outcome.out
-        return
     check_refused(run(*words[command]), 3, str(cases / name), cause)
     assert tree(tmp_path) == {}
 

@@ -14,9 +14,9 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.reading import Drawing, read_drawing
+from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
-from robosmi.transformations.queries.circuit import hardware_report, of_board, the_board
+from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, the_board
 
 
 @dataclass(frozen=True)
@@ -110,12 +110,17 @@ def hardware_chain() -> Chain:
 
 
 def drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
-    """The circuit with its connections; one without a board is read as far as it goes, and it is said (RS219, RS229).
+    """The circuit with its connections.
+
+    A schematic may be one sheet of several: without a board it is read as far as it goes, and the reader has said so.
 
     Raises:
-        SourceError: the drawing cannot be read.
+        SourceError: the drawing cannot be read, or has no board and is no schematic.
     """
-    return read_drawing(path, roles)
+    made = read_drawing(path, roles)
+    if not boards(made.circuit) and not any(finding.rule in (HEADERS_ONLY, NO_BOARD) for finding in made.findings):
+        the_board(made.circuit)  # says what is missing
+    return made
 
 
 def faults(drawing: Drawing) -> list[Finding]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi import resources
-from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
@@ -17,7 +17,7 @@ from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 
 HEADERS_ONLY, NO_BOARD = "RS219", "RS229"
-"""Rules by which it is said that a drawing has no board: it seems to be drawn as headers (by its reader), or there is none."""
+"""Rules by which readers say that a schematic has no board: it seems to be drawn as headers, or there is none."""
 
 if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration, platform
@@ -84,7 +84,7 @@ class Drawing(NamedTuple):
 
 
 def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = None) -> Drawing:
-    """Read a drawing and map its boards' pins to its components; one without a board has parts and nets, and a finding says so.
+    """Read a drawing and map its boards' pins to its components.
 
     Args:
         path: the drawing.
@@ -102,9 +102,5 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     for board in boards(circuit):
         if board.boardName:
             models[board.elementId] = load_board(board.boardName)
-    if not boards(circuit) and not any(finding.rule == HEADERS_ONLY for finding in findings):
-        message = "there is no board in this drawing: its parts and nets are read, and no pin is told"
-        fix = "give the file that has the board, or give a part the role Board in robosmi.toml under [roles]"
-        findings = [*findings, Finding(NO_BOARD, Severity.warning, message, Location(str(path)), fix=fix)]
     connections, odd = map_connectors(circuit, models)
     return Drawing(circuit, models, connections, [*findings, *odd])

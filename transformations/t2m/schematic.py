@@ -293,7 +293,7 @@ class _Making:
                 )  # fmt: skip
 
     def _without_board(self) -> None:
-        """Say where a board seems to be drawn as its headers only, which tell nothing of its pins."""
+        """Say that there is no board: its headers only, which tell nothing of its pins, or none, as on a sheet of several."""
         if any(component.role is hardware.Role.Board for component in self.builder.components):
             return
         words = ("digital", "analog", "power", "arduino", "shield")
@@ -307,6 +307,11 @@ class _Making:
                 "RS219", Severity.error, f"there is no board: {', '.join(found[:4])} seem to be the headers of one", None,
                 "draw the board by its own symbol (an Arduino Uno, a shield), so that its pins are told",
             )  # fmt: skip
+            return
+        self.report(
+            "RS229", Severity.warning, "there is no board in this drawing: its parts and nets are read, and no pin is told", None,
+            "give the file that has the board, or give a part the role Board in robosmi.toml under [roles]",
+        )  # fmt: skip
 
 
 def hash_of(pins: Mapping[str, str]) -> str:

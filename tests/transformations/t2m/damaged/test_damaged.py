@@ -146,11 +146,10 @@ def test_sheets_that_draw_each_other_are_refused(tmp_path: Path) -> None:
     assert read_through(kicad.schematic(tmp_path / "a.kicad_sch", kicad.uno(), kicad.below("b", "b.kicad_sch"))) is None
 
 
-def test_a_board_that_nobody_knows_is_no_board_and_its_parts_are_read(tmp_path: Path) -> None:
+def test_a_board_that_nobody_knows_is_no_board(tmp_path: Path) -> None:
     path = tmp_path / "diagram.json"
     path.write_text(wokwi('{"type": "wokwi-led", "id": "l"}', '["uno:13", "l:A", "", []]').replace("arduino-uno", "arduino-xyz"))
     outcome = run("hardware", path)
-    assert outcome.code == 0
-    assert "what 'uno' (#uno) does is unknown" in outcome.out
-    assert "there is no board in this drawing" in outcome.out
-    assert "uno 13" in outcome.out
+    assert outcome.code == 3
+    assert "no board" in outcome.err
+    assert "do: " in outcome.err

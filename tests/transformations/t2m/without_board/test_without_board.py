@@ -1,4 +1,4 @@
-"""Drawings without a board: read with parts and nets, while no program is moved to them; and those with more than one."""
+"""Schematics without a board: read with parts and nets, while no program is moved to them; and those with more than one."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from robosmi.errors import SourceError
 from robosmi.transformations.chains.hardware import hardware
 from tests.running import run
 from tests.transformations.t2m.eagle import support as eagle
-from tests.transformations.t2m.fritzing.support import FIXTURES
 from tests.transformations.t2m.kicad import support as kicad
 
 PROGRAM = Path(__file__).parents[4] / "docs" / "examples" / "line_follower" / "line_follower.c"
@@ -19,16 +18,6 @@ PROGRAM = Path(__file__).parents[4] / "docs" / "examples" / "line_follower" / "l
 
 def sheet(tool: str, folder: Path) -> Path:
     """Two lamps on one net, and no board."""
-    if tool == "wokwi":
-        lamps = ", ".join(f'{{"type": "wokwi-led", "id": "D{number}"}}' for number in (1, 2))
-        (folder / "diagram.json").write_text(
-            f'{{"editor": "wokwi", "parts": [{lamps}], "connections": [["D1:A", "D2:A", "", []]]}}'
-        )
-        return folder / "diagram.json"
-    if tool == "fritzing":
-        text = (FIXTURES / "no_board.fz").read_text(encoding="utf-8")
-        (folder / "a.fz").write_text(text.replace("Arm", "D1").replace("R1", "D2"), encoding="utf-8")
-        return folder / "a.fz"
     if tool == "kicad":
         return kicad.schematic(
             folder / "a.kicad_sch", kicad.led("D1", 100, 20), kicad.led("D2", 150, 20), kicad.wire(100, 20, 150, 20)
@@ -37,7 +26,7 @@ def sheet(tool: str, folder: Path) -> Path:
     return eagle.schematic(folder, [eagle.device("LED", eagle.TWO, "LED")], parts, [eagle.net("A", "D1.1", "D2.1")])
 
 
-@pytest.mark.parametrize("tool", ["eagle", "kicad", "wokwi", "fritzing"])
+@pytest.mark.parametrize("tool", ["eagle", "kicad"])
 def test_a_sheet_without_a_board_is_read_and_no_program_is_moved_to_it(tool: str, tmp_path: Path) -> None:
     path = sheet(tool, tmp_path)
     outcome = run("hardware", path, "--json")
