@@ -30,7 +30,7 @@ _Value = TypeVar("_Value")
 
 
 if TYPE_CHECKING:
-    from robosmi.model.ecore_types import EDataType, EPackage
+    from robosmi.model.ecore import EDataType, EPackage
     from robosmi.model.strict import EnumLiteral
 
     Classifier: TypeAlias = type[Element] | type[EnumLiteral] | EDataType

@@ -81,11 +81,11 @@ class PortTable(NamedTuple):
 
     Attributes:
         name: its name in the text.
-        count: how many ports it tells of.
+        size: of how many ports it tells.
     """
 
     name: str
-    count: int
+    size: int
 
 
 @dataclass

@@ -52,7 +52,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
             )
             for one in piece.ranges
         ],
-        tables=[platform.PortTable(name=table.name, count=table.count) for table in piece.tables],
+        tables=[platform.PortTable(name=table.name, count=table.size) for table in piece.tables],
         **said,
     )  # fmt: skip
 

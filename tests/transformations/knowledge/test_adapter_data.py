@@ -60,7 +60,7 @@ def test_a_file_that_was_edited_is_read_itself(tmp_path: Path) -> None:
     (piece,) = load(folder / "tools.cpp").pieces
     assert (piece.text, piece.needs) == ("void low(int pin) { high(); }", ["latch"])
     (folder / "latch.json").write_text("{")
-    assert load(folder / "latch.cpp").pieces[0].tables[0].count == 4
+    assert load(folder / "latch.cpp").pieces[0].tables[0].size == 4
     (needed,) = [AdapterPieces(AdapterIndex([folder])).needed([("tools.h", "low")], "atmega328p").pieces]
     assert [p.name for p in needed] == ["latch", "low"]
 
