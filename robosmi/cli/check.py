@@ -13,14 +13,17 @@ from robosmi.report import Report
 def configure(parser: argparse.ArgumentParser) -> None:
     """Add the command's options."""
     parser.add_argument("model", metavar="MODEL|DRAWING|PLAN", type=Path, help="a drawing, a stored plan.xmi or another model")
-    parser.add_argument("--metamodel", metavar="X.ecore", type=Path, help="metamodel of MODEL, which is XMI")
+    parser.add_argument(
+        "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
+        help="metamodel of MODEL, which is XMI; may be given several times",
+    )  # fmt: skip
 
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("check")
     project = project_of(arguments.model)
-    done = content("chain", "check")(arguments.model, arguments.metamodel)
+    done = content("chain", "check")(arguments.model, arguments.metamodels)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     return report

@@ -132,7 +132,10 @@ class _Merge:
         for identity in before:
             if identity in new and identity not in old and self.before is not None:
                 self.say("RS519", Severity.info, f"the region '{identity}' was taken out of the file and is not made again")
-        lines = self._assembled(chunks(base_lines, ours_lines, theirs_lines), base_lines, ours_lines, theirs_lines)
+        if base_lines == ours_lines and not orphans:
+            lines = [_Line(line) for line in theirs_lines]  # most files have no edit, and comparing takes long
+        else:
+            lines = self._assembled(chunks(base_lines, ours_lines, theirs_lines), base_lines, ours_lines, theirs_lines)
         text = self._with_orphans(lines, [orphan for orphan in orphans if orphan[1].identity in gone])
         if twice := partition(text, self.styles).twice():
             message = f"the file cannot be merged: the region '{twice[0].identity}' would stand in it twice"

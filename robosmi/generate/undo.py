@@ -22,13 +22,13 @@ from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
 from robosmi.generate.places import Places
-from robosmi.inputs import SETTINGS, read_bytes
+from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
 from robosmi.model.commit import update
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.elsewhere import changes as file_changes
 from robosmi.model.files import digest, within
 from robosmi.model.recovery import at_work
-from robosmi.model.runs import STATE, keep, kept
+from robosmi.model.runs import STATE, kept, place_of
 
 SCHEMA = "robosmi-undo/1"
 
@@ -52,8 +52,11 @@ def keep_before(
     contents: Mapping[str, bytes],
     removed: Collection[str] = (),
     outside: Elsewhere | None = None,
-) -> None:
-    """Keep the state of a folder for a run that is about to write and remove these files; nothing where it changes nothing.
+) -> Elsewhere:
+    """What a run that is about to write and remove these files is to write elsewhere, so that it can be taken back.
+
+    That is what it writes elsewhere anyway, and the record of the state before: it belongs to the same commit, so that the way
+    back is the one of the last run which came to its end, wherever one after it was killed.
 
     Args:
         folder: the output folder.
@@ -62,19 +65,23 @@ def keep_before(
         removed: paths of files that go.
         outside: files elsewhere that the run writes, too, such as the project file: what each holds and what it is about to hold.
 
+    Returns:
+        `outside`, with the record where anything is changed.
+
     Raises:
-        SourceError: there is no place for the record.
+        SourceError: there is no place for the record, or it cannot be read.
     """
     after: dict[str, bytes | None] = {**contents, **dict.fromkeys(removed)}
     before = {name: places.look(name) for name in sorted(after)}
     changed = [name for name in before if before[name] != after[name]]
     beyond = {str(path): pair for path, pair in file_changes(outside or {}).items()}
     if not changed and not beyond:
-        return
+        return outside or {}
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
     elsewhere = {path: [_packed(old), digest(new) if new is not None else None] for path, (old, new) in beyond.items()}
     state = {"schema": SCHEMA, "files": files} | ({"outside": elsewhere} if elsewhere else {})
-    keep(folder, STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
+    place = place_of(folder, STATE)
+    return {**(outside or {}), place: (_bytes(place, OUTPUT), f"{json.dumps(state, indent=1, sort_keys=True)}\n".encode())}
 
 
 def _packed(data: bytes | None) -> str | None:
@@ -113,16 +120,15 @@ def undo(folder: Path) -> Undone:
             contents[MANIFEST] = Manifest(noted["files"], choices, beside_choices=beside).to_bytes()
             manifest.note(folder, contents[MANIFEST])
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
-        keep_before(folder, places, contents, removed, put_back)
-        update(folder, contents, removed, places.seen, put_back)
+        update(folder, contents, removed, places.seen, keep_before(folder, places, contents, removed, put_back))
     restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
     gone = [str(path) for path, (_, old) in put_back.items() if old is None]
     return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
 
 
-def _bytes(path: Path) -> bytes | None:
+def _bytes(path: Path, kind: Kind = SETTINGS) -> bytes | None:
     try:
-        return read_bytes(path, SETTINGS, follow=False)
+        return read_bytes(path, kind, follow=False)
     except FileNotFoundError:
         return None
     except OSError as error:

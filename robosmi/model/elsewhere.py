@@ -1,4 +1,4 @@
-"""Files outside of an output folder that a run writes in the same commit, such as the project file beside a program.
+"""Files outside of an output folder that a run writes in the same commit: the project file beside a program, the way back.
 
 Their new contents wait beside them under a hidden name. What is to go where is kept in the user's data and not in the output
 folder, since nothing that comes with a folder may name a file elsewhere. `commit` lets them wait; `recovery` lets them take their
@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from robosmi.data_text import json_of
-from robosmi.inputs import SETTINGS
+from robosmi.inputs import OUTPUT
 from robosmi.model.files import digest
 from robosmi.model.open_folder import OpenFolder
 from robosmi.model.runs import ELSEWHERE, keep, kept, unkeep
@@ -110,7 +110,7 @@ def _recorded(folder: Path, run: object = None) -> Iterator[_Waiting]:
 def _found(around: OpenFolder, name: str) -> str | None:
     """The digest of a file, None where there is none; empty where it cannot be told, so that the file is left alone."""
     try:
-        return digest(around.read(name, SETTINGS))
+        return digest(around.read(name, OUTPUT))
     except FileNotFoundError:
         return None
     except OSError:

@@ -127,7 +127,16 @@ def keep(folder: Path, what: str, text: str) -> None:
     Raises:
         SourceError: there is no place for it.
     """
-    _store(_place(os.path.realpath(folder), what), text)
+    _store(place_of(folder, what), text)
+
+
+def place_of(folder: Path, what: str) -> Path:
+    """Where something of an output folder (`STATE`, `SOURCES` or `ELSEWHERE`) is kept.
+
+    Raises:
+        SourceError: there is no place for it.
+    """
+    return _place(os.path.realpath(folder), what)
 
 
 def kept(folder: Path, what: str) -> str:
@@ -137,12 +146,12 @@ def kept(folder: Path, what: str) -> str:
         OSError: nothing was kept, or it cannot be read.
         ValueError: it is no text.
     """
-    return read_text(_place(os.path.realpath(folder), what), _KEPT[what])
+    return read_text(place_of(folder, what), _KEPT[what])
 
 
 def unkeep(folder: Path, what: str) -> None:
     """Forget what `keep` kept of an output folder."""
-    _place(os.path.realpath(folder), what).unlink(missing_ok=True)
+    place_of(folder, what).unlink(missing_ok=True)
 
 
 def own_stage(folder: Path, found: os.stat_result | None = None) -> None:

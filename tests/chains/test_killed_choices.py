@@ -103,6 +103,10 @@ def test_a_killed_choice_is_whole_or_not_at_all(begun: str, data: Path, robot: P
         unfinished += interrupted(out)
         recover(out)  # as every run does first
         states.append(state())
+        undo(out)  # the run before the killed one can be taken back where that did not come to its end
+        assert state() != states[-1]
+        undo(out)
+        assert state() == states[-1]
         assert [p.name for p in robot.iterdir() if p.name not in ("blink.c", "robosmi.toml", "out")] == []
 
     def all_points(folder: Path, *arguments: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 from pathlib import Path
@@ -279,7 +280,28 @@ def test_adapters_are_listed_with_what_they_do_not_do(project: Path) -> None:
     assert by_name["simpletools.h", "freqout"]["status"] == "care"
     assert by_name["wifi.h", "wifi_start"]["status"] == "unsupported"
     assert "serial line" in by_name["wifi.h", "wifi_start"]["limits"][0]
+    todo = run("adapters", "show", "cal_activityBot", "--json").document["result"]["adapters"]
+    assert [(row["header"], row["status"], row["signatures"], row["text"]) for row in todo] == [
+        ("abcalibrate.h", "todo", ["void cal_activityBot()"], ""),
+        ("abcalibrate360.h", "todo", ["void cal_activityBot(void)"], ""),
+    ]
+    assert "robosmi adapters save OUT" in run("adapters", "show", "abcalibrate.h/cal_activityBot").out
+    assert "serial line" in run("adapters", "show", "wifi_start").out
     outcome = run("adapters", "show", "pingg")
     assert outcome.code == 2
     assert "did you mean 'ping'?" in outcome.err
     assert "return ping(pin) / 58;" in run("adapters", "show", "ping.h/ping_cm").out
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize("linked", ["models", "models/plan.xmi", "tilt", "tilt/adapters.h"])
+def test_nothing_is_saved_out_of_a_folder_that_a_link_leads_out_of(linked: str, project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    outside = project.parent / "outside"
+    (project / "out" / linked).rename(outside)
+    (project / "out" / linked).symlink_to(outside)
+    outcome = run("adapters", "save", project / "out")
+    assert outcome.code == 3, outcome.err
+    assert "link" in outcome.err
+    assert not list((project.parent / "home").rglob("s3*"))

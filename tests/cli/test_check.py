@@ -124,3 +124,17 @@ def test_a_model_of_a_metamodel_of_ones_own_is_checked_with_it(
     assert code == 0
     assert document["result"]["models"] == [{"model": "x", "elements": 1, "constraints": 1}]
     assert [f["rule"] for f in document["findings"]] == ["SH1"]
+
+
+def test_a_model_of_several_metamodels_is_checked_with_all_of_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    names = {"shelf": "Shelf", "book": "Book"}
+    for name, kind in names.items():
+        (tmp_path / f"{name}.ecore").write_text(ECORE.replace("shelf", name).replace('"Shelf"', f'"{kind}"'))
+    model = tmp_path / "x.xmi"
+    roots = "".join(f'<{name}:{kind} xmlns:{name}="http://nowhere/{name}"/>' for name, kind in names.items())
+    model.write_text(f'<xmi:XMI xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI">{roots}</xmi:XMI>')
+    both = [word for name in names for word in ("--metamodel", tmp_path / f"{name}.ecore")]
+    code, document = run("check", model, *both, capsys=capsys)
+    assert code == 0, document["findings"]
+    assert document["result"]["models"] == [{"model": "x", "elements": 2, "constraints": 0}]
+    assert run("check", model, *both[:2], capsys=capsys)[0] == 3

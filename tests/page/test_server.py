@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import json
 import os
+import re
 import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -212,3 +213,74 @@ def test_two_requests_at_once_are_done_one_after_the_other(server: PageServer, o
     for thread in threads:
         thread.join()
     assert sorted(states) == ["saved", "stale", "stale"]
+
+
+def test_two_robots_have_two_servers_and_each_keeps_its_own_choices(out: Path, tmp_path: Path) -> None:
+    shutil.copytree(out.parent, tmp_path / "other", ignore=shutil.ignore_patterns("out"))
+    robosmi.migrate([tmp_path / "other" / "blink.c"], tmp_path / "other" / "out")
+    outs = {"D4": out, "D9": tmp_path / "other" / "out"}
+    servers = {pin: PageServer(PlanPage(place)) for pin, place in outs.items()}
+    answers: dict[str, Any] = {}
+
+    def choose(pin: str) -> None:
+        server = servers[pin]
+        Thread(target=server.serve_forever, kwargs={"poll_interval": 0.02}, daemon=True).start()
+        about = {"id": "port:eye", "value": pin, "plan": server.content.now()}
+        answers[pin] = json.loads(asked(server, f"/{server.token}/choose", json.dumps(about).encode())[2])
+
+    threads = [Thread(target=choose, args=(pin,)) for pin in servers]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {pin: answer["state"] for pin, answer in answers.items()} == {"D4": "saved", "D9": "saved"}
+    for pin, place in outs.items():
+        assert f'eye = "{pin}"' in (place.parent / "robosmi.toml").read_text()
+        assert asked(servers[pin], f"/{next(s for p, s in servers.items() if p != pin).token}/")[0] == 403
+        servers[pin].shutdown()
+        servers[pin].server_close()
+
+
+def test_choices_of_one_page_make_the_folder_that_choices_of_many_make(out: Path, tmp_path: Path) -> None:
+    shutil.copytree(out.parent, tmp_path / "copy")
+    copy, page = tmp_path / "copy" / "out", PlanPage(out)
+    for at, value in enumerate(["D4", "D9", "", "none", "D9"]):
+        for each in (page, PlanPage(copy)):
+            about = {"id": "port:eye", "value": value, "why": f"try {at}", "plan": each.now()}
+            assert each.act("choose", about)["state"] == "saved"
+        assert plain(out) == plain(copy)
+    (out / "models" / "code.xmi").write_bytes((out / "models" / "code.xmi").read_bytes() + b"\n")
+    answer = page.act("choose", {"id": "port:eye", "value": "D4", "plan": page.now()})
+    assert (answer["state"], "digest" in answer["message"]) == ("refused", True)
+
+
+def plain(out: Path) -> dict[str, str]:
+    """The files of a folder, without the times in them and what depends on them."""
+    times = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ")
+    return {path.name: times.sub("", path.read_text("utf-8")) for path in (out / "models").iterdir() if path.is_file()} | {
+        path.name: path.read_text("utf-8") for path in (out / "blink").iterdir()
+    }
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize(
+    ("linked", "words"),
+    [
+        *((linked, ["choose", "OUT", "eye=D4"]) for linked in ("models", "models/plan.xmi", "blink", "blink/blink.ino")),
+        *((linked, ["wiring", "OUT", "--as", "csv", "-o", "made.csv"]) for linked in ("models", "models/plan.xmi")),
+    ],
+)
+def test_no_command_follows_a_link_out_of_the_folder(
+    words: list[str], linked: str, out: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (out / linked).rename(tmp_path / "outside")
+    (out / linked).symlink_to(tmp_path / "outside")
+    before = tree(tmp_path / "outside") if (tmp_path / "outside").is_dir() else (tmp_path / "outside").read_bytes()
+    outcome = run(*[out if word == "OUT" else word for word in words])
+    assert outcome.code == 3, outcome.err
+    assert (tree(tmp_path / "outside") if (tmp_path / "outside").is_dir() else (tmp_path / "outside").read_bytes()) == before
+    assert (out / linked).is_symlink()
+    assert "link" in outcome.err
+    assert not (tmp_path / "made.csv").exists()
+    assert not (out.parent / "robosmi.toml").exists()

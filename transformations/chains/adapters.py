@@ -16,7 +16,8 @@ from robosmi import inputs
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError, did_you_mean
-from robosmi.generate.places import free_name
+from robosmi.generate.places import Places, free_name
+from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, platform
 from robosmi.model.files import write_atomic
 from robosmi.project import FILE_NAME, defaults, load_project
@@ -32,6 +33,8 @@ from robosmi.transformations.m2t.task_list import RELATIONS
 from robosmi.transformations.queries.written_bodies import Body, bodies
 
 _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
+
+_HOW = "write its body into adapters.h of a program that calls it, then: robosmi adapters save OUT"
 
 
 @dataclass
@@ -61,12 +64,14 @@ class AdaptersTold:
             lines.append(
                 f"{each['header']:16} {each['function']:28} {each['status']:11} {each['kind']:8} {each['source']}".rstrip()
             )
+            lines += [f"  {signature}" for signature in each.get("signatures", ()) if not text]
+            lines += [f"  {_HOW}" for _ in each.get("signatures", ()) if each["status"] == "todo"]
             lines += [f"  limit: {limit}" for limit in each["limits"]] if text is not None else []
             lines += ["", *str(text).split("\n"), ""] if text else []
         counted = [each for each in self.adapters if each["status"] in ("filled", "care")]
         if self.written:
             lines += [f"written into {path}" for path in self.written]
-        elif not any(each.get("text") for each in self.adapters):
+        elif not any("text" in each for each in self.adapters):
             lines.append(f"{len(counted)} of {len(self.adapters)} functions have an adapter")
         return lines
 
@@ -84,23 +89,17 @@ def list_adapters(target: str | None = None, source: str | None = None) -> Adapt
         known = [piece for pieces in index.of(header) for piece in pieces if piece.kind == "adapter"]
         first = {piece.name: piece for piece in reversed(known)}
         rows += [_row(index, piece) for _, piece in sorted(first.items())]
-        reason = index.unsupported(header)
-        state = "unsupported" if reason else "todo"
-        rows += [
-            {"function": name, "header": header, "kind": "", "source": "", "status": state, "limits": [reason] if reason else []}
-            for name in api.functions_of(header)
-            if name not in first
-        ]
+        rows += [_row_without(index, header, name) for name in api.functions_of(header) if name not in first]
     return AdaptersTold(rows)
 
 
 def show_adapter(name: str, target: str | None = None, source: str | None = None) -> AdaptersTold:
-    """The adapters of a function, the one that counts first in front, with their texts.
+    """The adapters of a function, the one that counts first in front, with their texts; of one without any what is to be written.
 
     Raises:
-        UsageError: there is none of that name.
+        UsageError: the source platform has no function of that name.
     """
-    index, _ = _of(target, source)
+    index, api = _of(target, source)
     header, _, function = name.rpartition("/")
     pieces = [
         piece
@@ -109,6 +108,8 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
         for piece in group
         if piece.kind == "adapter" and piece.name == function
     ]
+    if not pieces and (without := [h for h in ([header] if header else index.headers) if function in api.functions_of(h)]):
+        return AdaptersTold([_row_without(index, each, function) | _to_write(api, each, function) for each in without])
     if not pieces:
         known = {piece.name for each in index.headers for group in index.of(each) for piece in group if piece.kind == "adapter"}
         raise UsageError(
@@ -133,6 +134,21 @@ def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
     }  # fmt: skip
 
 
+def _row_without(index: AdapterIndex, header: str, name: str) -> dict[str, Json]:
+    """The row of a function that has no adapter."""
+    reason = index.unsupported(header)
+    state = "unsupported" if reason else "todo"
+    return {"function": name, "header": header, "kind": "", "source": "", "status": state, "limits": [reason] if reason else []}
+
+
+def _to_write(api: ApiIndex, header: str, name: str) -> dict[str, Json]:
+    """What is known of a function that has no adapter."""
+    return {
+        "signatures": [api.signature(name, api.declared(header)[name])], "fidelity": "", "needs": [], "mcus": [],
+        "path": None, "line": None, "text": "",
+    }  # fmt: skip
+
+
 def _whole(piece: AdapterPiece) -> dict[str, Json]:
     return {
         "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": list(piece.needs), "mcus": list(piece.mcus),
@@ -154,7 +170,9 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
     plan = stored_models(output).plan
     folder = _folder(output, whose)
     ending = ENDING_OF[str(plan.target.language) if plan.target is not None else "C++"]
-    texts = [inputs.read_text(path, inputs.SOURCE) for path in _sources(output / str(plan.name))]
+    places, sketch = Places(output), str(plan.name)
+    names = [f"{sketch}/{path.name}" for path in _sources(output / sketch)]
+    texts = [read(places.read(name) or b"").text for name in names]
     found = {name: (body, text) for text in reversed(texts) for name, body in bodies(text).items() if not body.open}
     told, files = AdaptersTold(), dict[Path, str]()
     for use in plan.adapterUses:

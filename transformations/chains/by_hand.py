@@ -49,7 +49,7 @@ class ByHand:
         """
         if PurePosixPath(name).name == REPORT:
             return with_ticks(last, {tick.key for tick in ticks(there) if tick.done}), there
-        if PurePosixPath(name).suffix not in _CODE:
+        if PurePosixPath(name).suffix not in _CODE or there == last:
             return last, there
         new, before = bodies(made), bodies(last)
         gone = [body for body in written(there, last).values() if body.name not in new or not new[body.name].open]

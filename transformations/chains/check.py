@@ -7,13 +7,14 @@ is said too. Nothing is written.
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration
-from robosmi.model import EmfModel, Model, open_model
+from robosmi.model import EmfModel, Metamodel, Model, open_model
 from robosmi.model.metamodels import built_in
 from robosmi.model.versions import read_current
 from robosmi.plugins import registry
@@ -47,25 +48,25 @@ class Checked:
         return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
 
 
-def check(path: str | Path, metamodel: Path | None = None) -> Checked:
+def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:
     """Check a model.
 
     Args:
         path: a drawing, a stored plan, or a model file of any technology.
-        metamodel: the `.ecore` of an XMI file whose metamodel is not known.
+        metamodels: the `.ecore` files of an XMI file whose metamodels are not known.
 
     Raises:
         SourceError: it cannot be read.
         ModelError: it contradicts its metamodel.
     """
     with project_of_input(path):
-        return _checked(Path(path), metamodel)
+        return _checked(Path(path), metamodels)
 
 
-def _checked(file: Path, metamodel: Path | None) -> Checked:
+def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
     done = Checked()
-    if metamodel is not None:
-        return _validated(done, [open_model(file, "emf", metamodel=metamodel)])
+    if metamodels:
+        return _validated(done, [open_model(file, "emf", metamodel=Metamodel.load(*metamodels))])
     if is_drawing(file):
         read = read_drawing(file, project_of(file).roles)
         done.findings += read.findings

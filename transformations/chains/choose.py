@@ -8,7 +8,7 @@ Every front end chooses by this function: the command, the page and whatever els
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -96,6 +96,7 @@ def choose(
     seen: str | None = None,
     dry_run: bool = False,
     history: str | None = None,
+    read: Callable[[Path], MigrationModels] = stored_models,
 ) -> Chosen:
     """Choose in the plan of an output folder, and make the sketch again.
 
@@ -108,6 +109,7 @@ def choose(
         seen: the digest of the plan that the person has seen; None to take it as it is.
         dry_run: write nothing.
         history: place of earlier choices, where libraries are counted; the user's own if None.
+        read: gives the models that the folder holds, for the caller to change no more; from the files if not told otherwise.
 
     Raises:
         UsageError: there is no such choice or value.
@@ -124,7 +126,7 @@ def choose(
     with alone(folder) if dry_run else at_work(folder):
         data = Places(folder).read(STORED) or b""
         _hold(folder, data, seen)
-        models = stored_models(folder)
+        models = read(folder)
         refuse_nonsense(models.plan)
         settle(models.plan, models.files)
         chosen = {}

@@ -205,9 +205,9 @@ def produce(
             record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
             record.beside_choices = manifest.beside_choices if STORED in staying else beside_choices(contents[STORED])
             everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-            keep_before(output, places, everything, going, outside)
+            elsewhere = keep_before(output, places, everything, going, outside)
             manifest.note(output, everything[MANIFEST])
-            update(output, everything, going, places.seen, outside)
+            update(output, everything, going, places.seen, elsewhere)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     changes = _diff(places, contents, going, "would change" if dry_run else "changed") if dry_run or diff else ""
     return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=changes)

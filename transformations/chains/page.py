@@ -59,6 +59,7 @@ class PlanPage:
     def __init__(self, output: Path, source: Path | None = None) -> None:
         self.output, self.source = output, source
         self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
+        self._held: MigrationModels | None = None
         self._templates = Gen(templates=_built_in())
 
     def now(self) -> str:
@@ -124,8 +125,9 @@ class PlanPage:
             identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))
             if not identity or max(map(len, (identity, value, why))) > _LONGEST:
                 raise UsageError("this is no choice", fix="load the page again")
-            done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown)
+            done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown, read=self._read)
             self._make(done.models)
+            self._held = done.models
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
             where = f"in the plan and in {done.project}" if done.project is not None else alone
             return f"Saved: {identity} = {value}; {where}.", done.command, done.diff
@@ -143,6 +145,17 @@ class PlanPage:
                 self._tick(str(about.get("tick", "")), done=about.get("done") is True)
                 return "Saved in the plan and in MIGRATION.md.", "", ""
         raise UsageError(f"the page asks for '{what}', which there is not", fix="load the page again")
+
+    def _read(self, folder: Path) -> MigrationModels:
+        """The models that the folder holds: those that the page was made of, once, where the files are still theirs."""
+        held, self._held = self._held, None
+        if held is None or self.plan != self.now():
+            return stored_models(folder)
+        places = Places(folder)
+        if any(digest(places.read(f"{FOLDER}/{entry.path}") or b"") != entry.digest for entry in held.plan.inputs):
+            return stored_models(folder)
+        held.notes.clear()
+        return held
 
     def _tick(self, key: str, *, done: bool) -> None:
         """Tick something on the bench's list in the report, and let the plan know."""

@@ -92,9 +92,9 @@ def NumberIsAPort(b: migration.PortBinding) -> Any:
 def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> Any:
     """Each change of text replaces bytes of its unit."""
     wrong = [
-        f"a change of {c.unit.path} replaces bytes {c.startOffset} to {c.endOffset} of {c.unit.size}"
+        f"a change of {unit.path} replaces bytes {c.startOffset} to {c.endOffset} of {unit.size}"
         for c in all_changes(p)
-        if c.unit is not None and not 0 <= c.startOffset <= c.endOffset <= c.unit.size
+        if (unit := c.unit) is not None and not 0 <= c.startOffset <= c.endOffset <= unit.size
     ]
     return not wrong or Fail("; ".join(wrong))
 

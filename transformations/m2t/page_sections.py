@@ -201,7 +201,7 @@ def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, A
     for binding in plan.portBindings:
         if binding.pin is not None:
             ports.setdefault(binding.pin.label, []).append(str(binding.name))
-    wrong = [f for f in said(Q(plan.findings), places) if f.rule.startswith("RS2")]
+    wrong = said(Q(f for f in plan.findings if str(f.rule).startswith("RS2")), places)
     rows = [
         (
             c.pin.label if c.pin is not None else "", str(c.component.title) if c.component is not None else "",
@@ -222,7 +222,7 @@ def _image(picture: str) -> str:
 
 def verdict(plan: migration.MigrationPlan, picture: str, places: dict[str, str]) -> dict[str, Json]:
     """What comparing the sketch with the original has shown, if that was done."""
-    told = [finding_row(f) for f in said(Q(plan.findings), places) if f.rule in VERDICT_RULES]
+    told = [finding_row(f) for f in said(Q(f for f in plan.findings if f.rule in VERDICT_RULES), places)]
     return {"told": told, "picture": _image(picture) if picture and told else ""}
 
 

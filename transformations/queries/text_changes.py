@@ -39,17 +39,17 @@ def effective(changes: Iterable[migration.TextChange]) -> list[migration.TextCha
     (a text that begins with it) in the reverse order and before all others.
     """
     kept: list[migration.TextChange] = []
-    order = sorted(enumerate(changes), key=lambda p: (_path(p[1]), p[1].startOffset, -p[1].endOffset, p[0]))
-    reach, unit = -1, None
+    order = sorted((_path(c), c.startOffset, -c.endOffset, number, c) for number, c in enumerate(changes))
+    reach, unit = -1, ""
     inserted: list[migration.TextChange] = []
-    for _, change in order:
-        if change.unit is not unit:
-            reach, unit = -1, change.unit
-        if change.startOffset == change.endOffset:
+    for path, start, minus_end, _, change in order:
+        if path != unit:
+            reach, unit = -1, path
+        if start == -minus_end:
             inserted.append(change)
-        elif change.startOffset >= reach:
+        elif start >= reach:
             kept.append(change)
-            reach = change.endOffset
+            reach = -minus_end
     closing = [c for c in inserted if c.replacement.startswith(")")]
     placed = [*reversed(closing), *(c for c in inserted if not c.replacement.startswith(")"))]
     placed.sort(key=lambda c: (_path(c), c.startOffset))

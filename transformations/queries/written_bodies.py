@@ -111,6 +111,8 @@ def written(there: str, made: str, last: str = "") -> dict[str, Body]:
         made: the text that is made.
         last: the text that was made before; a function that is there as it was in that is nobody's.
     """
+    if there == last:
+        return {}
     own, before = bodies(there), bodies(last)
     return {
         name: own[name]
