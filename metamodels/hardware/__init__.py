@@ -288,6 +288,8 @@ class Net(Element, metaclass=MetaEClass):
     """The drawing."""
     name: str = EAttribute(eType=EString, lower=1)
     """Made of the smallest connector in it, stable between runs."""
+    title: str = EAttribute(eType=EString, default_value="")
+    """The name that the drawing gives it; empty where it gives none, or only a number."""
     rail: bool = EAttribute(eType=EBoolean)
     """True when it distributes a supply or ground."""
     railEvidence: str = EAttribute(eType=EString, default_value="")
@@ -304,6 +306,7 @@ class Net(Element, metaclass=MetaEClass):
             *,
             circuit: Circuit | None = None,
             name: str | None = None,
+            title: str | None = None,
             rail: bool | None = None,
             railEvidence: str | None = None,
             voltage: str | None = None,

@@ -1,6 +1,6 @@
 """Names and colours of a circuit's nets in a picture: no two nets have the same, so that what looks the same is the same.
 
-A rail has the name of its net's supply; a further net with that supply has a number behind it.
+A rail has the name that the drawing gives to its net, else that of its supply; a further net of that name has a number behind it.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from robosmi.metamodels import hardware
 
 _KNOWN = {"GND": "#333333", "5V": "#c0392b", "3.3V": "#d35400"}
+_LETTERS = 18
 _TURN = 137.508  # degrees; colours that follow one another are far apart
 
 
@@ -23,7 +24,7 @@ def rail_names(rails: Iterable[hardware.Net]) -> dict[int, str]:
     names: dict[int, str] = {}
     taken: set[str] = set()
     for net in sorted(rails, key=lambda net: not _of_a_board(net)):
-        wanted = " ".join((net.voltage or "supply").split())[:12]
+        wanted = " ".join((net.title or net.voltage or "supply").split())[:_LETTERS]
         name, number = wanted, 1
         while name in taken:
             number += 1

@@ -1,14 +1,19 @@
-"""Places for the boxes and lines of a circuit's picture: columns by their distance from a board, so that no line has to pass
-a column, each sorted by what its boxes are connected to. Lengths in pixels of the SVG. What boxes mean is not known here.
+"""Places for the boxes and lines of a circuit's picture. The boxes of a group stand in columns by their distance from its first,
+so that no line has to pass a column, each sorted by what its boxes are connected to; a column that is too long is folded, and its
+lines go over what stands between. No line leads from one group to another, and groups are stacked side by side so that it all
+is about as high as wide. Lengths in pixels of the SVG. What boxes mean is not known here.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from math import sqrt
 
 _ROW, _HEAD, _GAP, _MARGIN, _MARK, _FOOT = 18, 40, 22, 20, 15, 16
-_CHANNEL = 150
+_CHANNEL, _BEND, _APART = 150, 60, 50
+_LANE, _LANES, _FIRST_LANE, _NEXT_LANE = 36, 6, 14, 5
+_LEAST_LIMIT = 1_400
 _FONT, _SMALL = 12, 10
 _NARROW, _WIDE = frozenset("iljIftr.,:;'|!()[]/ "), frozenset("mwMW@%—")
 _IDEOGRAPHS = 0x2E80
@@ -55,13 +60,18 @@ class DrawnMark:
 
 @dataclass(slots=True)
 class Box:
-    """A component: title, subtitle, fill, column (0 is left), marks and the colour of its edge. `placed` fills the places."""
+    """A component: title, subtitle, fill, column (the least is left), group, marks and the colour of its edge.
+
+    `placed` fills the places, the strip (a column that is too long is folded into several) and the top of its group's strips.
+    """
 
     number: int
     title: str
     subtitle: str
     fill: str
     column: int
+    group: int = 0
+    strip: int = 0
     rows: list[PartRow] = field(default_factory=list)
     marks: list[DrawnMark] = field(default_factory=list)
     edge: str = "#444"
@@ -69,6 +79,7 @@ class Box:
     y: float = 0
     width: float = 0
     height: float = 0
+    top: float = 0
 
 
 @dataclass(slots=True)
@@ -89,49 +100,101 @@ def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str
 
     Args:
         boxes: by number.
-        links: lines between their rows.
+        links: lines between their rows, each within one group.
         below: lines of text that come below.
 
     Returns:
         Width and height of the whole.
     """
-    near: dict[int, list[float]] = {}
-    left = float(_MARGIN)
-    bottom = 0.0
-    columns: list[list[Box]] = [[] for _ in range(max((box.column for box in boxes), default=0) + 1)]
+    groups: dict[int, list[Box]] = {}
     for box in boxes:
-        columns[box.column].append(box)
+        groups.setdefault(box.group, []).append(box)
+    inside: dict[int, list[DrawnLink]] = {}
+    for link in links:
+        inside.setdefault(boxes[link.one.box].group, []).append(link)
+    sizes = {group: _columns(boxes, mine, inside.get(group, ())) for group, mine in groups.items()}
+    limit = max((height for _, height in sizes.values()), default=0.0)
+    limit = max(limit, sqrt(sum((width + _APART) * (height + _GAP) for width, height in sizes.values())))
+    left, top, widest, bottom = float(_MARGIN), float(_MARGIN), 0.0, 0.0
+    for group, (width, height) in sizes.items():
+        if top > _MARGIN and top + height > limit + _MARGIN:
+            left, top, widest = left + widest + _APART, float(_MARGIN), 0.0
+        for box in groups[group]:
+            _move(box, left, top)
+        widest, top = max(widest, width), top + height + _GAP
+        bottom = max(bottom, top)
+    for link in links:
+        _draw(boxes, link)
+    text = max((text_width(line) + 2 * _MARGIN for line in below), default=0)
+    width = max(left + widest + _MARGIN if boxes else 200, text)
+    return round(width), round(bottom + _FOOT * len(below)) or 60
+
+
+def _columns(boxes: Sequence[Box], mine: Sequence[Box], links: Sequence[DrawnLink]) -> tuple[float, float]:
+    """Give the boxes of a group their places from 0, 0 on; its width and height."""
+    near: dict[int, list[float]] = {}
+    columns: dict[int, list[Box]] = {}
+    for box in mine:
+        columns.setdefault(box.column, []).append(box)
     rightwards: dict[int, list[tuple[Place, Place]]] = {}  # by the column where they begin
     for link in links:
         for one, other in ((link.one, link.other), (link.other, link.one)):
             if boxes[one.box].column < boxes[other.box].column:
                 rightwards.setdefault(boxes[one.box].column, []).append((one, other))
-    for column, mine in enumerate(columns):
-        mine.sort(key=lambda box: (sum(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
-        width = max((_width(box) for box in mine), default=0.0)
-        top = float(_MARGIN)
-        for box in mine:
-            height = _HEAD + _ROW * len(box.rows) + _MARK * len(box.marks) + 6
-            if column > 1 and box.number in near:  # level with what it hangs on
+    left = bottom = 0.0
+    first, strip = min(columns), 0
+    area = sum((_width(box) + _CHANNEL) * (_height(box) + _GAP) for box in mine)
+    limit = max(_LEAST_LIMIT, sqrt(area), *(_height(box) for box in mine))
+    for column, here in sorted(columns.items()):
+        here.sort(key=lambda box: (sum(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
+        folded = sum(_height(box) + _GAP for box in here) > limit
+        top, stood = 0.0, list[Box]()
+        for box in here:
+            height = _height(box)
+            if folded and stood and top + height > limit:
+                left, strip, top, stood = _end_strip(stood, left), strip + 1, 0.0, []
+            if column > first + 1 and not folded and box.number in near:  # level with what it hangs on
                 top = max(top, sum(near[box.number]) / len(near[box.number]) - height / 2)
-            box.x, box.y, box.width, box.height = left, top, width, height
+            box.x, box.y, box.height, box.strip = left, top, height, strip
+            stood.append(box)
             for row in box.rows:
                 row.y = top + _HEAD + _ROW * row.number + 6
-                row.left, row.right = left, left + width
                 row.tag_width = text_width(row.tag, _SMALL) + 14 if row.tag else 0
-                row.tag_x = left + width - row.tag_width - 8
             for number, mark in enumerate(box.marks):
                 mark.y = top + _HEAD + _ROW * len(box.rows) + _MARK * number + 8
-            top += box.height + _GAP
-        bottom = max(bottom, top)
+            top += height + _GAP
+            bottom = max(bottom, top - _GAP)
+        left, strip = _end_strip(stood, left), strip + 1
         for one, other in rightwards.get(column, ()):
             near.setdefault(other.box, []).append(_level(boxes[one.box], one))
-        left += width + _CHANNEL
-    for link in links:
-        _draw(boxes, link)
-    text = max((text_width(line) + 2 * _MARGIN for line in below), default=0)
-    width = max(left - _CHANNEL + _MARGIN if boxes else 200, text)
-    return round(width), round(bottom + _FOOT * len(below)) or 60
+    ends = [(boxes[link.one.box].strip, boxes[link.other.box].strip) for link in links]
+    if any(abs(one - other) > 1 for one, other in ends):
+        bottom += _LANE
+        for box in mine:
+            _move(box, 0, _LANE)
+    return left - _CHANNEL + (_BEND if (strip - 1, strip - 1) in ends else 0), bottom
+
+
+def _end_strip(stood: Sequence[Box], left: float) -> float:
+    """Give the boxes of a strip, one below the other, their width; where the next strip begins."""
+    width = max(_width(box) for box in stood)
+    for box in stood:
+        box.width = width
+    return left + width + _CHANNEL
+
+
+def _height(box: Box) -> float:
+    return _HEAD + _ROW * len(box.rows) + _MARK * len(box.marks) + 6
+
+
+def _move(box: Box, right: float, down: float) -> None:
+    box.x, box.y, box.top = box.x + right, box.y + down, box.top + down
+    for row in box.rows:
+        row.y += down
+        row.left, row.right = box.x, box.x + box.width
+        row.tag_x = row.right - row.tag_width - 8
+    for mark in box.marks:
+        mark.y += down
 
 
 def text_width(text: str, size: float = _FONT, bold: bool = False) -> float:
@@ -162,14 +225,19 @@ def _draw(boxes: Sequence[Box], link: DrawnLink) -> None:
     """The path of a link and the two points where it ends, at the edges of its boxes."""
     one, other = (boxes[place.box] for place in (link.one, link.other))
     start, end = _level(one, link.one), _level(other, link.other)
-    if one.column == other.column:  # out and back on the same side
-        left, right = one.x + one.width, other.x + other.width
-        bend = max(left, right) + 60
+    if one.strip > other.strip:
+        one, other, start, end = other, one, end, start
+    left, right = one.x + one.width, other.x
+    if one.strip == other.strip:  # out and back on the same side
+        right = other.x + other.width
+        bend = max(left, right) + _BEND
         link.path = f"M{left:g},{start:g} C{bend:g},{start:g} {bend:g},{end:g} {right:g},{end:g}"
-    else:
-        if one.column > other.column:
-            one, other, start, end = other, one, end, start
-        left, right = one.x + one.width, other.x
+    elif one.strip + 1 == other.strip:
         middle = (left + right) / 2
         link.path = f"M{left:g},{start:g} C{middle:g},{start:g} {middle:g},{end:g} {right:g},{end:g}"
+    else:  # over what stands between, each box's lines at a distance of their own
+        apart = _FIRST_LANE + _NEXT_LANE * (one.number % _LANES)
+        lane, out, back = one.top - _LANE + _NEXT_LANE * (one.number % _LANES), left + apart, right - apart
+        corners = [(left, start), (out, start), (out, lane), (back, lane), (back, end), (right, end)]
+        link.path = "M" + " L".join(f"{x:g},{y:g}" for x, y in corners)
     link.ends = ((left, start), (right, end))

@@ -1,5 +1,6 @@
 """A circuit as a picture (SVG) that a person can hold beside the robot: boards left, then what is wired to them, then what is
-behind that; a line for each connection of a signal net, a coloured tag with the net's name for each connector on a rail.
+behind that, and apart from them what no signal joins to a board; a line for each connection of a signal net, a coloured tag with
+the net's name for each connector on a rail. Symbols of supplies are no boxes: one table has the rails that they stand for.
 
 Beyond `MOST_LINES` lines the picture is by component: one line between two boxes stands for all their wires, and each row names
 what it is wired to. What is wrong is marked where it is, ports of the source stand at the pins that they became. What is drawn is
@@ -8,7 +9,7 @@ computed here, `circuit_layout` places it, the template writes it.
 
 from __future__ import annotations
 
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from textwrap import wrap
@@ -84,27 +85,53 @@ class _Drawing:
     def picture(self) -> Picture:
         loose: list[str] = []
         shown = [c for c in self.circuit.components if c.role is not hardware.Role.Decoration and not _only_joins(c)]
+        symbols = [component for component in shown if self._only_names_a_rail(component)]
+        shown = [component for component in shown if component not in symbols]
         far = _distances(shown)
         for component in sorted(shown, key=lambda c: (far[c], natural_key(c.elementId))):
-            box = self._box(component, far[component])
+            box = self._box(component, *far[component])
             if box.rows:
                 self.result.boxes.append(box)
             else:
                 loose.append(_name(component))
         self._link()
+        if symbols:
+            self._table_of_rails(symbols)
         if len(self.result.links) > MOST_LINES:
             self._bundle()
         if loose:
             self.result.below += wrap(f"not connected: {', '.join(loose)}", _FOOT_LETTERS)
-        drawn = {id(component) for component in self.circuit.components} - {id(c) for c in shown}
-        whole = [*self.marks.whole, *(m for c, found in self.marks.components.items() if id(c) in drawn for m in found)]
+        drawn = {id(component) for component in (*shown, *symbols)}
+        whole = [*self.marks.whole, *(m for c, found in self.marks.components.items() if id(c) not in drawn for m in found)]
         for mark in dict.fromkeys(whole):
             self.result.below += wrap(f"{mark.rule}: {_short(mark.message, 3 * _FOOT_LETTERS)}", _FOOT_LETTERS)
         return self.result
 
     # ---- boxes
 
-    def _box(self, component: hardware.Component, column: int) -> Box:
+    def _only_names_a_rail(self, component: hardware.Component) -> bool:
+        """Whether it is a symbol of a supply about which there is nothing to say but at its pin."""
+        if component.role is not hardware.Role.Power or len(component.connectors) != 1 or component in self.marks.components:
+            return False
+        net = component.connectors[0].net
+        return net is not None and bool(net.rail)
+
+    def _table_of_rails(self, symbols: Sequence[hardware.Component]) -> None:
+        """A box with the rails that have symbols, and how many connectors of components are on each."""
+        named = Counter(id(component.connectors[0].net) for component in symbols)
+        wrong = {id(c.net): self.marks.connectors[c] for s in symbols for c in s.connectors if c in self.marks.connectors}
+        group = max((box.group for box in self.result.boxes), default=0) + 1
+        box = Box(len(self.result.boxes), "Rails", f"drawn with {len(symbols)} symbols", _FILLS["Power"], 0, group)
+        for net in sorted((n for n in self.circuit.nets if id(n) in named), key=lambda n: natural_key(self.rails[id(n)])):
+            count = len(net.connectors) - named[id(net)]
+            row = PartRow(len(box.rows), f"{count} connector{'s' * (count != 1)}")
+            row.tag, row.tag_colour = self.rails[id(net)], self.colours[id(net)]
+            if (mark := wrong.get(id(net))) is not None:
+                row.mark_colour, row.mark_text = mark.colour, f"{mark.rule}: {mark.message}"
+            box.rows.append(row)
+        self.result.boxes.append(box)
+
+    def _box(self, component: hardware.Component, column: int, group: int) -> Box:
         about = " · ".join(filter(None, (component.partTitle, component.role.name + (", driver" if component.driver else ""))))
         values = [
             p.value for p in component.properties if p.name in ("resistance", "capacitance", "voltage", "color") and p.value
@@ -121,6 +148,7 @@ class _Drawing:
             _short(" · ".join([about, *values[:1]]), 48),
             _FILLS[component.role.name],
             column,
+            group,
             marks=lines,
             edge=lines[0].colour if lines else "#444",
         )
@@ -175,24 +203,38 @@ class _Drawing:
         ]
 
 
-def _distances(components: Sequence[hardware.Component]) -> dict[hardware.Component, int]:
-    """How many signal nets lie between a board and each component; 1 for what no net leads to."""
+def _distances(components: Sequence[hardware.Component]) -> dict[hardware.Component, tuple[int, int]]:
+    """How many signal nets lie between a board and each component, and 0; of what no net leads to, the way from the one in its
+    midst that has most connectors on signals, beginning at 1, and a number for those that are joined."""
     known = set(components)
-    boards = [c for c in components if c.role is hardware.Role.Board]
-    found = dict.fromkeys(boards, 0)
+    found: dict[hardware.Component, tuple[int, int]] = {}
     seen: set[int] = set()
-    todo = deque(boards)
-    while todo:
-        component = todo.popleft()
-        for net in (c.net for c in component.connectors if c.net is not None):
-            if net.rail or id(net) in seen:
-                continue
-            seen.add(id(net))
-            for other in (c.component for c in net.connectors):
-                if other is not None and other in known and other not in found:
-                    found[other] = found[component] + 1
-                    todo.append(other)
-    return {component: found.get(component, 1) for component in components}
+
+    def walk(first: Iterable[hardware.Component], column: int, group: int) -> None:
+        todo = deque(first)
+        found.update((component, (column, group)) for component in todo)
+        while todo:
+            component = todo.popleft()
+            for net in _signals(component):
+                if id(net) in seen:
+                    continue
+                seen.add(id(net))
+                for other in (c.component for c in net.connectors):
+                    if other is not None and other in known and other not in found:
+                        found[other] = found[component][0] + 1, group
+                        todo.append(other)
+
+    walk([c for c in components if c.role is hardware.Role.Board], 0, 0)
+    far = [component for component in components if component not in found]
+    far.sort(key=lambda c: (-len(_signals(c)), natural_key(c.elementId)))
+    for group, component in enumerate(far, 1):
+        if component not in found:
+            walk([component], 1, group)
+    return found
+
+
+def _signals(component: hardware.Component) -> list[hardware.Net]:
+    return [c.net for c in component.connectors if c.net is not None and not c.net.rail]
 
 
 def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardware.Connector]]]:

@@ -176,12 +176,13 @@ class CircuitBuilder:
         found = self._ends.get(end)
         return found[0] if found is not None else None
 
-    def net(self, ends: Sequence[End]) -> hardware.Net:
+    def net(self, ends: Sequence[End], title: str = "") -> hardware.Net:
         """Add a net; whether it is a rail follows from its connectors.
 
         Args:
             ends: connectors of components that are placed, at least one, and none that is in another net: what two nets have in
                 common makes them one.
+            title: the name that the drawing gives it, where it gives one.
 
         Raises:
             ModelError: an end is not there, or is in a net already: a fault of the reader.
@@ -198,6 +199,7 @@ class CircuitBuilder:
         why = rail(terminals)
         net = hardware.Net(
             name=f"{first.component}.{first.connector}",
+            title=title,
             rail=why is not None,
             railEvidence=why.evidence if why else "",
             voltage=why.voltage if why else "",

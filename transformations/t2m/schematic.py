@@ -28,6 +28,8 @@ from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
 _LEAST_PORTS = 3
+_NUMBERED = ("N$", "Net-(")
+"""How names begin that a tool gives to nets that have none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,7 +226,9 @@ class _Making:
                     False,
                 )
         nets = [name for names in self.used.get(part.identity, {}).values() for name in names]
-        told = [n for n in dict.fromkeys(nets) if not n.startswith("N$") and connector_kind(n, self.builder.names) == "signal"]
+        told = [
+            n for n in dict.fromkeys(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"
+        ]
         title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
         return (
             replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
@@ -251,7 +255,12 @@ class _Making:
                 node = (part.identity, known.leader(connector))
                 if node in joined and self.builder.connector(End(part.identity, connector)) is not None:
                     groups.setdefault(joined.find(node), []).append(End(part.identity, connector))
-        nets = {root: self.builder.net(members) for root, members in groups.items()}
+        titles: dict[tuple[str, str], str] = {}
+        for net in self.drawn.nets:
+            if net.ends and net.name and not net.name.startswith(_NUMBERED):
+                end = net.ends[0]
+                titles.setdefault(joined.find((end.component, self.known[end.component][1].leader(end.connector))), net.name)
+        nets = {root: self.builder.net(members, titles.get(root, "")) for root, members in groups.items()}
         for number, net in enumerate(self.drawn.nets, 1):
             if len(net.ends) > 1:
                 end = net.ends[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,6 +19,7 @@ from robosmi.transformations.m2t.circuit_colours import net_colours, rail_names
 from robosmi.transformations.m2t.circuit_layout import text_width
 from robosmi.transformations.m2t.circuit_picture import MOST_LINES, circuit_picture, svg
 from robosmi.transformations.t2m.fritzing import read_circuit
+from tests.transformations.t2m.eagle import support as eagle
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -98,6 +100,30 @@ def loose_ends(picture: str) -> list[str]:
     return wrong
 
 
+def crossed(picture: str) -> list[str]:
+    """The wires round the columns of a picture that pass through a box."""
+    root = etree.fromstring(picture.encode())
+    boxes = [
+        tuple(float(r.get(key, "0")) for key in ("x", "y", "width", "height"))
+        for r in root.iter(f"{SVG}rect")
+        if r.get("rx") == "5"
+    ]
+    wrong = []
+    for wire in (path.get("d", "") for path in root.iter(f"{SVG}path")):
+        numbers = [float(number) for number in _NUMBER.findall(wire)]
+        corners = list(zip(numbers[::2], numbers[1::2], strict=True)) if "L" in wire else []
+        for (x, y), (a, b) in pairwise(corners):
+            if any(
+                max(x, a) > left + _EXACT
+                and min(x, a) < left + width - _EXACT
+                and max(y, b) > top + _EXACT
+                and min(y, b) < top + height - _EXACT
+                for left, top, width, height in boxes
+            ):
+                wrong.append(wire)
+    return wrong
+
+
 def texts(picture: str) -> list[str]:
     """The texts of a picture."""
     return [" ".join(span.text.split()) for span in spans(picture)]
@@ -125,6 +151,7 @@ def test_no_text_lies_over_another_and_no_wire_ends_nowhere_in_any_drawing() -> 
         drawn += 1
         wrong += [f"{path}: '{one}' and '{other}'" for one, other in overlapping(spans(picture))]
         wrong += [f"{path}: the wire {wire} ends nowhere" for wire in loose_ends(picture)]
+        wrong += [f"{path}: the wire {wire} goes through a box" for wire in crossed(picture)]
         root = etree.fromstring(picture.encode())
         width, height = (float(root.get(key, "0")) for key in ("width", "height"))
         wrong += [
@@ -205,6 +232,37 @@ def test_many_wires_are_bundled_by_component_and_each_row_says_where_it_leads(tm
     made = hardware(path).picture()
     assert overlapping(spans(made)) == []
     assert loose_ends(made) == []
+
+
+def test_symbols_of_supplies_are_one_table_of_rails_that_have_the_names_of_their_nets(tmp_path: Path) -> None:
+    libraries = [eagle.device("ARDUINO-UNO", eagle.UNO), eagle.device("VM", [("VM", "sup")]), eagle.device("MOTOR", eagle.TWO)]
+    symbols = [f"VM{number}" for number in range(9)]
+    parts = [eagle.part("B1", "ARDUINO-UNO"), eagle.part("M1", "MOTOR"), *(eagle.part(name, "VM") for name in symbols)]
+    nets = [eagle.net("VMOT", "M1.1", *(f"{name}.VM" for name in symbols)), eagle.net("N$1", "B1.D9", "M1.2")]
+    made = hardware(eagle.schematic(tmp_path, libraries, parts, nets))
+    picture = circuit_picture(made.circuit, made.findings)
+    boxes = {box.title: box for box in picture.boxes}
+    assert {*boxes} == {"B1", "M1", "Rails"}
+    assert [(row.text, row.tag) for row in boxes["Rails"].rows] == [("1 connector", "VMOT")]
+    tags = {row.text: (row.tag, row.tag_colour) for row in boxes["M1"].rows}
+    assert tags["1"] == ("VMOT", boxes["Rails"].rows[0].tag_colour)
+    assert tags["2"] == ("", "")
+
+
+def test_a_column_that_is_too_long_is_folded_and_its_lines_go_round_it(tmp_path: Path) -> None:
+    leds = [f'{{"type": "wokwi-led", "id": "led{number}"}}' for number in range(64)]
+    wires = [f'["uno:{2 + number % 8}", "led{number}:A", "", []]' for number in range(64)]
+    path = tmp_path / "diagram.json"
+    board = '{"type": "wokwi-arduino-uno", "id": "uno"}'
+    path.write_text(f'{{"editor": "wokwi", "parts": [{", ".join([board, *leds])}], "connections": [{", ".join(wires)}]}}')
+    picture = hardware(path).picture()
+    root = etree.fromstring(picture.encode())
+    width, height = (float(root.get(key, "0")) for key in ("width", "height"))
+    assert height < 1_600 < 2 * width
+    assert sum("L" in wire.get("d", "") for wire in root.iter(f"{SVG}path")) > 20
+    assert overlapping(spans(picture)) == []
+    assert loose_ends(picture) == []
+    assert crossed(picture) == []
 
 
 def test_links_are_the_signal_nets() -> None:

@@ -23,6 +23,9 @@ from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
 MOST_PARTS = 20_000
 """Parts of a schematic, those of module instances counted with each; the largest public one has a few thousand."""
 
+MOST_INSTANCES, MOST_ELEMENTS = 1_000, 500_000
+"""Module instances of a schematic, and XML elements in their modules, those inside of others counted with each."""
+
 MOST_LEVELS = 20
 """Module instances inside module instances."""
 
@@ -91,7 +94,7 @@ def read_schematic(path: Path) -> EagleSchematic:
     """The records of a `.sch` of EAGLE 6 and on.
 
     Raises:
-        SourceError: the file is missing, not readable, damaged, of an older EAGLE, no schematic, or has too many parts.
+        SourceError: the file is missing, not readable, damaged, of an older EAGLE, no schematic, or too large.
     """
     data = drawing_bytes(path, "schematic", "the .sch file in it", _FIX)
     if data.startswith(_BINARY):
@@ -118,7 +121,8 @@ class _Reading:
     """One schematic, sheet by sheet."""
 
     def __init__(self, made: EagleSchematic, drawn: etree._Element) -> None:
-        self.made = made
+        self.made, self.instances, self.elements = made, 0, 0
+        self.sizes: dict[str, int] = {}
         self.libraries = EagleLibraries(drawn)
         self.modules = {module.get("name", ""): module for module in drawn.iterfind("modules/module")}
 
@@ -146,10 +150,14 @@ class _Reading:
             attributes, line_of(element), found,
         )  # fmt: skip
         self.made.parts.append(part)
-        if len(self.made.parts) > MOST_PARTS:
-            cause = f"it has more than {MOST_PARTS:,} parts"
-            raise SourceError(cause, location=Location(self.made.path, part.line), fix="check that it is the drawing you meant")
+        self._hold(len(self.made.parts), MOST_PARTS, "parts", element)
         return part
+
+    def _hold(self, count: int, most: int, what: str, element: etree._Element) -> None:
+        if count > most:
+            cause = f"it has more than {most:,} {what}"
+            place = Location(self.made.path, line_of(element))
+            raise SourceError(cause, location=place, fix="check that it is the drawing you meant")
 
     def _instances(self, owner: etree._Element, prefix: str, inside: tuple[str, ...]) -> Iterator[tuple[str, set[str]]]:
         """The module instances with the names of their ports; what is in them is taken."""
@@ -162,8 +170,17 @@ class _Reading:
             if module is None:
                 self.made.missing.append((kind, line_of(element)))
                 continue
+            self.instances += 1
+            self.elements += self._size(kind, module)
+            self._hold(self.instances, MOST_INSTANCES, "module instances", element)
+            self._hold(self.elements, MOST_ELEMENTS, "elements in its module instances", element)
             self.all_of(module, f"{prefix}{name}:", (*inside, kind))
             yield name, {port.get("name", "") for port in module.iterfind("ports/port")}
+
+    def _size(self, kind: str, module: etree._Element) -> int:
+        if kind not in self.sizes:
+            self.sizes[kind] = sum(1 for _ in module.iter())
+        return self.sizes[kind]
 
     def _net(self, net: etree._Element, prefix: str, ports: dict[str, set[str]]) -> None:
         name = prefix + net.get("name", "")

@@ -15,6 +15,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.chains.hardware import hardware
 from tests.fuzz.drawings import DRAWINGS, beside, cut, damaged, read_through, sources
 from tests.running import run
+from tests.transformations.t2m.fritzing.support import FIXTURES
 from tests.transformations.t2m.kicad import support as kicad
 
 UNO = '{"type": "wokwi-arduino-uno", "id": "uno"}'
@@ -112,16 +113,20 @@ def test_ten_thousand_levels_are_refused(name: str, text: str, tmp_path: Path) -
 
 
 @pytest.mark.parametrize("name", ["xxe", "billion"])
-def test_external_and_growing_entities_are_refused(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("source", "begins", "one"),
+    [(DRAWINGS / "eagle" / "robot.sch", "<eagle", "part"), (FIXTURES / "blocked_passive.fz", "<module", "instance")],
+)
+def test_external_and_growing_entities_are_refused(source: Path, begins: str, one: str, name: str, tmp_path: Path) -> None:
     entities = {
         "xxe": '<!ENTITY a SYSTEM "file:///etc/hostname">',
         "billion": "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 12))
         + '<!ENTITY a "&a11;"><!ENTITY a0 "x">',
     }
-    text = (DRAWINGS / "eagle" / "robot.sch").read_text(encoding="utf-8")
-    path = tmp_path / "a.sch"
-    body = text[text.index("<eagle") :].replace("<part name=", '<part value="&a;" name=', 1)
-    path.write_text(f'<?xml version="1.0"?>\n<!DOCTYPE eagle [{entities[name]}]>\n{body}')
+    text = source.read_text(encoding="utf-8")
+    path = tmp_path / f"a{source.suffix}"
+    body = text[text.index(begins) :].replace(f"<{one} ", f'<{one} note="&a;" ', 1)
+    path.write_text(f'<?xml version="1.0"?>\n<!DOCTYPE {begins[1:]} [{entities[name]}]>\n{body}')
     with pytest.raises(SourceError) as refused:
         hardware(path)
     assert refused.value.fix

@@ -136,6 +136,28 @@ def test_a_module_that_has_itself_in_it_is_refused(tmp_path: Path) -> None:
         read_circuit(schematic(tmp_path, [], [], [], inner, inst))
 
 
+@pytest.mark.parametrize(
+    ("inner", "times", "deep", "cause"),
+    [("", 10, 16, "more than 1,000 module instances"), (net("n", "R1.1") * 3_000, 500, 1, "more than 500,000 elements")],
+)
+def test_module_instances_that_grow_beyond_measure_are_refused(
+    inner: str, times: int, deep: int, cause: str, tmp_path: Path
+) -> None:
+    def instances(level: int) -> str:
+        listed = "".join(f'<moduleinst name="I{n}" module="M{level}"/>' for n in range(times))
+        return f"<moduleinsts>{listed if level < deep else ''}</moduleinsts>"
+
+    made = (
+        f'<module name="M{level}"><sheets><sheet>{instances(level + 1)}<nets>{inner}</nets></sheet></sheets></module>'
+        for level in range(deep)
+    )
+    path = schematic(tmp_path, [], [], [], f"<modules>{''.join(made)}</modules>", instances(0))
+    with pytest.raises(SourceError, match=cause) as refused:
+        read_circuit(path)
+    assert refused.value.location is not None
+    assert refused.value.location.line
+
+
 def test_five_hundred_parts_are_read_at_once_and_a_hundred_thousand_are_refused(tmp_path: Path) -> None:
     libraries = [device("ARDUINO_UNO", UNO), device("R", TWO, "RESISTOR"), device("LED", TWO, "LED")]
     parts = [
