@@ -118,11 +118,11 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
     chip = board.microcontroller if board is not None else None
     of = f" of {chip.ramBytes}" if chip is not None and chip.ramBytes else ""
     places = len({(change.unit, change.startOffset) for change in shared.changes if "yield" in change.replacement})
-    gives = f"{places} place{'s' * (places != 1)}" if places else "no place"
+    gives = f"; yield() was put into {places} place{'s' * (places != 1)} where the text waits without a call" if places else ""
+    turns = "take" if len(shared.functions) > 1 else "takes"
     return together(
-        f"{names} takes turns with main, up to {shared.slots} at once, each on a stack of {shared.stackBytes} bytes ({taken}{of} "
-        f"bytes of RAM); each goes on until it waits, for which {gives} of the text was given a yield(), and what another "
-        "waits for comes so much later",
+        f"{names} {turns} turns with main: at most {shared.slots} at once, each with a stack of {shared.stackBytes} bytes "
+        f"({taken}{of} bytes of RAM); each runs until it waits, and the others stand still so long{gives}",
         starts,
     )
 

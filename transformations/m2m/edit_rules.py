@@ -166,6 +166,14 @@ def _replace(element: ccode.Located, choice: str, text: SourceText) -> list[Repl
     return [(element.startOffset, element.endOffset, choice)]
 
 
+def _comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    """The text becomes a comment, before an empty statement; comments within it do not end it."""
+    start, end = element.startOffset, element.endOffset
+    marks = re.compile(rb"/\*|\*/").finditer(text.data, start, end)
+    inner = [(m.start(), m.end(), " ".join(m[0].decode())) for m in marks]
+    return [(start, start, "/* "), *inner, (end, end, " */;")]
+
+
 def _compound(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     return [(element.startOffset, element.right.startOffset, choice), (element.endOffset, element.endOffset, "))")]
 
@@ -228,6 +236,9 @@ def _define_extern(element: ccode.Located, choice: str, text: SourceText) -> lis
     return made + ([(open_size.end() - 1, open_size.end() - 1, "16")] if open_size else [])
 
 
+_ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\))+\s*\Z")
+
+
 def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written."""
     returned = element.returnType.spelling if element.returnType is not None else "int"
@@ -238,7 +249,10 @@ def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     end = found + 1 if found >= 0 else element.endOffset
     shared = is_header(text.unit)
     made = [(element.startOffset, element.startOffset, "inline ")] if shared else []
-    return [*made, (found if found >= 0 else end, end, " {\n" + "\n".join(lines) + "\n}")]
+    place = found if found >= 0 else end
+    attributes = _ATTRIBUTES_BEHIND.search(text.data, element.startOffset, place)
+    start = attributes.start() if attributes is not None else place  # a definition has none behind its list
+    return [*made, (start, end, " {\n" + "\n".join(lines) + "\n}")]
 
 
 def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement]:
@@ -285,6 +299,7 @@ RULES: dict[str, EditRule] = {
     "share-one": _share_one,
     "replace": _replace,
     "compound-of-enumeration": _compound,
+    "source-assembler": _comment,
     "return-with-value": _behind_return,
     "return-without-value": _void_value,
     "zero-value": _zero_value,

@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
 from robosmi.transformations.m2m import old_c, shared_names
 from robosmi.transformations.m2m.designated_lists import positional
+from robosmi.transformations.m2m.source_assembler import assembler
 from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
@@ -37,13 +38,12 @@ def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], 
         view: the unit.
         data: its bytes.
         functions: what adapters take and give.
-        cplusplus: whether the target's language is C++; in C all stays but what the program nowhere defines.
+        cplusplus: whether the target's language is C++; in C all stays but what the program nowhere defines, and assembler.
     """
-    if view.unit.language != "C":
-        return []
     functions = {**_library(view), **functions}
     found: dict[tuple[int, int, str], Change] = {}
-    for rule in RULES if cplusplus else shared_names.IN_C:
+    rules = () if view.unit.language != "C" else RULES if cplusplus else shared_names.IN_C
+    for rule in (*rules, assembler):
         for change in rule(view, data, functions):
             found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
     return list(found.values())
@@ -116,6 +116,18 @@ def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
             if not _NULLS.fullmatch(data[other.startOffset : other.endOffset]):
                 rule = "convert" if _primary(value) else "convert-compound"
                 yield Change(value, rule, kind.spelling, "C++ compares no pointer with a number")
+
+
+def _void_arithmetic(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Steps and distances of `void *`, which GNU C counts in bytes."""
+    for binary in view.of_kind(ccode.Binary):
+        for value in (binary.left, binary.right) if binary.operator in ("+", "-") else ():
+            given = type_of(value, functions)
+            if value is not None and given is not None and given.base == "void" and given.depth == 1 and not given.function:
+                bytes_ = "const char *" if given.constant else "char *"
+                yield Change(
+                    value, "convert" if _primary(value) else "convert-compound", bytes_, "C++ does not calculate with void *"
+                )
 
 
 _LIMITS = {
@@ -263,7 +275,16 @@ def _designated(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
             yield Change(variable, "positional", "", "C++ gives the values of a list in their order")
 
 
-RULES: tuple[Rule, ...] = (_tags, _designated, _enumerations, _conversions, _comparisons, *old_c.RULES, *shared_names.RULES)
+RULES: tuple[Rule, ...] = (
+    _tags,
+    _designated,
+    _enumerations,
+    _conversions,
+    _comparisons,
+    _void_arithmetic,
+    *old_c.RULES,
+    *shared_names.RULES,
+)
 TEXT_RULES = frozenset(
     {
         "empty-parentheses",

@@ -16,6 +16,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.adapter_choice import NO_ADAPTER, settle_libraries, settle_use
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.plan_checks import plan_checks
+from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.binding_edits import referred, trace_binding
@@ -229,8 +230,33 @@ def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
             )
 
 
+def _assembler(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Assembler of the source: one task for all of a function, or of a file outside of functions."""
+    left: dict[ccode.Function | ccode.SourceUnit, list[migration.Disposition]] = {}
+    for disposition in plan.dispositions:
+        element = disposition.element
+        if element is None or LEFT_OUT not in disposition.rules:
+            continue
+        function, unit = ancestor_of_kind(element, ccode.Function), ancestor_of_kind(element, ccode.SourceUnit)
+        around = function if function is not None else unit
+        if around is not None:
+            left.setdefault(around, []).append(disposition)
+    for around, found in left.items():
+        where = f" in '{around.name}'" if isinstance(around, ccode.Function) else ""
+        pieces = f" ({len(found)} pieces, the first here)" if len(found) > 1 else ""
+        yield Task(
+            rule="RS503", severity=Level.warning, effort="medium",
+            message=f"assembler{where} was left out{pieces}: {'; '.join(found[0].reasons)}",
+            fix=f"write in C what it does, in the {called(plan)}; its text stands there as a comment",
+            elements=found,
+            **_place(found[0].element),  # type: ignore[arg-type]
+        )  # fmt: skip
+
+
 def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
     for disposition in plan.dispositions:
+        if LEFT_OUT in disposition.rules:
+            continue
         if disposition.action is migration.Action.unsupported and disposition.element is not None:
             name = getattr(disposition.element, "header", "") or getattr(disposition.element, "name", "")
             yield Task(
@@ -277,5 +303,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _unused,
 )  # fmt: skip

@@ -35,6 +35,7 @@ from robosmi.transformations.m2m.placeholders import (
     wanted_types,
 )
 from robosmi.transformations.m2m.renaming import RENAME, renamings
+from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import change_texts
 from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView
@@ -276,6 +277,8 @@ def _change_unit_texts(
         for found in changes(view, sources[view.unit.path], functions, cplusplus=cplusplus):
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
+            if found.rule == LEFT_OUT and (verdict := judged.trace.equivalents(found.element)[0]).rules[:] == [LEFT_OUT]:
+                verdict.action, verdict.choice = migration.Action.unsupported, migration.Action.unsupported.name
     texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
     for disposition in result.dispositions:
         rules = zip(disposition.rules, disposition.reasons, strict=True)
