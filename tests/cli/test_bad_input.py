@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import resource
 from collections.abc import Callable
 from pathlib import Path
 
@@ -336,6 +337,21 @@ def test_a_folder_where_a_file_is_to_be_written_is_refused(name: str, line_follo
 @pytest.mark.skipif(not UNREADABLE.exists(), reason="this system has no folder that nobody can write to")
 def test_a_folder_that_cannot_be_written_is_refused(line_follower: Path) -> None:
     check_refused(run("migrate", line_follower, "-o", "/proc/self/out"), 3, "/proc/self/out", "cannot write here")
+
+
+@pytest.mark.parametrize("most", [2_000, 10_000])
+def test_a_disk_without_room_is_said_and_the_old_sketch_stays(most: int, migrated: Path, line_follower: Path) -> None:
+    line_follower.write_text(line_follower.read_text().replace("drive_speed(0, 0)", "drive_speed(1, 1)"))
+    before = tree(migrated)
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, hard))
+    try:
+        outcome = run("migrate", line_follower, "-o", migrated)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    check_refused(outcome, 3, str(migrated), "cannot write here")
+    assert tree(migrated) == before
+    assert run("migrate", line_follower, "-o", migrated).code == 0
 
 
 @pytest.mark.parametrize(
