@@ -29,6 +29,11 @@ class Queried:
             raise AttributeError(f"'{type(self).__name__}' has no attribute '{name}'")
         return getattr(_query(self), name)
 
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import items_html  # for notebooks only
+
+        return items_html(list(self))
+
     def _ask(self, name: str, *arguments: Any, **options: Any) -> Any:
         if _query is None:
             raise AttributeError(f"'{name}' is an operation of queries: import robosmi.query")

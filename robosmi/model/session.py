@@ -40,6 +40,15 @@ class Session:
         self._maker = PackageMaker()
         self._digests: dict[Path, str] = {}
 
+    def __repr__(self) -> str:
+        names = ", ".join(path.name for path in self._digests) or "no metamodels yet"
+        return f"<Session of {names}>"
+
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import pairs_html  # for notebooks only
+
+        return pairs_html({str(path): f"{digest[:12]}..." for path, digest in self._digests.items()}, ("metamodel", "SHA-256"))
+
     def metamodel(self, *paths: str | Path) -> Metamodel:
         """The metamodel of .ecore files, and of those that they refer to: made by the first call, the same in all others.
 

@@ -103,6 +103,16 @@ def element_html(element: Any) -> str:
     return f"<p>{html_attribute(label(element))}</p>{table}{inner}"
 
 
+def pairs_html(pairs: Mapping[Any, Any], head: tuple[str, str] = ("key", "value"), limit: int = 50) -> str:
+    """A mapping as HTML: an entry a line."""
+    left = f"<p>... and {len(pairs) - limit} more</p>" if len(pairs) > limit else ""
+    return html_table(head, [[_said(each) for each in pair] for pair in list(pairs.items())[:limit]]) + left
+
+
+def _said(value: Any) -> Any:
+    return label(value) if is_element(value) else value
+
+
 def items_html(items: Sequence[Any], limit: int = 50) -> str:
     """A collection as HTML: elements with the features of the first, other values one a line."""
     shown = list(items[:limit])

@@ -31,6 +31,11 @@ class Entries(MutableMapping[K, V]):
         for k, v in entries.items() if isinstance(entries, Mapping) else entries:
             self[k] = v
 
+    def _repr_html_(self) -> str:
+        from robosmi.model.show import pairs_html  # for notebooks only
+
+        return pairs_html(self)
+
     def __getitem__(self, k: K) -> V:
         place = self._entries.get(key(k))
         if place is None:

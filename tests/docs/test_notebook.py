@@ -15,6 +15,8 @@ from lxml import etree, html
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, hardware, migration
+from robosmi.model import Session
+from robosmi.query import Map
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.ranking import Candidate, Recommendation
 from robosmi.report.notebook import Findings
@@ -108,6 +110,28 @@ def test_texts_of_strangers_stay_text_in_a_notebook() -> None:
         assert "alert(1)" in text
         assert "<script" not in text
         assert html.fromstring(f"<div>{text}</div>").xpath("//script") == []
+
+
+def test_references_maps_and_sessions_are_tables(tmp_path: Path) -> None:
+    plan = migration.MigrationPlan(name="blink")
+    plan.portBindings.extend(migration.PortBinding(name=f"<b>{n}</b>") for n in range(2))
+    ecore = tmp_path / "shelf.ecore"
+    ecore.write_text(
+        '<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" '
+        'xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="shelf" nsURI="http://nowhere/shelf" nsPrefix="shelf"/>'
+    )
+    session = Session()
+    session.metamodel(ecore)
+    shown = {
+        "2 elements": getattr(plan.portBindings, "_repr_html_", str)(),
+        "key": Map({"<i>": plan.portBindings[0]})._repr_html_(),
+        "shelf.ecore": session._repr_html_(),
+    }
+    for words, text in shown.items():
+        assert words in text
+        assert text.count("<tr") >= 2
+        assert "<b>" not in text
+        assert "<i>" not in text
 
 
 def test_long_results_are_cut_and_say_so() -> None:
