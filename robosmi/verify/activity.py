@@ -236,14 +236,19 @@ def _is_frames(pulses: Sequence[_Pulse]) -> bool:
 
 
 def _absorbed(parts: list[tuple[bool, list[_Pulse]]]) -> list[tuple[bool, list[_Pulse]]]:
-    """Parts in which a few odd pulses at the begin or the end of a wave, or within it, are the wave's."""
+    """Parts in which a few odd pulses at the begin or the end of a wave, or within it, are the wave's.
+
+    Fewer than `_AHEAD` of them may look steady by chance.
+    """
     kept: list[tuple[bool, list[_Pulse]]] = []
     for steady, part in parts:
         few = kept and not kept[-1][0] and len(kept[-1][1]) < _FEWEST
-        if steady and len(kept) > 1 and kept[-2][0] and not kept[-1][0]:
-            (_, before), (_, odd) = kept[-2:]
+        wave = next((n for n in reversed(range(len(kept))) if kept[n][0] and len(kept[n][1]) >= _AHEAD), len(kept))
+        if steady and (between := kept[wave + 1 :]):
+            before = kept[wave][1]
+            odd = [pulse for _, pulses in between for pulse in pulses]
             if len(odd) * _RARE < min(len(before), len(part)) and _same_pitch(before, part):  # interrupts stretch some in a row
-                kept[-2:] = [(True, before + odd)]
+                kept[wave:] = [(True, before + odd)]
         goes_on = steady and kept and kept[-1][0] and _same_pitch(kept[-1][1], part)
         if goes_on or (steady and few) or (not steady and len(part) < _FEWEST and kept and kept[-1][0]):
             kept[-1] = (True, kept[-1][1] + part)

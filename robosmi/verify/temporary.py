@@ -6,13 +6,16 @@ folder tells whose it is, and the first folder that a process makes sweeps out t
 
 from __future__ import annotations
 
+import atexit
 import os
 import re
 import shutil
 import tempfile
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
+from secrets import token_hex
 from time import time
 
 _NAME = re.compile(r"robosmi-[a-z]+-(\d+)-\w+")
@@ -20,14 +23,38 @@ _LEAST_AGE_S = 3600.0
 """A younger folder stays: its process may run where this one cannot see it, such as in another container."""
 
 
-def temporary_folder(what: str) -> tempfile.TemporaryDirectory[str]:
-    """A folder that is removed when the context ends.
+_OPEN: set[Path] = set()
+"""The folders of this process that are still there: an interruption may come while one is made or removed."""
+
+
+@contextmanager
+def temporary_folder(what: str) -> Iterator[str]:
+    """A folder that is removed when the context ends, or when the process does if that is interrupted.
 
     Args:
         what: a word in lower case that tells what it is for.
     """
     _sweep_once(os.getpid())
-    return tempfile.TemporaryDirectory(prefix=f"robosmi-{what}-{os.getpid()}-", ignore_cleanup_errors=True)
+    path = Path(tempfile.gettempdir()) / f"robosmi-{what}-{os.getpid()}-{token_hex(6)}"
+    _OPEN.add(path)  # before it is there: nobody else knows its name
+    try:
+        path.mkdir(mode=0o700)
+        yield str(path)
+    finally:
+        _remove(path)
+
+
+def _remove(path: Path) -> None:
+    shutil.rmtree(path, ignore_errors=True)
+    if not path.exists():  # a process that is just being ended may have written into it
+        _OPEN.discard(path)
+
+
+@atexit.register
+def _remove_what_is_left() -> None:
+    for path in sorted(_OPEN):
+        if f"-{os.getpid()}-" in path.name:  # not those of the process that this one was forked from
+            _remove(path)
 
 
 @cache

@@ -158,6 +158,26 @@ def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
     assert "there is no stored plan" in outcome.err
 
 
+@pytest.mark.parametrize("command", ["verify", "simulate"])
+@pytest.mark.parametrize("linked", ["models", "models/plan.xmi"])
+def test_a_plan_outside_of_the_folder_is_not_read(command: str, linked: str, out: Path, tmp_path: Path) -> None:
+    away = tmp_path / "away"
+    (out / linked).rename(away)
+    (out / linked).symlink_to(away)
+    outcome = run(command, out)
+    assert outcome.code == 3
+    assert "the plan lies outside of the output folder, by a link" in outcome.err
+
+
+def test_scenarios_outside_of_the_folder_are_neither_read_nor_written(out: Path, tmp_path: Path) -> None:
+    (tmp_path / "away").mkdir()
+    (out / "models" / "scenarios").symlink_to(tmp_path / "away")
+    outcome = run("verify", out)
+    assert outcome.code == 3
+    assert "the scenarios lie outside of the output folder, by a link" in outcome.err
+    assert list((tmp_path / "away").iterdir()) == []
+
+
 @pytest.mark.parametrize(
     ("text", "reason"),
     [

@@ -119,6 +119,18 @@ def test_a_wave_that_interrupts_stretch_here_and_there_is_one_wave() -> None:
     assert found[1].value[0] == pytest.approx(1e6 / 26, rel=0.01)
 
 
+def test_a_carriers_burst_that_interrupts_stretch_at_its_end_is_no_pause() -> None:
+    """A few stretched periods may look like a wave of their own, and be followed by a pause between two bursts."""
+    burst, stretched = [26.0] * 37 + [2_000.0], [26.0] * 28 + [31.0, 32.0, 31.0, 31.0, 60.0, 26.0, 50.0, 26.0, 2_000.0]
+    periods = burst * 20 + stretched + burst * 20
+    ups = [1000.0 + sum(periods[:number]) for number in range(len(periods))]
+    found = said(trace([*[each for up in ups for each in ((up, 1), (up + 10, 0))], (900_000.0, 0)]))
+    assert len(found) == 3, found
+    other = [26.0] * 400 + [40.0] * 39 + [26.0] * 400  # as short as that, and yet another tone
+    ups = [1000.0 + sum(other[:number]) for number in range(len(other))]
+    assert len(said(trace([each for up in ups for each in ((up, 1), (up + 10, 0))]))) > 3
+
+
 def test_the_last_step_of_a_ramp_is_no_width_of_its_own() -> None:
     for last in ([1408.0, 1400.63, 1399.81], [1408.0, 1400.0, 1400.0], [1355.0, 1347.0, 1344.0]):
         widths = [1430.0, 1419.0, *last, *[round(last[-1])] * 20]

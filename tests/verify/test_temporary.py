@@ -8,6 +8,8 @@ import sys
 from pathlib import Path
 from time import time
 
+import pytest
+
 from robosmi.verify.temporary import sweep, temporary_folder
 
 
@@ -49,3 +51,46 @@ def test_a_folder_tells_whose_it_is_and_goes() -> None:
     with temporary_folder("tool") as place:
         assert Path(place).name.startswith(f"robosmi-tool-{os.getpid()}-")
     assert not Path(place).exists()
+
+
+INTERRUPTED = """
+import shutil, sys
+from robosmi.verify import temporary
+
+whole, where = shutil.rmtree, sys.argv[1]
+
+
+def interrupted(path, **options):
+    if where == "removed":
+        raise KeyboardInterrupt
+    if where == "written":
+        (path / "late.o").write_text("x")
+        return
+    whole(path, **options)
+
+
+def made(*_, **__):
+    raise KeyboardInterrupt
+
+
+temporary.shutil.rmtree = interrupted
+mkdir = temporary.Path.mkdir
+if where == "made":
+    temporary.Path.mkdir = lambda path, **options: (mkdir(path, **options), made())
+try:
+    with temporary.temporary_folder("tool") as place:
+        print(place)
+except KeyboardInterrupt:
+    print("interrupted")
+temporary.shutil.rmtree = whole
+"""
+
+
+@pytest.mark.parametrize("where", ["removed", "written", "made"])
+def test_an_interruption_while_a_folder_is_made_or_removed_leaves_none(where: str, tmp_path: Path) -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", INTERRUPTED, where], env={**os.environ, "TMPDIR": str(tmp_path)}, capture_output=True, text=True,
+        check=True,
+    )  # fmt: skip
+    assert ran.stdout.splitlines()[-1] == "interrupted" or where == "written"
+    assert list(tmp_path.iterdir()) == []

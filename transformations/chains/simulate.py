@@ -16,7 +16,7 @@ from robosmi.doing import doing
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import platform
 from robosmi.model.files import write_atomic
-from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.models import stored_models
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.played_devices import devices_at, played
@@ -172,7 +172,7 @@ def simulate(
         raise UsageError(f"{seconds:g} s cannot be simulated", fix="give more than 0 s and at most 600 s")
     horizon_us = 1e6 * seconds if seconds is not None else 1e3 * asked.horizon_ms if asked is not None else 1e6 * SECONDS
     plan_file = plan_beside(output)
-    models = load_models(plan_file) if plan_file is not None else None
+    models = stored_models(plan_file.parent.parent) if plan_file is not None else None
     ports = bound_ports(models.plan, plan_file.parent) if models is not None and plan_file is not None else []
     with temporary_folder("simulate") as folder:
         report = compile_sketch(output, keep=Path(folder))

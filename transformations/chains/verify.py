@@ -13,12 +13,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
 from robosmi.metamodels import migration
 from robosmi.model.files import write_atomic
-from robosmi.transformations.chains.models import MigrationModels, load_models
+from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
 from robosmi.transformations.knowledge.board_models import load_board
@@ -119,10 +119,15 @@ def verify(
     plan_file = plan_beside(output)
     if plan_file is None:
         raise SourceError(f"there is no stored plan in {output}", fix="name the output folder of migrate, with its models")
-    models = load_models(plan_file)
+    models = stored_models(plan_file.parent.parent)
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
+    if not (plan_file.parent / FOLDER).resolve().is_relative_to(plan_file.parent.parent.resolve()):
+        raise SourceError(
+            "the scenarios lie outside of the output folder, by a link", location=Location(str(plan_file.parent / FOLDER)),
+            fix="put a folder with copies of them there",
+        )  # fmt: skip
     ports = bound_ports(plan, plan_file.parent)
     given = [read_scenario(path) for path in scenarios]
     for scenario in given:
