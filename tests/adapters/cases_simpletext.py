@@ -271,11 +271,11 @@ void setup() {
   putStr("twenty characters..."); begun[2] = micros(); putDec(-1234567); begun[3] = micros(); putChar('c');
   begun[4] = micros(); writeChar(simpleterm_pointer(), 'w'); begun[5] = micros();
   putLine("");
-  for (uint8_t each = 0; each < 5; each++) { putDec((begun[each + 1] - begun[each]) / 10); putChar(' '); }
+  for (uint8_t each = 0; each < 5; each++) { putDec(begun[each + 1] - begun[each]); putChar(' '); }
 }
 void loop() {}
 """
     used = t("print", "putStr", "putDec", "putChar", "writeChar", "putLine", "simpleterm_pointer")
-    took = [10 * int(each) for each in uno.run(program, used, 40).text.splitlines()[1].split()]
+    took = [int(each) for each in uno.run(program, used, 40).text.splitlines()[1].split()]
     for us, characters in zip(took, (40, 20, 8, 1, 1), strict=True):
         assert 85 * characters <= us < 110 * characters + 200

@@ -43,5 +43,10 @@ def test_every_adapter_can_be_broken() -> None:
 def test_some_cases_fail_when_an_adapter_is_broken(name: str) -> None:
     """A sample; `python -m tests.adapters.mutants` does it for all of them."""
     case, adapters = CASES[name]
-    piece = next(piece for piece in pieces() if f"{piece.header}/{piece.name}" == adapters[0])
-    assert [way for way, text in broken(piece).items() if not notices(case, adapters[0], text)] == []
+    known = {f"{piece.header}/{piece.name}": piece for piece in pieces() if piece.kind == "adapter"}
+    adapter = next((each for each in adapters if each in known), "")
+    if not adapter:
+        pytest.skip("the case is about registers and objects, which are no functions that could be emptied")
+    ways = broken(known[adapter])
+    assert ways
+    assert [way for way, text in ways.items() if not notices(case, adapter, text)] == []

@@ -154,6 +154,8 @@ class FoldedValues:
 
     def _place(self, expression: Any, state: State) -> None:
         """Find out where something lies, without reading it."""
+        if expression is None:  # what the reader could not tell
+            return
         if self.depth > DEPTH:
             self.whatever(expression, state)
             return

@@ -5,6 +5,7 @@ People write bodies themselves; here those of the repository are spoilt in the a
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -24,15 +25,15 @@ SPOILT = {
     "time": ("delay((uint32_t)time);", "delay((uint32_t)(time - time / 20));", "pause", 12, "Lamp (P26)", "high lasts 28"),
     "frequency": (
         "tone(io.pin, (unsigned int)frequency);", "tone(io.pin, 2500);",
-        "freqout", 14, "Speaker (P4)", "2500.01 Hz instead of 2999.99 Hz",
+        "freqout", 14, "Speaker (P4)", r"2500\.0\d Hz instead of 2999\.99 Hz",
     ),
-    "input": ("return io.high();", "return !io.high();", "input", 8, "Lamp (P26)", "high comes 501"),
+    "input": ("return io.high();", "return !io.high();", "input", 8, "console", "'presses 1' comes 50[01]"),
     "text": (
         "port->write((uint8_t)c);", "port->write((uint8_t)(c == 's' ? 'z' : c));",
         "print", 10, "console", "'prezzez 1' instead of",
     ),
 }  # fmt: skip
-"""What is spoilt -> old text, new text, the function and line of the call that is named, the channel, what is said."""
+"""What is spoilt -> old text, new text, the function and line of the call that is named, the channel, what is said (a pattern)."""
 
 
 @pytest.fixture(scope="module")
@@ -58,4 +59,4 @@ def test_a_spoilt_adapter_is_named(what: str, made: Path, tmp_path: Path) -> Non
     first = told["first_difference"]
     calls = {(each["function"], each["line"]) for each in (first["call"], *first["calls_around"])}
     assert (first["channel"], (function, line) in calls) == (channel, True), first
-    assert said in first["message"]
+    assert re.search(said, first["message"])

@@ -357,7 +357,7 @@ inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
 //# adapter dhb10_terminal
 //#   for: void dhb10_terminal(fdserial *fdterm)
 //#   kind: semantic
-//#   needs: arlo_on arlo_pin ArloLine drive_open fdserial.h/fdserial simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/dprint simpletext.h/writeChar simpletext.h/readChar
+//#   needs: arlo_on arlo_pin ArloLine drive_open fdserial.h/fdserial simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/dprint simpletext.h/writeChar simpletext.h/sendChar simpletext.h/readChar
 //#   role: motor-controller
 //#   fidelity: what is typed goes to the controller, what it says is shown, up to a line with "exit" or "EXIT"
 inline void dhb10_terminal(fdserial *fdterm) {
@@ -382,10 +382,10 @@ inline void dhb10_terminal(fdserial *fdterm) {
       count = 0;
     }
     if (line.waits()) {
-      char c = line.receive();
-      if (c == '\r') dprint(terminal, "\\r\n");
-      else if (c >= ' ' && c <= 'z') writeChar(terminal, c);
-      else dprint(terminal, "<%d>", (uint8_t)c);
+      char c = line.receive(), said[6] = {c};
+      if (c == '\r') strcpy(said, "\\r\n");
+      else if (c < ' ' || c > 'z') sprintf(said, "<%u>", (uint8_t)c);
+      for (const char *each = said; *each; each++) sendChar(terminal, *each);  // without waiting: the next one may be on its way
     }
   }
   dprint(terminal, "Exit command mode.\n");

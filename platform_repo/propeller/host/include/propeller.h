@@ -28,6 +28,7 @@
 #define get_cog_driver(name) (binary_##name##_dat_start)
 #define load_cog_driver(name, parameter) (host_unmodelled("load_cog_driver"), 0)
 unsigned int __builtin_propeller_waitcnt(unsigned int target, unsigned int delta);
+int __builtin_propeller_rev(int value, int cleared);
 void __builtin_propeller_waitpeq(unsigned int state, unsigned int mask);
 void __builtin_propeller_waitpne(unsigned int state, unsigned int mask);
 int cogstart(void (*function)(void *), void *parameter, void *stack, size_t size);
