@@ -33,7 +33,7 @@ SPOILT = {
         "print", 10, "console", "'prezzez 1' instead of",
     ),
 }  # fmt: skip
-"""What is spoilt -> old text, new text, the function and line of the call that is named, the channel, what is said (a pattern)."""
+"""What is spoilt -> old text, new text, function and line of the call named, the channel, a pattern of what is said."""
 
 
 @pytest.fixture(scope="module")
