@@ -9,6 +9,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import StoppedError, UsageError
+from robosmi.model.files import ANOTHER_NAME, refuse_link
 
 
 def add_source_options(parser: argparse.ArgumentParser) -> None:
@@ -63,18 +64,16 @@ def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
     Raises:
         StoppedError: there is a file of another kind, or a link.
     """
-    fix = "give the result another name, or move that file away"
     try:
         if path is None:
             return
-        if path.is_symlink():
-            raise StoppedError("the result's path is a link, which would be replaced", location=Location(str(path)), fix=fix)
+        refuse_link(path)
         with inputs.open_file(path) as stream:
             head = stream.read(HEAD)
     except OSError:  # it is not there, or writing it will say what is wrong
         return
     if head.strip() and mark not in head:
-        raise StoppedError(f"there is a file already, and it is no {what}", location=Location(str(path)), fix=fix)
+        raise StoppedError(f"there is a file already, and it is no {what}", location=Location(str(path)), fix=ANOTHER_NAME)
 
 
 def write_model(root: Any, path: Path) -> dict[str, str]:

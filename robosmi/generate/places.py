@@ -1,4 +1,4 @@
-"""Which paths a generated file may have: inside the output folder, whatever its text or the links in the folder say."""
+"""Which paths a generated file may have, and which files of an output folder may be read: those inside, whatever links say."""
 
 from __future__ import annotations
 
@@ -17,13 +17,15 @@ class Places:
 
     Args:
         folder: the folder; it need not exist.
+        what: what it is, for messages.
 
     Attributes:
         seen: what `look` has found, by name.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, what: str = "output folder") -> None:
         self.folder = folder
+        self._what = what
         self._root = os.path.realpath(folder)
         self._parents: set[str] = set()
         self.seen: dict[str, bytes | None] = {}
@@ -63,6 +65,24 @@ class Places:
             self.seen[name] = self.read(name)
         return self.seen[name]
 
+    def check_inside(self, name: str) -> None:
+        """Make sure that a file or folder, which need not exist, is inside once all links are followed, and so is all below it.
+
+        Args:
+            name: relative to the folder, with slashes.
+
+        Raises:
+            SourceError: it is not.
+        """
+        self._check_link(name, f"{self.folder}/{name}")
+        walked: set[str] = set()  # a link may lead to a folder above it
+        for above, folders, files in os.walk(f"{self.folder}/{name}", followlinks=True):
+            walked.add(os.path.realpath(above))
+            for path in (os.path.join(above, own) for own in (*folders, *files)):
+                if os.path.islink(path):
+                    self._check_link(os.path.relpath(path, self.folder), path)
+            folders[:] = [own for own in folders if os.path.realpath(os.path.join(above, own)) not in walked]
+
     def _unreadable(self, path: str, error: OSError) -> SourceError:
         return SourceError(
             f"the file that is there cannot be read: {error.strerror}", location=Location(path),
@@ -78,19 +98,24 @@ class Places:
         if not name or name.endswith("/"):
             raise self._refused(name, "is no name of a file")
         if not within(name):
-            raise self._refused(name, "lies outside of the output folder")
+            raise self._refused(name, f"lies outside of the {self._what}")
         if name.partition("/")[0] == STAGE:
             raise self._refused(name, "is where files wait to be written")
 
     def _check(self, name: str, parent: str) -> None:
         self.check_name(name)
-        real = os.path.realpath(parent)
-        if os.path.commonpath([real, self._root]) != self._root:
-            raise self._refused(name, "lies outside of the output folder, by a link")
+        self._check_link(name, parent)
         for inner in PurePosixPath(name).parents:
             above = f"{self.folder}/{inner}"
             if inner.parts and os.path.lexists(above) and not os.path.isdir(above):
                 raise self._in_the_way(above, "a file stands where a folder is to be made")
+
+    def _check_link(self, name: str, path: str) -> None:
+        if os.path.commonpath([os.path.realpath(path), self._root]) != self._root:
+            raise SourceError(
+                f"'{name}' lies outside of the {self._what}, by a link; nothing was written",
+                location=Location(f"{self.folder}/{name}"), fix="put a copy of what it leads to in the link's place",
+            )  # fmt: skip
 
     def _in_the_way(self, path: str, message: str) -> SourceError:
         return SourceError(

@@ -12,7 +12,10 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import SourceError, StoppedError
+
+ANOTHER_NAME = "give the result another name, or move that file away"
+"""What to do where something stands in a result's place."""
 
 
 def digest(data: bytes) -> str:
@@ -69,6 +72,16 @@ def write_atomic(path: Path, data: bytes) -> None:
         raise SourceError(f"cannot write here: {error.strerror}", location=Location(str(path)), fix=fix) from error
     finally:
         Path(temporary).unlink(missing_ok=True)
+
+
+def refuse_link(path: Path) -> None:
+    """Make sure that no link stands where a result is to be written: it would be replaced, or written through.
+
+    Raises:
+        StoppedError: it is a link, wherever it leads.
+    """
+    if path.is_symlink():
+        raise StoppedError("the result's path is a link, which would be replaced", location=Location(str(path)), fix=ANOTHER_NAME)
 
 
 def within(name: str) -> bool:

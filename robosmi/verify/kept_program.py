@@ -26,7 +26,7 @@ from robosmi.model.commit import update
 from robosmi.verify.build_record import FOLDER, BuildRecord, record_at
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
-from robosmi.verify.sketch import Sketch, find_sketch
+from robosmi.verify.sketch import Sketch, check_inside, find_sketch
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.toolchain_data import load_toolchains
@@ -43,10 +43,15 @@ def folder_of(named: Path, sketch: Sketch) -> Path:
     Args:
         named: what the person named: the output folder, the sketch's folder in it, or its main file.
         sketch: the sketch that was found there.
+
+    Raises:
+        SourceError: a link leads out of the output folder.
     """
     above = sketch.folder.resolve().parent
     beside = named.resolve() == above or (above / MANIFEST).is_file()
-    return (sketch.folder.parent if beside else sketch.folder) / FOLDER
+    folder = (sketch.folder.parent if beside else sketch.folder) / FOLDER
+    check_inside(folder)
+    return folder
 
 
 def compile_into(
@@ -66,7 +71,7 @@ def compile_into(
         The report; its `elf` and `hex` are the files that were left.
 
     Raises:
-        SourceError: the folder cannot be written; and as `compile_sketch`.
+        SourceError: the folder cannot be written, or a link leads out of the output folder; and as `compile_sketch`.
         StoppedError: another run is writing there, or a file there is read-only.
     """
     sketch, _ = find_sketch(Path(folder_or_sketch), load_toolchains(project))

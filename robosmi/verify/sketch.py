@@ -1,11 +1,13 @@
 """A sketch as it lies on disk: its folder, its files, its project file. Nothing is written and nothing is run.
 
 A sketch is a folder `<name>` with `<name><suffix>` in it; the suffix and everything else that depends on a platform comes from
-the toolchain's data.
+the toolchain's data. What a run has made is read only where no link leads out of its output folder; a person's own sketch may
+have links to anywhere.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -13,6 +15,8 @@ from typing import NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
+from robosmi.generate.manifest import NAME as MANIFEST
+from robosmi.generate.places import Places
 from robosmi.verify.boards import Board, find_board
 from robosmi.verify.project_file import PROJECT_KEYS, ProjectFile, read_project_file, search_project_file
 from robosmi.verify.tables import DataTable
@@ -66,7 +70,7 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
         toolchains: whose sketches count.
 
     Raises:
-        SourceError: there is none.
+        SourceError: there is none, or a link leads out of the output folder that it is in.
         UsageError: there are several.
     """
     if not path.exists():
@@ -117,8 +121,24 @@ def _main(folder: Path, data: DataTable) -> Path | None:
     return found[0] if found else None
 
 
+def check_inside(folder: Path) -> None:
+    """Make sure that a folder in an output folder, and what is in it, lies inside; any other folder may have links.
+
+    Args:
+        folder: a sketch's folder, or one beside it.
+
+    Raises:
+        SourceError: a link leads out of the output folder.
+    """
+    as_named = Path(os.path.abspath(folder))
+    for own in {as_named, as_named.resolve()}:
+        if os.path.lexists(own.parent / MANIFEST):
+            Places(own.parent).check_inside(own.name)
+
+
 def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     folder, data = main.parent, toolchain.sketch
+    check_inside(folder)
     joined = data.flag("parts", True)
     parts = sorted(path for path in folder.glob(f"*{data.text('suffix')}") if path.is_file() and path != main) if joined else []
     deep = folder / data.text("recursive")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from pathlib import Path
 
@@ -70,3 +71,45 @@ def test_a_project_for_wokwi_lies_beside_the_migration(folder: Path, monkeypatch
         assert outcome.code == 3
         assert "whose sketch it is not" in outcome.err
     assert tree(folder / "out") == before
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize(
+    ("form", "place", "linked"), [("svg", "w.svg", "w.svg"), ("csv", "w.csv", "w.csv"), ("wokwi", "w", "w/diagram.json")]
+)
+@pytest.mark.parametrize("dangling", [True, False])
+def test_a_wiring_replaces_no_link(
+    form: str, place: str, linked: str, dangling: bool, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder)
+    assert run("migrate", "line_follower.c", "--hardware", "line_following_robot.fzz", "-o", "out").code == 0
+    assert run("wiring", "out", "--as", form, "-o", place).code == 0
+    (folder / linked).rename(folder / "elsewhere")
+    (folder / linked).symlink_to(folder / ("nowhere" if dangling else "elsewhere"))
+    before = tree(folder)
+    outcome = run("wiring", "out", "--as", form, "-o", place)
+    assert outcome.code == 5
+    assert "the result's path is a link" in outcome.err
+    assert tree(folder) == before
+    assert (folder / linked).is_symlink()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize(
+    "linked", ["line_follower/line_follower.ino", "line_follower/adapters.h", "line_follower/notes.h", "line_follower"]
+)
+def test_a_project_for_wokwi_gets_nothing_from_outside_of_the_migration(
+    linked: str, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder)
+    assert run("migrate", "line_follower.c", "--hardware", "line_following_robot.fzz", "-o", "out").code == 0
+    secret = folder / "secret"
+    if (folder / "out" / linked).exists():
+        (folder / "out" / linked).rename(secret)
+    else:
+        secret.write_text("a key")
+    (folder / "out" / linked).symlink_to(secret)
+    outcome = run("wiring", "out", "--as", "wokwi", "-o", "wok")
+    assert outcome.code == 3
+    assert "lies outside of the output folder, by a link" in outcome.err
+    assert not (folder / "wok").exists()

@@ -225,3 +225,60 @@ def test_what_an_earlier_compile_has_left_is_written_over(out: Path, tmp_path: P
     sketch.write_text(text)
     assert run("compile", out, "-o", tmp_path / "mine").code == 0
     assert run("compile", out, "-o", tmp_path / "mine").code == 0
+
+
+@pytest.fixture
+def made(tmp_path: Path) -> Path:
+    """An output folder that a run has made, as its record says; no compiler is needed to refuse what is in it."""
+    folder = Path(shutil.copytree(CASES / "blink", tmp_path / "p" / "out"))
+    (folder / ".robosmi.json").write_text('{"files": {}}')
+    return folder
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize("named", ["", "blink", "blink/blink.ino"])
+@pytest.mark.parametrize(
+    "linked", ["build", "blink", "blink/blink.ino", "blink/adapters.h", "blink/sketch.yaml", "blink/src", "build/blink.elf"]
+)
+def test_what_a_run_has_made_is_compiled_only_where_no_link_leads_out(
+    linked: str, named: str, made: Path, tmp_path: Path
+) -> None:
+    secret = tmp_path / "secret"
+    place = made / linked
+    if place.exists():
+        place.rename(secret)
+    elif linked in ("build", "blink/src"):
+        secret.mkdir()
+    else:
+        secret.write_text("a key\n")
+    place.parent.mkdir(exist_ok=True)
+    place.symlink_to(secret)
+    before = tree(tmp_path)
+    outcome = run("compile", made / named)
+    assert outcome.code == 3
+    assert f"'{linked}' lies outside of the output folder, by a link" in outcome.err
+    assert "key" not in outcome.err
+    assert tree(tmp_path) == before
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_a_link_in_a_linked_folder_counts_too_and_loops_end(made: Path, tmp_path: Path) -> None:
+    (tmp_path / "key.h").write_text("a key\n")
+    (made / "mine").mkdir()
+    (made / "mine" / "again").symlink_to(made)
+    (made / "blink" / "src").symlink_to("../mine")
+    sketch, _ = find_sketch(made, load_toolchains())
+    assert folder_of(made, sketch) == made / "build"
+    (made / "mine" / "key.h").symlink_to(tmp_path / "key.h")
+    with pytest.raises(SourceError, match=r"'blink/src/key\.h' lies outside of the output folder, by a link"):
+        find_sketch(made, load_toolchains())
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_a_sketch_of_a_person_s_own_may_have_links(out: Path, tmp_path: Path) -> None:
+    (out / "blink" / "blink.ino").rename(tmp_path / "shared.ino")
+    (out / "blink" / "blink.ino").symlink_to(tmp_path / "shared.ino")
+    (tmp_path / "programs").mkdir()
+    (out / "build").symlink_to(tmp_path / "programs")
+    assert run("compile", out).code == 0
+    assert whole(tmp_path / "programs")

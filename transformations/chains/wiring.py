@@ -15,9 +15,10 @@ from typing import Any
 from robosmi import __version__, inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
+from robosmi.generate.places import Places
 from robosmi.metamodels import migration
 from robosmi.model.commit import update
-from robosmi.model.files import write_atomic
+from robosmi.model.files import refuse_link, write_atomic
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.transformations.chains.models import MigrationModels, stored_models
@@ -64,7 +65,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
 
     Raises:
         SourceError: there is no plan, it has no drawing, or the form cannot say it.
-        StoppedError: a file in the folder is there already and is another.
+        StoppedError: a file in the folder is there already and is another, or is a link.
     """
     models = stored_models(output)
     makes: Callable[[MigrationModels, Path, Path], Handed] = content(FORM, form)
@@ -85,8 +86,9 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
 
 
 def _check_free(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Nothing that somebody may have edited is written over."""
+    """Nothing that somebody may have edited is written over, and no link is replaced."""
     for name, data in files.items():
+        refuse_link(folder / name)
         try:
             there = inputs.read_bytes(folder / name, inputs.OUTPUT)
         except FileNotFoundError:
@@ -117,7 +119,7 @@ def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
     if drawn.added:
         message = f"{drawn.added} wires to supply and ground are added: the pin table says nothing of them"
         findings.append(Finding("RS537", Severity.info, message, source))
-    sketch = _sketch(output / plan.name)
+    sketch = _sketch(output, plan.name)
     files = project_files(drawn, sketch, project(plan)["libraries"], drawn.listed(), f"RoboSMi {__version__}")
     kinds = {name: "sketch" if name in sketch or name.endswith(".ino") else "wiring" for name in files}
     result = {
@@ -130,11 +132,13 @@ def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
     return Handed(files, kinds, findings, result)
 
 
-def _sketch(folder: Path) -> dict[str, bytes]:
-    """The files of the sketch as they now stand."""
-    place = Location(str(folder))
+def _sketch(output: Path, name: str) -> dict[str, bytes]:
+    """The files of the sketch as they now stand; a link in the place of one, or one that leads out of the folder, is refused."""
+    place, places = Location(str(output / name)), Places(output)
     try:
-        return {file.name: inputs.read_bytes(file, inputs.OUTPUT) for file in sorted(folder.iterdir()) if file.is_file()}
+        places.check_inside(name)
+        files = [file.name for file in sorted((output / name).iterdir()) if file.is_file()]
+        return {file: places.read(f"{name}/{file}") or b"" for file in files}
     except OSError as error:
         raise SourceError(
             f"the sketch cannot be read: {error.strerror}", location=place, fix="make it again with generate"
