@@ -305,3 +305,33 @@ def test_nothing_is_saved_out_of_a_folder_that_a_link_leads_out_of(linked: str, 
     assert outcome.code == 3, outcome.err
     assert "link" in outcome.err
     assert not list((project.parent / "home").rglob("s3*"))
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize("linked", ["adapters", "adapters/s3.cpp"])
+def test_nothing_is_saved_out_of_the_project_through_a_link(linked: str, project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    secret = project.parent / "secret"
+    (project / linked).parent.mkdir(exist_ok=True)
+    if linked == "adapters":
+        secret.mkdir()
+    else:
+        secret.write_text("mine\n")
+    (project / linked).symlink_to(secret)
+    outcome = run("adapters", "save", project / "out", "--as", "project")
+    assert outcome.code == 3
+    assert "lies outside of the project's folder, by a link" in outcome.err or "is a link" in outcome.err
+    assert "mine" not in outcome.err
+    assert list(secret.iterdir()) == [] if linked == "adapters" else secret.read_text() == "mine\n"
+    assert (project / linked).is_symlink()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_adapters_may_lie_elsewhere_in_the_project_by_a_link(project: Path) -> None:
+    migrated(project)
+    write_body(project)
+    (project / "shared").mkdir()
+    (project / "adapters").symlink_to("shared")
+    assert run("adapters", "save", project / "out", "--as", "project").code == 0
+    assert (project / "shared" / "s3.cpp").is_file()

@@ -164,7 +164,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         whose: `user` or `project`.
 
     Raises:
-        SourceError: the folder has no plan, or there is no project file for `project`.
+        SourceError: the folder has no plan, or there is no project file for `project`, or a link leads out of its folder.
         PlatformDataError: an adapter file that is there is wrong, or a body makes none or does not compile.
     """
     plan = stored_models(output).plan
@@ -185,6 +185,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
             told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix="keep it in the program"))
             continue
         path = folder / f"{str(header.name).removesuffix('.h')}{ending}"
+        _refuse_links(path, whose)
         before = files[path] if path in files else _existing(path, str(header.name))
         files[path] = _with_piece(path, before, use, *found[name], plan)
         told.adapters.append(
@@ -196,6 +197,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
     if files:
         check_saved(files, {(str(row["header"]), str(row["function"])) for row in told.adapters}, folder, plan, output)
     for path, text in files.items():
+        _refuse_links(path, whose)
         path.parent.mkdir(parents=True, exist_ok=True)
         before = inputs.read_text(path, inputs.DATA) if path.is_file() else ""
         if before.strip() and not text.startswith(before.rstrip()):  # another body of a function stands there
@@ -243,6 +245,16 @@ def _folder(output: Path, whose: str) -> Path:
             message, location=Location(str(output)), fix=f"make an empty {FILE_NAME} beside the source, or use --as user"
         )
     return next(folder for folder, kept in own_folders(beside).items() if kept == "project")
+
+
+def _refuse_links(path: Path, whose: str) -> None:
+    """Make sure that nothing outside of a project is read or written as its adapter file; a user's own folder may be a link.
+
+    Raises:
+        SourceError: its folder lies outside of the project's, by a link, or the file is a link.
+    """
+    if whose == "project":
+        Places(path.parent.parent, "project's folder").read(f"{path.parent.name}/{path.name}")
 
 
 def _sources(sketch: Path) -> Iterable[Path]:
