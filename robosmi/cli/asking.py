@@ -130,14 +130,14 @@ class Answers:
         entries = {table: values for table, values in self.said.items() if values}
         if not entries:
             return {}
-        from robosmi.generate.project_entries import added_to_project  # most runs ask nothing
+        from robosmi.generate.project_entries import added_to_project, said_place  # most runs ask nothing
 
         change = added_to_project(folder, entries)
         if change.stays:
             print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)
         if not change.files:
             return {}
-        count, place = sum(map(len, entries.values())), str(folder / FILE_NAME)
+        count, place = sum(map(len, entries.values())), said_place(folder / FILE_NAME)
         print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(place)}? (y, Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")

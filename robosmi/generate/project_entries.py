@@ -123,6 +123,11 @@ def with_entries(text: str, table: str, entries: Mapping[str, str | None]) -> st
     return made.replace("\n", "\r\n") if crlf else made
 
 
+def said_place(path: Path) -> str:
+    """The path of a project file for persons; where it is a link, with the file that is written through it."""
+    return f"{path} (a link to {os.path.realpath(path)})" if path.is_symlink() else str(path)
+
+
 def key_of(path: Path, table: str, names: tuple[str, ...], otherwise: str) -> str:
     """The key by which a project file speaks of something that has several names.
 

@@ -53,6 +53,24 @@ def test_a_linked_project_file_is_written_through_and_stays_a_link(robot: Path, 
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot", "shared.toml"]
 
 
+def test_the_file_that_a_linked_project_file_leads_to_is_named(robot: Path, tmp_path: Path) -> None:
+    """Who looks for the value has to know which file has changed."""
+    project = robot / "robosmi.toml"
+    told = f"{project} (a link to {tmp_path / 'shared.toml'})"
+    assert str(tmp_path / "shared.toml") not in run("choose", robot / "out", "eye=D8").out
+    project.rename(tmp_path / "shared.toml")
+    project.symlink_to("../shared.toml")
+    assert told in run("choose", robot / "out", "eye=D9").out
+    page = PlanPage(robot / "out")
+    page.document(live=True, nonce="x")
+    assert told in page.act("choose", {"id": "port:eye", "value": "D7", "plan": page.plan})["message"]
+    said = io.StringIO()
+    answers = Answers(lambda _: "y", said)
+    answers.said["bind"] = {"ear": "D4"}
+    assert list(answers.offer(robot)) == [tmp_path / "shared.toml"]
+    assert told in said.getvalue()
+
+
 @pytest.mark.parametrize("what", ["the file", "its folder"])
 def test_where_it_is_read_only_the_choice_stays_in_the_plan_and_that_is_said(
     what: str, robot: Path, monkeypatch: pytest.MonkeyPatch

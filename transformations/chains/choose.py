@@ -17,7 +17,7 @@ from typing import Any
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
 from robosmi.generate.places import Places
-from robosmi.generate.project_entries import ProjectChange, changed_project, key_of
+from robosmi.generate.project_entries import ProjectChange, changed_project, key_of, said_place
 from robosmi.metamodels import migration
 from robosmi.model.commit import again_when_changed
 from robosmi.model.files import digest
@@ -63,6 +63,11 @@ class Chosen(Generated):
     settings: Project = field(default_factory=Project)
     command: str = ""
 
+    @property
+    def project_said(self) -> str:
+        """The project file that has the values, for persons; empty where there is none."""
+        return said_place(self.project) if self.project is not None else ""
+
     def result(self) -> dict[str, Any]:
         """The command's part of the document."""
         plan = self.models.plan
@@ -81,7 +86,7 @@ class Chosen(Generated):
         would = "" if self.written else "would be "
         lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
         left = len(open_choices(self.models.plan))
-        where = f" and in {self.project}" if self.project is not None else ""
+        where = f" and in {self.project_said}" if self.project is not None else ""
         lines.append(f"{would}kept in the plan{where}; {left} choice{'s' * (left != 1)} open")
         return [*lines, *self.diff.splitlines()]
 

@@ -129,7 +129,7 @@ class PlanPage:
             self._make(done.models)
             self._held = done.models
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
-            where = f"in the plan and in {done.project}" if done.project is not None else alone
+            where = f"in the plan and in {done.project_said}" if done.project is not None else alone
             return f"Saved: {identity} = {value}; {where}.", done.command, done.diff
         with at_work(self.output):
             if self.now() != shown:
