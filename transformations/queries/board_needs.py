@@ -37,8 +37,8 @@ class PinNeeds(NamedTuple):
 
     @property
     def missing(self) -> int:
-        """How many pins there are too few when each open port needs one."""
-        return max(0, self.used + self.drawn + self.wanted - self.of_board) if self.of_board else 0
+        """How many pins there are too few when each open port needs one, be it a drawn pin that no port uses."""
+        return max(0, self.used + self.wanted - self.of_board) if self.of_board else 0
 
 
 class TimerNeeds(NamedTuple):
@@ -196,7 +196,7 @@ def shortages(needs: BoardNeeds) -> list[str]:
     if found and needs.roomier:
         found[-1] += f"; a board '{needs.roomier}' has room"
     if needs.pins.missing:
-        needed = needs.pins.used + needs.pins.drawn + needs.pins.wanted
+        needed = needs.pins.used + needs.pins.wanted
         few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
         found.append(f"{few}: {needed} are needed, and the board has {needs.pins.of_board}")
     found += [f"{timer.timer} is taken by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]

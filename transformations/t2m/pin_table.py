@@ -36,6 +36,8 @@ COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "bo
 """The columns; the first two must be there."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
+_SILENT = ("Board", "Power", "Passive", "Decoration")
+"""Roles by which no program uses a part; a name alone never gives them to one that is on a pin."""
 _TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
 
 
@@ -195,12 +197,16 @@ class _Table:
             if not any(row["driver"] for row in rows):
                 driver = found.driver and found.role == told
             return Part("", found.title, role=told, evidence=why, driver=driver)
+        unclear = f"no rule fits the part '{rows[0]['part']}'"
+        if found.role in _SILENT and any(self._label(row) in self.labels.values() for row in rows):
+            unclear = f"the part '{rows[0]['part']}' is taken for {found.role} by its name, but a pin is wired to it"
+            found = Part("", found.title, role="Unknown", evidence=unclear)
         if found.role == "Unknown":
             self.findings.append(
                 Finding(
                     "RS203",
                     Severity.warning,
-                    f"what '{title}' does is unknown: no rule fits the part '{rows[0]['part']}'",
+                    f"what '{title}' does is unknown: {unclear}",
                     Location(self.path, rows[0].line),
                     fix="give its role in the table or in robosmi.toml under [roles]",
                 )

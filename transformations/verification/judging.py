@@ -160,8 +160,9 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
     """
     idle = [str(channel["name"]) for channel in verdict.channels()]
     parts = [f"{', '.join(idle)}: nothing happens in any scenario (give one in which it does: --scenario FILE)"] if idle else []
-    unbound = [port for port in ports if not port.target]
-    if unbound:
+    if none := [port.title for port in ports if not port.target and port.given_up]:
+        parts.append(f"{', '.join(none)}: on no pin of the target, as the plan says")
+    if unbound := [port for port in ports if not port.target and not port.given_up]:
         advice = " ".join(f"--bind {port.name}=PIN" for port in unbound)
         parts.append(f"{', '.join(port.title for port in unbound)}: not wired on the target (bind it: migrate {advice})")
     if lines := [port.title for port in ports if port.line and port.target]:

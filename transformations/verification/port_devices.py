@@ -54,6 +54,7 @@ class BoundPort:
         averaged: whether it stands for a voltage, so that of a wave there only the share that is high counts.
         kinds: what the component is, by what it is called (`parts/port_roles.toml`).
         split: labels of the target's pins by which the component is asked and answers, where these are two; else none.
+        given_up: whether a person or a rule said that it is on no pin of the target.
     """
 
     name: str
@@ -71,6 +72,7 @@ class BoundPort:
     averaged: bool = False
     kinds: frozenset[str] = frozenset()
     split: tuple[str, ...] = ()
+    given_up: bool = False
 
     @property
     def watched(self) -> bool:
@@ -127,7 +129,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             str(component.elementId) if component is not None else "", tuple(used), device, called, line,
             averaged=bool(used) and bool(averaged & used.keys()),
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
-            split=_split(plan, binding),
+            split=_split(plan, binding), given_up=not binding.open,
         )  # fmt: skip
         found.setdefault(source, port)
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))

@@ -12,7 +12,7 @@ import pytest
 import robosmi
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.queries.board_needs import board_needs, needs_in_words, shortages
+from robosmi.transformations.queries.board_needs import PinNeeds, board_needs, needs_in_words, shortages
 from robosmi.transformations.queries.memory import memory
 from robosmi.verify.toolchain import compile_sketch
 from tests.corpus.memory_corpus import stack_bytes
@@ -76,6 +76,13 @@ def test_the_stack_is_still_said_when_the_program_is_compiled() -> None:
     assert shortages(board_needs(plan)) == [
         f"2000 of 2048 bytes of RAM leave 48 for about {before.memory.depth} of stack; a board 'Arduino Leonardo' has room"
     ]
+
+
+@pytest.mark.parametrize(
+    ("used", "drawn", "wanted", "missing"), [(9, 7, 5, 0), (9, 7, 11, 0), (9, 7, 12, 1), (0, 0, 27, 7), (20, 0, 0, 0)]
+)
+def test_open_ports_may_take_drawn_pins_that_no_port_uses(used: int, drawn: int, wanted: int, missing: int) -> None:
+    assert PinNeeds(20, used, drawn, wanted).missing == missing
 
 
 def test_the_stack_that_a_simulator_sees_is_nearly_the_one_estimated(tmp_path: Path) -> None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, PinTrace
+from robosmi.verify.verdict import Verdict
 
 SCENARIO = Scenario("s", 1000.0)
 
@@ -69,3 +71,11 @@ def test_why_an_original_did_not_run_to_its_end(status: str, cause: str, said: s
     told = judged(SCENARIO, original(trace, status=status, cause=cause), trace, [], one_thread=True)
     assert told.verdict == "not-decidable"
     assert said in told.reason
+
+
+def test_only_an_open_port_is_advised_to_be_bound() -> None:
+    ports = [BoundPort("P3", "P3", ""), BoundPort("P21", "P21", "", given_up=True)]
+    said = why_nothing_was_compared(Verdict([]), ports)
+    assert "--bind P3=PIN" in said
+    assert "--bind P21" not in said
+    assert "P21: on no pin of the target, as the plan says" in said

@@ -65,6 +65,21 @@ def test_a_part_that_nothing_tells_of_is_a_finding(tmp_path: Path) -> None:
     assert [m["name"] for m in done.result["mappings"]] == ["GizmoReadP1", "LEDWriteP1", "LED2WriteP1"]
 
 
+@pytest.mark.parametrize("part", ["Battery divider", "9V battery monitor", "Ground probe", "Resistor", "Arduino Nano"])
+def test_no_name_hides_a_part_that_is_on_a_pin(part: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text(f"pin,part,title\nA0,{part},lone\nD13,LED,lamp\n")
+    done = hardware(path)
+    assert [(m["pin"], m["component"]) for m in done.result["mappings"]] == [("D13", "lamp"), ("A0", "lone")]
+    assert "RS203" in [f.rule for f in done.findings]
+
+
+def test_a_role_that_the_table_gives_still_hides_a_part(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("pin,part,role\nA0,Battery,Power\nD13,LED,\n")
+    assert [m["pin"] for m in mappings(path)] == ["D13"]
+
+
 @pytest.mark.parametrize("ending", [".csv", ".toml"])
 @pytest.mark.parametrize("case", CASES)
 def test_a_drawing_s_table_gives_the_same_connections(case: str, ending: str, tmp_path: Path) -> None:
