@@ -235,9 +235,11 @@ class _Build:
             return done.stdout
         if found := _MESSAGE.search(done.stderr):
             place = Location(found["path"], int(found["line"]), int(found["column"] or 1))
+            taken = found["message"].startswith("conflicting types for")
             raise VerificationError(
                 f"the original does not compile on this machine: {found['message']}", location=place,
-                fix="name the program's other files and folders of headers; or the model of its platform lacks that name",
+                fix="rename it in the program: a header of its platform declares that name" if taken
+                else "name the program's other files and folders of headers; or the model of its platform lacks that name",
             )  # fmt: skip
         if twice := set(_TWICE.findall(done.stderr)):
             raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="keep one of them")

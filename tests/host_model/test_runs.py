@@ -42,6 +42,21 @@ def test_a_program_runs_to_the_horizon() -> None:
     assert found.trace.engine.startswith("host model of the Propeller P8X32A, gcc")
 
 
+def test_names_that_only_this_machine_has_are_the_program_s() -> None:
+    names = ("alarm", "access", "unlink", "fork", "nice", "select", "sync", "link")
+    program = "#include <simpletools.h>\n" + "".join(f"void {name}(void *par) {{ high(26); }}\n" for name in names)
+    assert run(program + "int main() { alarm(0); pause(10); low(26); }", 100).trace.pulses("P26")
+
+
+def test_a_name_that_the_platform_has_is_told_with_its_line() -> None:
+    program = "#include <simpletools.h>\nvoid rmdir(void *par) {}\nint main() { rmdir(0); }"
+    with pytest.raises(VerificationError, match="conflicting types for 'rmdir'") as caught:
+        run(program, 100)
+    assert caught.value.location is not None
+    assert caught.value.location.line == 2
+    assert "rename it" in (caught.value.fix or "")
+
+
 def test_a_program_ends_when_main_and_its_cogs_have_ended() -> None:
     blink = "void blink(void *p) { high(3); pause(300); low(3); }"
     found = run(f"#include <simpletools.h>\n{blink}\nint main() {{ cog_run(blink, 50); high(4); pause(50); return 0; }}")

@@ -1,4 +1,5 @@
-/* Minimal unistd.h for reading programs (C99/POSIX names and types only). */
+/* Minimal unistd.h for reading programs (names and types only): what the sys/unistd.h of propgcc declares, so that a
+   program may call its own functions `alarm` or `access`. */
 #ifndef ROBOSMI_UNISTD_H
 #define ROBOSMI_UNISTD_H
 #include <sys/types.h>
@@ -7,16 +8,12 @@
 #define STDERR_FILENO 2
 unsigned int sleep(unsigned int seconds);
 int usleep(useconds_t microseconds);
-unsigned int alarm(unsigned int seconds);
 ssize_t read(int file, void *to, size_t n);
 ssize_t write(int file, const void *from, size_t n);
 int close(int file);
 off_t lseek(int file, off_t offset, int whence);
-int unlink(const char *name);
 int rmdir(const char *name);
 int chdir(const char *name);
 char *getcwd(char *to, size_t n);
-int access(const char *name, int mode);
 int isatty(int file);
-void _exit(int status);
 #endif
