@@ -15,6 +15,7 @@ from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.constraints.code_move import FLOW, move, moved, place, the_move, together
 from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
+from robosmi.transformations.queries.own_headers import own_macro
 from robosmi.transformations.queries.plan import called
 from robosmi.validate import Fail
 
@@ -28,7 +29,7 @@ def has_fewer_cores() -> bool:
 def is_register(use: Any) -> bool:
     """Whether a name that the program does not declare is a register of the source platform."""
     m = move()
-    if m is None or m.register(use.name) is None:
+    if m is None or m.register(use.name) is None or own_macro(ancestor_of_kind(use, ccode.SourceUnit), use.name) is not None:
         return False
     return use.macro is None if isinstance(use, ccode.MacroUse) else isinstance(use.target, (ccode.ExternalSymbol, type(None)))
 

@@ -147,6 +147,8 @@ class LoopTimes:
         if isinstance(loop, ccode.For) and (trips := self._trips(loop)) is not None:
             early = any(isinstance(e, (ccode.Break, ccode.Return, ccode.Goto)) for e in all_contents(loop.body))
             return first.then(once.times(0 if early else trips, trips))
+        if loop.condition is not None and [v.number for v in self._values.of(loop.condition)] == [0]:  # do { ... } while (0)
+            return once if isinstance(loop, ccode.DoWhile) else first.then(self.of(loop.condition))
         if not once.high and not once.unbounded and not self._outside(loop):
             return first
         least = 1 if isinstance(loop, ccode.DoWhile) else 0

@@ -85,3 +85,9 @@ def headers_of_types(functions: Iterable[ccode.Function], unit: ccode.SourceUnit
     uses = (use for f in functions for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None)
     units = (unit_of(use.declaration) for use in uses if use.declaration is not None and use.declaration.startOffset)
     return sorted({u.path.rpartition("/")[2] for u in units if is_header(u) and id(u) not in seen})
+
+
+def own_macro(unit: ccode.SourceUnit | None, name: str) -> ccode.Macro | None:
+    """The macro of that name that a unit or one of the program's own headers in it defines, whatever the platform calls so."""
+    seen = (unit, *included(unit)) if unit is not None else ()
+    return next((m for u in seen for m in u.macros if m.name == name), None)

@@ -12,6 +12,7 @@ from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_text import expression_text
+from robosmi.transformations.queries.own_headers import own_macro
 from robosmi.transformations.queries.pin_uses import PinUse
 from robosmi.transformations.queries.port_masks import WORD, PortMasks, union
 
@@ -34,7 +35,9 @@ def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
     found: dict[tuple[int | None, str, int], PinUse] = {}
     for reference in view.of_kind(ccode.NameReference):
         direction = registers.get(str(reference.name))
-        if direction is None or isinstance(reference.target, (ccode.Variable, ccode.Parameter)) or _put_back(reference):
+        variable = isinstance(reference.target, (ccode.Variable, ccode.Parameter))
+        own = variable or own_macro(view.unit, str(reference.name)) is not None
+        if direction is None or own or _put_back(reference):
             continue
         _add(found, _bits(reference, masks, whole), reference, str(reference.name), direction)
     for call in view.of_kind(ccode.Call):

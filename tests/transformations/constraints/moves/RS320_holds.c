@@ -1,4 +1,5 @@
 #include "simpletools.h"
+#define INA 6
 /* Functions for pins, and the program's own names. */
 int OUTA;
 
@@ -7,4 +8,5 @@ int main(void)
   int CNT = 3;
   OUTA = CNT;
   high(OUTA);
+  low(INA);
 }

@@ -1,4 +1,5 @@
 #include "simpletools.h"
+#define INA 6
 int pins[3] = {4, 5, 6};
 int chosen;
 
@@ -11,4 +12,5 @@ int main(void)
   high(chosen);
   for (chosen = 9; chosen <= 12; chosen++) low(chosen);
   OUTA |= 1 << 3;
+  low(INA);
 }
