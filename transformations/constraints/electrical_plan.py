@@ -17,7 +17,7 @@ from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing, fault, worst_first
 from robosmi.transformations.knowledge.library_takes import taken_of
 from robosmi.transformations.queries.circuit import role_on
-from robosmi.transformations.queries.electrical import Role, Wiring, listed, who, wiring
+from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, who, wiring
 from robosmi.validate import EVL, Fail
 
 together = EVL()
@@ -103,6 +103,17 @@ def _is_written(binding: migration.PortBinding) -> bool:
     return binding.signal is migration.Signal.write
 
 
+def _is_scanned(connection: migration.Connection) -> bool:
+    """Whether the program reads another pin of a component without supply: contacts, such as a keypad's, are scanned."""
+    component, plan = connection.component, of_plan(connection)
+    assert component is not None
+    assert plan is not None
+    if any(c.kind in (Kind.supply, Kind.ground) or (c.net is not None and c.net.rail) for c in component.connectors):
+        return False
+    others = (b for b in plan.portBindings if b.connection is not None and b.connection is not connection)
+    return any(b.connection.component is component and not _is_written(b) for b in others)
+
+
 @bindings.constraint(
     id="RS260",
     location=place,
@@ -114,7 +125,7 @@ def DoesNotDriveASensor(b: migration.PortBinding) -> Any:
     connection = b.connection
     assert connection is not None
     assert connection.component is not None
-    if not _is_written(b):
+    if not _is_written(b) or _is_scanned(connection):
         return True
     component, label = connection.component, connection.pin.label if connection.pin is not None else ""
     return fault(
