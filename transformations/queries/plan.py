@@ -12,6 +12,7 @@ from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.choices import choices_json
 from robosmi.transformations.queries.finding_flows import edits_of, has_flow, steps_of
+from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 
@@ -63,13 +64,15 @@ def header_name(adapter: migration.AdapterUse) -> str:
 
 
 def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
-    """Calls to platform functions: in all, with a body behind them, still to do; the same for each header."""
+    """Calls to platform functions, those of macros where they are used: in all, with a body, still to do; by header."""
     by_header: dict[str, dict[str, int]] = {}
+    of_macros = MacroCalls(plan)
     for adapter in plan.adapterUses:
         counts = by_header.setdefault(header_name(adapter), {"total": 0, "with_body": 0, "todo": 0})
         state = "with_body" if adapter.status in (migration.AdapterStatus.filled, migration.AdapterStatus.care) else "todo"
-        counts["total"] += len(adapter.calls)
-        counts[state] += len(adapter.calls)
+        count = len(adapter.calls) + len(of_macros.of(adapter))
+        counts["total"] += count
+        counts[state] += count
     total = {key: sum(c[key] for c in by_header.values()) for key in ("total", "with_body", "todo")}
     return {**total, "by_header": by_header}
 

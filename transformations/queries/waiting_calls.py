@@ -10,6 +10,7 @@ from collections import Counter
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import Q
+from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan_adapters import closure, limits
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 
@@ -36,6 +37,7 @@ class CallStates:
 
     def __init__(self, plan: migration.MigrationPlan) -> None:
         self.plan = plan
+        self._of_macros = MacroCalls(plan)
         flows = [f for f in plan.portFlows if f.bindings]
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
         self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
@@ -46,15 +48,16 @@ class CallStates:
             return NO_SUPPORT
         if use.status is migration.AdapterStatus.todo:
             return TO_WRITE
-        if id(call) in self._waiting or open_conventions(self.plan, use):
+        ports = self._of_macros.ports(use, call) if call.viaMacro else []
+        if id(call) in self._waiting or any(b.open for b in ports) or open_conventions(self.plan, use):
             return WAITS
-        if id(call) in self._unwired:
+        if id(call) in self._unwired or (ports and all(map(_left_out, ports))):
             return NOT_WIRED_CALL
         return WITH_CARE if limits(use) else WORKS
 
     def counts(self) -> dict[str, int]:
-        """How many calls are in each state, every state named, and `total`, their sum."""
-        found = Counter(self.of(use, call) for use in self.plan.adapterUses for call in use.calls)
+        """How many calls are in each state, every state named, and `total`, their sum; those of macros at each place of use."""
+        found = Counter(self.of(use, call) for use in self.plan.adapterUses for call in (*use.calls, *self._of_macros.of(use)))
         return {"total": found.total(), **{state: found[state] for state in CALL_STATES}}
 
 

@@ -1,0 +1,90 @@
+"""The calls of platform functions that a program's own macros make where they are used, and the ports that they reach.
+
+The model has them as the macros expand. Where a number is known only in the body of a macro, the ports that stand in the macros
+of the place count; where those name none either, all ports that the program's text gives. Nothing is called ready that may wait.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import cached_property
+
+from robosmi.metamodels import ccode, migration
+from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.pin_uses import pin_number
+from robosmi.transformations.queries.values import Values
+
+_NAMES = re.compile(r"[A-Za-z_]\w*")
+
+
+class MacroCalls:
+    """The calls out of bodies of macros in a plan's program.
+
+    Args:
+        plan: the plan.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan) -> None:
+        self._units = list(plan.program.units) if plan.program is not None else []
+        self._program = plan.program
+        self._bindings = [b for b in plan.portBindings if b.conventionalPort is None]
+        self._values: dict[int, Values] = {}
+
+    @cached_property
+    def _made(self) -> dict[str, list[ccode.Call]]:
+        found: dict[str, list[ccode.Call]] = {}
+        for unit in self._units:
+            for call in all_of_kind(unit, ccode.Call):
+                if call.viaMacro:
+                    found.setdefault(str(call.calleeName), []).append(call)
+        return found
+
+    @cached_property
+    def _macros(self) -> dict[str, list[ccode.Macro]]:
+        found: dict[str, list[ccode.Macro]] = {}
+        for unit in self._units:
+            for macro in unit.macros:
+                found.setdefault(str(macro.name), []).append(macro)
+        return found
+
+    def of(self, use: migration.AdapterUse) -> list[ccode.Call]:
+        """The calls of a use's function that macros make, one for each place where a macro is used."""
+        return self._made.get(str(use.name), [])
+
+    def ports(self, use: migration.AdapterUse, call: ccode.Call) -> list[migration.PortBinding]:
+        """The ports that such a call may reach; none for a function that takes no port."""
+        found: dict[int, migration.PortBinding] = {}
+        parameters = use.function.parameters if use.function is not None else ()
+        for argument, parameter in zip(call.arguments, parameters, strict=False):
+            if parameter.isPort:
+                found.update((id(b), b) for b in self._reached(argument, int(parameter.span)))
+        return list(found.values())
+
+    def _reached(self, argument: ccode.Expression, span: int) -> list[migration.PortBinding]:
+        numbers = [value.number for value in self._values_at(argument).of(argument)]
+        known = {pin_number(n) + i for n in numbers if n is not None for i in range(max(1, span))}
+        if numbers and None not in numbers:
+            return [b for b in self._bindings if b.sourcePin in known]
+        references = [argument, *all_of_kind(argument, ccode.NameReference)]
+        names = self._expanded(str(r.name) for r in references if isinstance(r, ccode.NameReference))
+        here = {id(macro) for name in names for macro in self._macros.get(name, ())}
+        named = [b for b in self._bindings if id(b.element) in here or not names.isdisjoint(map(str, [b.name, *b.names]))]
+        return named or self._bindings
+
+    def _values_at(self, element: ccode.Expression) -> Values:
+        unit = ancestor_of_kind(element, ccode.SourceUnit)
+        assert self._program is not None
+        assert unit is not None
+        return self._values.setdefault(id(unit), Values(self._program, unit))
+
+    def _expanded(self, names: Iterable[str]) -> set[str]:
+        """Names with those in the bodies of the macros that they are."""
+        found: set[str] = set()
+        pending = list(names)
+        while pending:
+            name = pending.pop()
+            if name not in found:
+                found.add(name)
+                pending += [n for macro in self._macros.get(name, ()) for n in _NAMES.findall(str(macro.body or ""))]
+        return found
