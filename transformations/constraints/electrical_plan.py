@@ -110,8 +110,8 @@ def _is_scanned(connection: migration.Connection) -> bool:
     assert plan is not None
     if any(c.kind in (Kind.supply, Kind.ground) or (c.net is not None and c.net.rail) for c in component.connectors):
         return False
-    others = (b for b in plan.portBindings if b.connection is not None and b.connection is not connection)
-    return any(b.connection.component is component and not _is_written(b) for b in others)
+    others = (b for b in plan.portBindings if b.connection is not connection)
+    return any(b.connection is not None and b.connection.component is component and not _is_written(b) for b in others)
 
 
 @bindings.constraint(

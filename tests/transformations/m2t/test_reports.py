@@ -65,12 +65,12 @@ def test_each_list_is_whole_and_each_task_in_one(result: Any) -> None:
 def test_what_is_bound_works_and_what_is_open_waits(tmp_path: Path) -> None:
     case = next(case for case in CASES if case.name == "open_ports")
     before = made(case, tmp_path / "before").result()["plan"]["work"]
-    assert (before["calls"]["working"], before["calls"]["waits_for_port"]) == (1, 4)  # pause alone needs no pin
+    assert (before["calls"]["working"], before["calls"]["waits_for_port"]) == (1, 5)  # pause alone needs no pin
     flags = {answer["subject"]: answer["flag"] for answer in before["decide"]["answers"]}
     assert flags["lamp"] == "--bind lamp=PIN"
     pins = {subject: f"D{number}" for number, subject in enumerate(flags, 2)}
     after = robosmi.migrate(sorted(case.glob("*.c")), tmp_path / "after", bind=pins).result()["plan"]
-    assert after["work"]["calls"]["working"] == after["work"]["calls"]["total"] == 5
+    assert after["work"]["calls"]["working"] == after["work"]["calls"]["total"] == 6
     assert after["work"]["decide"]["open"] == after["open_choices"] == 0
     assert after["verdicts"]["needs_you"] == 0
 
