@@ -51,6 +51,8 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
     for function in view.unknown():
         if function.header:
             message = f"the function {function.name} is declared in {function.header} and defined in no file of the program"
+        elif function.callee is not None and code.unit_of(function.callee) is not None:
+            message = f"the program declares the function {function.name} as {function.signature}, and defines it in no file"
         else:
             message = f"nothing is known of the function {function.name}: its signature is inferred as {function.signature}"
         found.append(_finding(view, "RS109", Severity.warning, function.calls[0], message, "add the file that defines it"))
