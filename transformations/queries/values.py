@@ -8,18 +8,19 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.bounded_walk import BoundedWalk
 
 LIMIT = 64
 _NUMBER = re.compile(r"\b(0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)[uUlL]*\b")
 _CAST = re.compile(r"\(\s*(?:(?:unsigned|signed|const|char|short|int|long|u?int(?:8|16|32)_t)\s*)+\)")
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
-_WRITES = ("++", "--")
+_MOST_BITS = 128
 
 
 class Value(NamedTuple):
@@ -47,25 +48,17 @@ class Values:
             self.names.setdefault(str(declaration.name), declaration)
             if isinstance(declaration, ccode.Enumeration):
                 self.names.update({str(literal.name): literal for literal in declaration.literals})
-        self._active: set[tuple[str, int]] = set()
+        self._walk = BoundedWalk([RUNTIME])
 
     def of(self, expression: Any) -> list[Value]:
         """The values of an expression, in text order, each once."""
         method = _METHODS.get(type(expression).__name__)
-        found: list[Value] = method(self, expression) if method else [RUNTIME]
-        return _distinct(found)
+        return _distinct(self._walk.ask(lambda: method(self, expression))) if method else [RUNTIME]
 
-    def _guarded(self, element: Any, what: str, body: Any) -> list[Value]:
-        """Stop at a name that is defined by itself."""
-        key = (what, id(element))
-        if key in self._active:
-            return [RUNTIME]
-        self._active.add(key)
-        try:
-            found: list[Value] = body(element)
-            return found
-        finally:
-            self._active.discard(key)
+    def _guarded(self, element: Any, what: str, body: Any, *given: Hashable) -> list[Value]:
+        """Stop at a name that is defined by itself; what is given for its parameters makes another answer."""
+        guard = (what, id(element))
+        return self._walk.name(guard, (guard, given), lambda: body(element))
 
     def _integer(self, literal: ccode.IntegerLiteral) -> list[Value]:
         return [Value(int(literal.value), "literal")]
@@ -132,7 +125,7 @@ class Values:
         while loop is not None:
             start = _start(loop, variable)
             if start is not None and _in(loop, reference):
-                return self._guarded(loop, "loop", lambda found, start=start: self._count(found, variable, start))
+                return self._guarded(loop, "loop", lambda found, start=start: self._count(found, variable, start), id(variable))
             loop = ancestor_of_kind(loop, ccode.For)
         return None
 
@@ -221,7 +214,7 @@ class Values:
         if macro is None or parameters is None or len(known) != len(arguments) or len(known) != len(parameters):
             return None
         given = dict(zip((str(each) for each in parameters), known, strict=True))
-        made = self._guarded(macro, "macro", lambda m: [Value(self._computed(str(m.body or ""), given), "constant")])
+        made = self._guarded(macro, "macro", lambda m: [Value(self._computed(str(m.body or ""), given), "constant")], *known)
         return made[0].number
 
     def _by_name(self, name: str) -> list[Value]:
@@ -248,7 +241,7 @@ class Values:
         """
         target = array.target if isinstance(array, ccode.NameReference) else None
         if isinstance(target, ccode.Parameter):
-            passed = [self.elements(a) for a in passed_arguments(target)]
+            passed = [self.elements(a) for a in passed_arrays(target)]
             return None if not passed or any(p is None for p in passed) else [v for p in passed for v in p or []]
         if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
             return None
@@ -305,7 +298,9 @@ _PYTHON: dict[type, str] = {
 
 
 def calculate(operator: str, a: int, b: int) -> int | None:
-    """A binary operator of C on two integers; None where it has no value."""
+    """A binary operator of C on two integers; None where it has no value, or one that no type of C holds by far."""
+    if max(a.bit_length(), b.bit_length()) > _MOST_BITS:
+        return None
     if operator in ("/", "%"):
         if b == 0:
             return None
@@ -386,3 +381,20 @@ def passed_arguments(parameter: ccode.Parameter) -> list[Element]:
     position = list(function.parameters).index(parameter)
     calls = sorted(function.calls, key=lambda c: int(c.startOffset))
     return [list(c.arguments)[position] for c in calls if position < len(c.arguments)]
+
+
+def passed_arrays(parameter: ccode.Parameter) -> list[Element]:
+    """What callers pass for a parameter, where they pass on a parameter of their own what is passed for that; each array once."""
+    found: dict[int, Element] = {}
+    pending: list[Element] = list(reversed(passed_arguments(parameter)))
+    seen = {id(parameter)}
+    while pending:
+        argument = pending.pop()
+        target = argument.target if isinstance(argument, ccode.NameReference) else None
+        if not isinstance(target, ccode.Parameter):
+            found.setdefault(id(argument if target is None else target), argument)
+        elif id(target) not in seen:
+            seen.add(id(target))
+            pending += reversed(given := passed_arguments(target))
+            found |= {} if given else {id(target): argument}
+    return list(found.values())

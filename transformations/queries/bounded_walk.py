@@ -1,0 +1,109 @@
+"""A walk from name to name through a program that ends in time: each name is answered once, loops and long chains are bounded.
+
+What a name stands for, and how that is found, is in `values`; here is only in which order it is asked and when it is given up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from typing import Generic, TypeVar
+
+A = TypeVar("A")
+B = TypeVar("B")
+Question = Callable[[], A]
+
+DEEPEST = 60
+"""Names within names in one go; a longer chain is asked from its other end, so that Python's own stack suffices."""
+MOST_REPEATS = 1000
+"""How often, within one question, names that depend on themselves may be asked again on other ways through the program."""
+
+
+class _TooDeep(Exception, Generic[A]):
+    def __init__(self, key: Hashable, again: Question[A]) -> None:
+        super().__init__()
+        self.key = key
+        self.again = again
+
+
+class _TooOften(Exception):
+    pass
+
+
+class BoundedWalk(Generic[A]):
+    """Answers to what names mean, where the meaning of one is asked of others.
+
+    A name that is asked for while it is being answered is unknown there. So an answer may depend on the way on which the name was
+    reached, if the name depends on itself; only such names are asked more than once, and where there are too many ways through
+    them, they are unknown altogether.
+
+    Args:
+        unknown: the answer for what is given up.
+    """
+
+    def __init__(self, unknown: A) -> None:
+        self._unknown = unknown
+        self._known: dict[Hashable, A] = {}
+        self._active: dict[Hashable, int] = {}
+        self._lowest = 0
+        self._begin()
+
+    def _begin(self) -> None:
+        self._asked: set[Hashable] = set()
+        self._looped: set[Hashable] = set()
+        self._repeats = 0
+
+    def ask(self, question: Question[B]) -> B:
+        """The answer to a question that asks for names by `name`, within another question or not.
+
+        Args:
+            question: may be called more than once.
+        """
+        if self._active:
+            return question()
+        first: list[_TooDeep[A]] = []
+        while True:
+            self._begin()
+            try:
+                if not first:
+                    return question()
+                self._known[first[-1].key] = first[-1].again()
+                first.pop()
+            except _TooDeep as deep:
+                if any(deep.key == other.key for other in first):
+                    self._known[deep.key] = self._unknown
+                else:
+                    first.append(deep)
+            except _TooOften:
+                self._known |= dict.fromkeys(self._looped, self._unknown)
+
+    def name(self, guard: Hashable, key: Hashable, answer: Question[A]) -> A:
+        """The answer for a name.
+
+        Args:
+            guard: while it is active, asking for it again is answered with unknown.
+            key: the same for questions with the same answer.
+            answer: finds it.
+        """
+        if guard in self._active:
+            self._looped.add(key)
+            self._lowest = min(self._lowest, self._active[guard])
+            return self._unknown
+        if key in self._known:
+            return self._known[key]
+        depth = len(self._active)
+        if depth >= DEEPEST:
+            raise _TooDeep(key, lambda: self.name(guard, key, answer))
+        self._repeats += key in self._asked
+        self._asked.add(key)
+        if self._repeats > MOST_REPEATS:
+            raise _TooOften
+        around, self._lowest = self._lowest, depth + 1
+        self._active[guard] = depth
+        try:
+            found = answer()
+        finally:
+            del self._active[guard]
+            own, self._lowest = self._lowest, min(around, self._lowest)
+        if own > depth:
+            self._known[key] = found  # it does not depend on itself, so that each way to it gives the same
+        return found
