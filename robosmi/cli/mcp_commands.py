@@ -17,7 +17,7 @@ from typing import Any
 import anyio
 import anyio.abc
 
-from robosmi.cli.root_folder import LONGEST, RootFolder
+from robosmi.cli.root_folder import LONGEST, RootFolder, is_text
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
@@ -26,6 +26,8 @@ from robosmi.report.document import SCHEMA
 _KEPT = ("PATH", "LANG", "LC_ALL", "SYSTEMROOT", "ROBOSMI_NPM")
 """What a command is told of the server's environment."""
 _GRACE_S = 5.0
+_WORD = 9
+"""Bytes that the system takes for a word beside its text."""
 
 
 class Commands:
@@ -60,6 +62,12 @@ class Commands:
         if too_long := next((word for word in words if len(word) > LONGEST), None):
             message = f"an argument has {len(too_long)} characters: '{too_long[:60]}...'"
             return refusal(command, "RS901", 2, message, f"give at most {LONGEST} characters")
+        if any(not is_text(word) for word in words):
+            return refusal(
+                command, "RS901", 2, "an argument is no text", "leave out NUL and halves of characters (U+D800 to U+DFFF)"
+            )
+        if (size := sum(len(word.encode()) + _WORD for word in words)) > (most := os.sysconf("SC_ARG_MAX") // 2):
+            return refusal(command, "RS901", 2, f"the arguments have {size} bytes together", f"give at most {most} bytes")
         own = Path(self._own.name)
         with tempfile.TemporaryDirectory(dir=own, prefix="call-") as temporary:
             program = ["robosmi.cli.confined", str(self.root.path), str(own)] if self.confined else ["robosmi"]
@@ -132,7 +140,8 @@ def refused(command: str, error: RobosmiError) -> dict[str, Any]:
 
 def refusal(command: str, rule: str, exit_code: int, message: str, fix: str | None) -> dict[str, Any]:
     """A document of the contract's form for a command that did not run to its end."""
-    finding = Finding(rule, Severity.error, message, fix=fix)
+    shown = message.encode("utf-8", "backslashreplace").decode()  # half of a character cannot be sent
+    finding = Finding(rule, Severity.error, shown, fix=fix)
     return {
         "schema": SCHEMA, "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
         "artifacts": [], "timings": {"total_s": 0.0}, "exit_code": exit_code,

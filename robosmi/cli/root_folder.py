@@ -47,7 +47,7 @@ class RootFolder:
             raise UsageError(
                 f"'{text[:60]}...' is no path: it has {len(text)} characters", fix="name a file below the root folder"
             )
-        if not text.strip() or "\0" in text:
+        if not text.strip() or not is_text(text):
             raise UsageError("a path is empty, or no path", fix="name a file below the root folder")
         whole = Path(os.path.normpath(self.path / text))
         if not whole.is_relative_to(self.path):
@@ -66,3 +66,8 @@ class RootFolder:
                 raise UsageError(f"'{text}' leads through a link, '{place.name}'", fix="name files and folders themselves")
         shown = below.as_posix()
         return f"./{shown}" if shown.startswith("-") else shown
+
+
+def is_text(word: str) -> bool:
+    """Whether a word can be given to a program: neither NUL nor half of a pair of UTF-16 is in it."""
+    return "\0" not in word and not any("\ud800" <= character <= "\udfff" for character in word)

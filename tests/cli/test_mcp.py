@@ -17,7 +17,7 @@ from mcp.client.stdio import StdioServerParameters, stdio_client
 
 from robosmi.cli import landlock
 from robosmi.cli.mcp_commands import Commands
-from robosmi.cli.mcp_tools import make_server
+from robosmi.cli.mcp_tools import Tools, make_server
 from robosmi.cli.root_folder import RootFolder
 from robosmi.errors import SourceError, UsageError
 from tests.running import check_document, run
@@ -176,6 +176,32 @@ def test_arguments_that_nobody_means_are_refused_shortly(commands: Commands) -> 
             assert len(str(answer)) < 1000
 
     ask(commands, talk)
+
+
+def test_words_that_no_program_can_be_given_are_refused(commands: Commands) -> None:
+    async def talk(call: Call) -> None:
+        for name, arguments in (
+            ("explain", {"rule": "RS1\0"}), ("analyse", {"files": ["blink.c"], "defines": ["A=\0"]}),
+            ("choose", {"out": "out", "answers": {"eye": "D\0"}}), ("analyse", {"files": ["blink\0.c"]}),
+            ("analyse", {"files": ["blink.c"], "defines": ["A" * 4000] * 1000}),
+            ("analyse", {"files": ["blink.c"], "defines": ["A"] * 300_000}),
+        ):  # fmt: skip
+            answer = await call(name, **arguments)
+            assert (answer["exit_code"], answer["findings"][0]["rule"]) == (2, "RS901")
+            assert len(str(answer)) < 1000
+        assert (await call("analyse", files=["blink.c"], defines=["A" * 400] * 100))["exit_code"] == 0
+
+    ask(commands, talk)
+
+
+@pytest.mark.parametrize("arguments", [{"rule": "RS\ud800"}, {"rule": "-\ud800"}, {"rule": "\udfff" * 5000}])
+def test_half_a_character_is_refused_in_a_text_that_can_be_sent(arguments: dict[str, str], commands: Commands) -> None:
+    answer = asyncio.run(Tools(commands).explain(**arguments))
+    assert (answer["exit_code"], answer["findings"][0]["rule"]) == (2, "RS901")
+    assert str(answer).encode()
+    answer = asyncio.run(Tools(commands).hardware(arguments["rule"]))
+    assert (answer["exit_code"], answer["findings"][0]["rule"]) == (2, "RS901")
+    assert str(answer).encode()
 
 
 def compiled_thief(commands: Commands) -> str:
