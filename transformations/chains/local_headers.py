@@ -10,14 +10,17 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 
 from robosmi import inputs
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.source_text import HEADERS
 
+OUTSIDE = "RS113"
+"""The rule of a header that is taken from outside of a program's folders."""
 _INCLUDE = re.compile(r'#\s*include\s*[<"]([^>"\n]+)[>"]')
 
 
@@ -47,6 +50,25 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
                 names.add(place.name)
                 found.append(place)
     return found
+
+
+def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Finding]:
+    """Says of each header of a program that lies outside of its folders that it is taken over: a person may not know of it.
+
+    Args:
+        headers: the headers that the program reaches.
+        folders: those of its sources and project file, and those that a person names for headers.
+    """
+    inside = {Path(os.path.realpath(folder)) for folder in folders}
+    found = [(path, Path(os.path.realpath(path))) for path in headers]
+    said = "lies outside of the program's folders and is copied with it"
+    return [
+        Finding(
+            OUTSIDE, Severity.warning, f"'{real}' {said}", Location(str(path)),
+            fix="name its folder with -I where it belongs to the program, else take its #include out",
+        )
+        for path, real in found if not inside & {*real.parents}
+    ]  # fmt: skip
 
 
 def _written(functions: Collection[str], defined: Collection[str]) -> bool:

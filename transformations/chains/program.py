@@ -12,7 +12,7 @@ from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.chains.local_headers import with_headers
+from robosmi.transformations.chains.local_headers import from_outside, with_headers
 from robosmi.transformations.chains.reading import read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
@@ -69,6 +69,7 @@ def program_files(
         UsageError: a file is given twice.
     """
     given, left_out = [Path(f) for f in files], list[Finding]()
+    named = [*include_dirs, *(path if path.is_dir() else path.parent for path in given)]
     if len(given) == 1 and (side := _side_project(str(given[0]))) is not None:
         given, left_out = [Path(source) for source in side.sources], side.findings
         include_dirs = [*include_dirs, *(Path(each) for each in side.include_dirs)]
@@ -76,7 +77,10 @@ def program_files(
     sources = source_files(given, [str(d) for d in include_dirs], defines)
     folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
     macros = list(dict.fromkeys(d for source in sources for d in source.defines))
-    return ProgramFiles(with_headers([Path(source.path) for source in sources], folders, api), folders, macros, left_out)
+    paths = [Path(source.path) for source in sources]
+    reached = with_headers(paths, folders, api)
+    outside = from_outside(reached[len(paths) :], [*named, *(path.parent for path in paths)])
+    return ProgramFiles(reached, folders, macros, [*left_out, *outside])
 
 
 def _side_project(path: str) -> SideProject | None:
