@@ -61,11 +61,10 @@ def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Findi
     """
     inside = {Path(os.path.realpath(folder)) for folder in folders}
     found = [(path, Path(os.path.realpath(path))) for path in headers]
-    said = "lies outside of the program's folders and is copied with it"
     return [
         Finding(
-            OUTSIDE, Severity.warning, f"'{real}' {said}", Location(str(path)),
-            fix="name its folder with -I where it belongs to the program, else take its #include out",
+            OUTSIDE, Severity.warning, f"'{real}' lies outside of the program's folders and is copied with it",
+            Location(str(path)), fix="name its folder with -I where it belongs to the program, else take its #include out",
         )
         for path, real in found if not inside & {*real.parents}
     ]  # fmt: skip
