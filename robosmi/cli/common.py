@@ -9,6 +9,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import StoppedError, UsageError
+from robosmi.model.files import ANOTHER_NAME, refuse_link
 
 
 def add_source_options(parser: argparse.ArgumentParser) -> None:
@@ -63,8 +64,6 @@ def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
     Raises:
         StoppedError: there is a file of another kind, or a link.
     """
-    from robosmi.model.files import ANOTHER_NAME, refuse_link  # which loads pyecore: a broken one is reported by commands
-
     try:
         if path is None:
             return

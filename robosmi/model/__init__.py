@@ -11,10 +11,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.ecore import EObject
-
 if TYPE_CHECKING:
     from robosmi.model.driver import Model
+    from robosmi.model.ecore import EObject
     from robosmi.model.emf import EmfModel
     from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model

@@ -389,6 +389,24 @@ inline void imu_SPIreadBytes(int32_t csPin, uint8_t subAddress, void *dest, uint
   high(csPin);
 }
 
+//# helper imu_readAxes
+//#   needs: imu_SPIreadBytes
+inline void imu_readAxes(int32_t csPin, uint8_t subAddress, int32_t *x, int32_t *y, int32_t *z) {  // 16 bits with a sign each
+  int32_t *to[3] = {x, y, z};
+  uint8_t bytes[6];
+  imu_SPIreadBytes(csPin, subAddress, bytes, 6);
+  for (uint8_t axis = 0; axis < 3; axis++) *to[axis] = (int16_t)(bytes[2 * axis + 1] << 8 | bytes[2 * axis]);
+}
+
+//# helper imu_lessBias
+//#   needs: imu_state
+inline void imu_lessBias(uint8_t sensor, int32_t *x, int32_t *y, int32_t *z) {
+  if (!(imu_state.corrected >> sensor & 1)) return;
+  *x -= imu_state.bias[sensor][0];
+  *y -= imu_state.bias[sensor][1];
+  *z -= imu_state.bias[sensor][2];
+}
+
 //# helper imu_byte
 //#   needs: imu_SPIreadBytes
 inline uint8_t imu_byte(uint8_t select, uint8_t address) {
@@ -406,14 +424,11 @@ inline void imu_change(uint8_t select, uint8_t address, uint8_t kept, uint8_t se
 //# adapter imu_readGyro
 //#   for: void imu_readGyro(int *gx, int *gy, int *gz)
 //#   kind: oneToMany
-//#   needs: imu_state imu_SPIreadBytes OUT_X_L_G
+//#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_G
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
 inline void imu_readGyro(int32_t *gx, int32_t *gy, int32_t *gz) {
-  int32_t *to[3] = {gx, gy, gz};
-  uint8_t bytes[6];
-  imu_SPIreadBytes(imu_state.motion, OUT_X_L_G, bytes, 6);
-  for (uint8_t axis = 0; axis < 3; axis++) *to[axis] = (int16_t)(bytes[2 * axis + 1] << 8 | bytes[2 * axis]);
-  for (uint8_t axis = 0; axis < 3 && imu_state.corrected >> 0 & 1; axis++) *to[axis] -= imu_state.bias[0][axis];
+  imu_readAxes(imu_state.motion, OUT_X_L_G, gx, gy, gz);
+  imu_lessBias(0, gx, gy, gz);
 }
 
 //# adapter imu_readGyroCalculated
@@ -432,14 +447,11 @@ inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
 //# adapter imu_readAccel
 //#   for: void imu_readAccel(int *ax, int *ay, int *az)
 //#   kind: oneToMany
-//#   needs: imu_state imu_SPIreadBytes OUT_X_L_XL
+//#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_XL
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
 inline void imu_readAccel(int32_t *ax, int32_t *ay, int32_t *az) {
-  int32_t *to[3] = {ax, ay, az};
-  uint8_t bytes[6];
-  imu_SPIreadBytes(imu_state.motion, OUT_X_L_XL, bytes, 6);
-  for (uint8_t axis = 0; axis < 3; axis++) *to[axis] = (int16_t)(bytes[2 * axis + 1] << 8 | bytes[2 * axis]);
-  for (uint8_t axis = 0; axis < 3 && imu_state.corrected >> 1 & 1; axis++) *to[axis] -= imu_state.bias[1][axis];
+  imu_readAxes(imu_state.motion, OUT_X_L_XL, ax, ay, az);
+  imu_lessBias(1, ax, ay, az);
 }
 
 //# adapter imu_readAccelCalculated
@@ -458,13 +470,10 @@ inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
 //# adapter imu_readMag
 //#   for: void imu_readMag(int *mx, int *my, int *mz)
 //#   kind: oneToMany
-//#   needs: imu_state imu_SPIreadBytes OUT_X_L_M
+//#   needs: imu_state imu_readAxes OUT_X_L_M
 //#   fidelity: exact: 16 bits with a sign
 inline void imu_readMag(int32_t *mx, int32_t *my, int32_t *mz) {
-  int32_t *to[3] = {mx, my, mz};
-  uint8_t bytes[6];
-  imu_SPIreadBytes(imu_state.field, OUT_X_L_M, bytes, 6);
-  for (uint8_t axis = 0; axis < 3; axis++) *to[axis] = (int16_t)(bytes[2 * axis + 1] << 8 | bytes[2 * axis]);
+  imu_readAxes(imu_state.field, OUT_X_L_M, mx, my, mz);
 }
 
 //# adapter imu_readMagCalculated
