@@ -9,6 +9,10 @@ import pytest
 
 import robosmi
 
+PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
+SETTINGS = '# mine\n[migrate]\ntarget = "uno"\n'
+"""A program with one port, and its project file, in which nothing is chosen."""
+
 
 @pytest.fixture(params=["line_follower", "environmental_monitoring"])
 def case_study(request: pytest.FixtureRequest, tmp_path: Path, examples: Path) -> Path:
@@ -27,6 +31,17 @@ def migrated(line_follower: Path, tmp_path: Path) -> Path:
     """The output folder of a migration of the line follower."""
     robosmi.migrate([line_follower], tmp_path / "out")
     return tmp_path / "out"
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    """A folder with a program of one port, its project file, and its migration in `out`."""
+    folder = tmp_path / "robot"
+    folder.mkdir()
+    (folder / "blink.c").write_text(PROGRAM)
+    (folder / "robosmi.toml").write_text(SETTINGS)
+    robosmi.migrate([folder / "blink.c"], folder / "out")
+    return folder
 
 
 def copied(examples: Path, name: str, folder: Path) -> Path:

@@ -15,29 +15,16 @@ from typing import Any, NoReturn
 
 import pytest
 
-import robosmi
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.undo import undo
 from robosmi.model.commit import commit, update
 from robosmi.model.recovery import interrupted, recover
 from robosmi.transformations.chains import output
 from robosmi.transformations.chains.choose import choose
+from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
 
-PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
-SETTINGS = '# mine\n[migrate]\ntarget = "uno"\n'
 CHANGES = ("os.rename", "os.remove", "os.mkdir", "os.rmdir", "os.chmod")
-
-
-@pytest.fixture
-def robot(tmp_path: Path) -> Path:
-    """A folder with a program, its project file, and its migration in `out`."""
-    folder = tmp_path / "robot"
-    folder.mkdir()
-    (folder / "blink.c").write_text(PROGRAM)
-    (folder / "robosmi.toml").write_text(SETTINGS)
-    robosmi.migrate([folder / "blink.c"], folder / "out")
-    return folder
 
 
 @pytest.fixture

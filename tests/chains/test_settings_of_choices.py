@@ -7,27 +7,13 @@ from pathlib import Path
 
 import pytest
 
-import robosmi
 from robosmi.cli.asking import Answers
 from robosmi.generate.undo import undo
 from robosmi.plugins import content
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.chains.page import PlanPage
+from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
-
-PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
-SETTINGS = '# mine\n[migrate]\ntarget = "uno"\n'
-
-
-@pytest.fixture
-def robot(tmp_path: Path) -> Path:
-    """A folder with a program, its project file, and its migration in `out`."""
-    folder = tmp_path / "robot"
-    folder.mkdir()
-    (folder / "blink.c").write_text(PROGRAM)
-    (folder / "robosmi.toml").write_text(SETTINGS)
-    robosmi.migrate([folder / "blink.c"], folder / "out")
-    return folder
 
 
 def in_plan(robot: Path) -> tuple[str, str]:
