@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -158,17 +158,31 @@ class History:
         Raises:
             UsageError: no library is named, or neither identifier nor title of a part.
         """
-        if not library or not (part_id or title):
+        self.record_all([HistoryEntry(part_id, title, library, 1, (day or date.today()).isoformat(), version, target, component)])
+
+    def record_all(self, entries: Iterable[HistoryEntry]) -> None:
+        """Count one more choice for each entry, all or nothing. The place is made if need be; without entries nothing is done.
+
+        Args:
+            entries: what was chosen; their counts say nothing here.
+
+        Raises:
+            UsageError: an entry names no library, or neither identifier nor title of a part.
+        """
+        listed = [replace(entry, count=1) for entry in entries]
+        if any(not entry.library or not (entry.part_id or entry.title) for entry in listed):
             raise UsageError("a choice needs a part and a library", fix="name both")
-        entry = HistoryEntry(part_id, title, library, 1, (day or date.today()).isoformat(), version, target, component)
 
         def count(statements: Statements) -> int:
             more = f"UPDATE {{table}} SET count = count + 1, component = :component, {_LATER} WHERE {_KEY}"
-            return statements.run(more, _key(entry, "component", "last_used")) or statements.run(
-                _INSERT, _key(entry, "component", "count", "last_used")
+            return sum(
+                statements.run(more, _key(entry, "component", "last_used"))
+                or statements.run(_INSERT, _key(entry, "component", "count", "last_used"))
+                for entry in listed
             )
 
-        self._write(count)
+        if listed:
+            self._write(count)
 
     def take_over(self, entries: Iterable[HistoryEntry]) -> int:
         """Take over choices kept elsewhere, all or nothing. Returns how many entries are new or changed.

@@ -11,6 +11,7 @@ import tempfile
 import threading
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
@@ -48,6 +49,15 @@ def test_choices_are_counted_for_the_very_part(history: History) -> None:
     assert list(history.choices("p", "t").items()) == [("A", 2), ("B", 1)]
     assert HistoryEntry("p", "t", "A", 2, "2026-11-21") in history.entries(), "the later day is kept"
     assert len(history.entries()) == 4
+
+
+def test_several_choices_are_counted_all_or_nothing(history: History) -> None:
+    entry = HistoryEntry("p", "t", "A", 7, "2026-11-21", component="Servo1")
+    with pytest.raises(UsageError, match="a choice needs a part and a library"):
+        history.record_all([entry, replace(entry, library="")])
+    assert history.entries() == []
+    history.record_all([entry, replace(entry, component="Servo2"), replace(entry, library="B")])
+    assert {(each.library, each.count, each.component) for each in history.entries()} == {("A", 2, "Servo2"), ("B", 1, "Servo1")}
 
 
 def test_choices_for_a_target_count_those_for_its_like_only_where_it_has_none(history: History) -> None:

@@ -9,6 +9,7 @@ import os
 from collections.abc import Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
+from datetime import date
 from difflib import unified_diff
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,7 @@ from robosmi.model.recovery import at_work, look_only
 from robosmi.model.xml_comments import comments
 from robosmi.plugins import content
 from robosmi.query import Q
-from robosmi.recommend.history import History
+from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report.notebook import Findings
 from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
@@ -324,15 +325,21 @@ def _component(decision: Any) -> str:
 def remember(made: Generated, place: str | None = None) -> None:
     """Count the libraries that persons chose (paper 3.3); a history that cannot be written is a finding, not a failure."""
     try:
-        history = History(place)
-        for choice in made.new_choices if made.written else []:
-            component = choice.component
-            if component is not None:
-                history.record(
-                    component.partId, component.partTitle or component.title, choice.choice, component=component.title,
-                    version=choice.chosen.version if choice.chosen is not None else "",
-                    target=made.models.plan.targetDescription.name if made.models.plan.targetDescription is not None else "",
-                )  # fmt: skip
+        target = made.models.plan.targetDescription
+        History(place).record_all(
+            HistoryEntry(
+                component.partId,
+                component.partTitle or component.title,
+                choice.choice,
+                1,
+                date.today().isoformat(),
+                choice.chosen.version if choice.chosen is not None else "",
+                target.name if target is not None else "",
+                component.title,
+            )
+            for choice in (made.new_choices if made.written else [])
+            if (component := choice.component) is not None
+        )
     except RobosmiError as error:
         made.notes.append(
             Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix)
