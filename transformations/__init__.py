@@ -52,6 +52,7 @@ _CONTENT = {
     ("model migration", "http://robosmi.org/platform/1"): "migrations.models_of_0_1:models",
     ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",
     ("query", "default_library_platform"): "knowledge.library_ranking:default_library_platform",
+    ("query", "stack_bound"): "verification.machine_stack:stack_bound",
     ("query", "libraries_by_header"): "knowledge.library_ranking:libraries_by_header",
     ("constraints", "ccode"): "constraints.code:code",
     ("constraints", "hardware"): "constraints.hardware:circuit",

@@ -876,6 +876,8 @@ class Build(Element, metaclass=MetaEClass):
     """Bytes of RAM without its stack and heap."""
     ramLimit: int = EAttribute(eType=EInt)
     """Bytes of RAM that the board has."""
+    stackBytes: int = EAttribute(eType=EInt)
+    """Bytes of stack that it takes at most, read off its code; 0 where no bound is known."""
 
     if TYPE_CHECKING:
 
@@ -887,6 +889,7 @@ class Build(Element, metaclass=MetaEClass):
             flashLimit: int | None = None,
             ramBytes: int | None = None,
             ramLimit: int | None = None,
+            stackBytes: int | None = None,
         ) -> None: ...
 
 

@@ -10,7 +10,7 @@ from robosmi.cli.common import output_folder
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.verify.compile_report import CompileReport
+    from robosmi.verify.compile_report import CompileReport, StackBound
 
 
 def configure(parser: argparse.ArgumentParser) -> None:
@@ -33,6 +33,16 @@ def run(arguments: argparse.Namespace) -> Report:
     return report
 
 
+def _stack(stack: StackBound) -> str:
+    """The stack in words; what nobody can tell beforehand is named."""
+    said = f"at most {stack.bytes} bytes, {stack.interrupts} of them for interrupts"
+    if stack.certain:
+        return said
+    doubts = [(stack.recursive, "call themselves"), (stack.unknown, "take as much as is computed while the program runs")]
+    more = "; ".join(f"{', '.join(names)} {what}" for names, what in doubts if names)
+    return f"{said.replace('at most', 'about')}, and more where functions go deeper: {more}"
+
+
 def _lines(compiled: CompileReport) -> list[str]:
     lines = [f"compiled for {compiled.board} with {compiled.tool}" if compiled.ok else f"does not compile for {compiled.board}"]
     for what, used, limit in (
@@ -41,6 +51,8 @@ def _lines(compiled: CompileReport) -> list[str]:
     ):
         if used is not None:
             lines.append(f"  {what}: {used} of {limit} bytes ({100 * used / limit:.0f} %)")
+    if compiled.stack is not None:
+        lines.append(f"  stack: {_stack(compiled.stack)}")
     lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]
     if compiled.ok and not compiled.fits:
         lines.append(f"  too big for this board{f'; it fits on {compiled.fits_on}' if compiled.fits_on else ''}")

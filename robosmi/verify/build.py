@@ -19,6 +19,7 @@ from typing import Any
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import MissingToolError
+from robosmi.plugins import content
 from robosmi.verify import archives, compile_commands, messages
 from robosmi.verify.boards import Board
 from robosmi.verify.compile_report import (
@@ -26,6 +27,7 @@ from robosmi.verify.compile_report import (
     LITTLE_RAM,
     STAND_IN_USED,
     CompileReport,
+    StackBound,
 )
 from robosmi.verify.libraries import (
     STAND_IN,
@@ -249,8 +251,10 @@ class Build:
         flash, ram = self._measure(values) if elf.is_file() else (None, None)
         fits = not overflow and flash is not None and flash <= self.board.flash_bytes and (ram or 0) <= self.board.ram_bytes
         report = replace(report, ok=True, fits=fits, fits_on=self.board.name if fits else None, flash_bytes=flash, ram_bytes=ram)
+        if elf.is_file():
+            report = replace(report, stack=self._stack(values))
         if fits:
-            report = _with(report, self._little_ram(ram or 0))
+            report = _with(report, self._little_ram(ram or 0, report.stack))
         return self._keep(report, values, keep) if keep is not None and not overflow else report
 
     def _measure(self, values: dict[str, str]) -> tuple[int, int]:
@@ -261,13 +265,23 @@ class Build:
         flash, ram = (sum(sections.get(name, 0) for name in data.texts(kind)) for kind in ("flash", "ram"))
         return flash, ram
 
-    def _little_ram(self, ram: int) -> list[Finding]:
+    def _stack(self, values: dict[str, str]) -> StackBound | None:
+        """The stack that the program takes, where somebody reads the code of its processor."""
+        data = self.toolchain.stack
+        if not data.values:
+            return None
+        done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
+        found: StackBound | None = content("query", "stack_bound")(done.stdout, self.toolchain.architecture)
+        return found
+
+    def _little_ram(self, ram: int, stack: StackBound | None) -> list[Finding]:
         percent = 100 * ram // self.board.ram_bytes
-        if percent <= self.toolchain.size.number("ram_warn_percent"):
+        left = self.board.ram_bytes - ram
+        short = stack is not None and stack.bytes > left
+        if percent <= self.toolchain.size.number("ram_warn_percent") and not short:
             return []
-        message = (
-            f"the program's variables take {percent} % of the RAM; {self.board.ram_bytes - ram} bytes are left for the stack"
-        )
+        most = f", which takes up to {stack.bytes}" if stack is not None else ""
+        message = f"the program's variables take {percent} % of the RAM; {left} bytes are left for the stack{most}"
         fix = "make arrays smaller, or keep constant texts in flash"
         return [Finding(LITTLE_RAM, Severity.warning, message, Location(str(self.sketch.main)), fix=fix)]
 

@@ -30,7 +30,8 @@ class BuildRecord:
         sources: file of the sketch's folder -> SHA-256.
         program: SHA-256 of the `.hex`.
         outside: path of a file outside of the sketch's folder that its files include -> SHA-256.
-        sizes: `flash_bytes`, `flash_limit`, `ram_bytes`, `ram_limit`; empty in a record of an earlier version.
+        sizes: `flash_bytes`, `flash_limit`, `ram_bytes`, `ram_limit`, and `stack_bytes` where a
+            bound is known; empty in a record of an earlier version.
     """
 
     board: str

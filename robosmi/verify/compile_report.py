@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.verify.libraries import CompiledLibrary
@@ -36,6 +36,34 @@ RULES = {
 """Every rule of the compile check: id -> meaning."""
 
 
+class StackBound(NamedTuple):
+    """How much stack a compiled program takes at most.
+
+    Attributes:
+        bytes: with all that main calls, and with the interrupts upon it.
+        interrupts: how many of these bytes are for interrupts.
+        recursive: names of functions that call themselves, directly or through others; counted once.
+        unknown: names of functions that take as much as is computed while the program runs; counted with what is known.
+        deepest: names of the functions of the deepest chain of calls, from main on.
+    """
+
+    bytes: int
+    interrupts: int
+    recursive: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
+    deepest: tuple[str, ...] = ()
+
+    @property
+    def certain(self) -> bool:
+        """Whether it is a bound: nothing calls itself, and all frames are known."""
+        return not self.recursive and not self.unknown
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form."""
+        return {"bytes": self.bytes, "interrupts": self.interrupts, "certain": self.certain, "recursive": list(self.recursive),
+                "unknown": list(self.unknown), "deepest": list(self.deepest)}  # fmt: skip
+
+
 @dataclass(frozen=True)
 class CompileReport:
     """The result of a compile check.
@@ -48,6 +76,7 @@ class CompileReport:
         tool: compiler and core with their versions.
         flash_bytes, ram_bytes: what it needs; None if it does not link.
         flash_limit, ram_limit: what the board has, in bytes.
+        stack: the stack that it takes, read off its code; None where it does not link, or nobody reads code of its processor.
         libraries: what it was compiled against, in the order it was found.
         diagnostics: findings, in the order of the sketch's text.
         warnings_elsewhere: how many warnings about files that are not the sketch's were left out.
@@ -66,6 +95,7 @@ class CompileReport:
     ram_bytes: int | None
     flash_limit: int
     ram_limit: int
+    stack: StackBound | None = None
     libraries: tuple[CompiledLibrary, ...] = ()
     diagnostics: tuple[Finding, ...] = ()
     warnings_elsewhere: int = 0
@@ -102,6 +132,7 @@ class CompileReport:
             "ram_bytes": self.ram_bytes,
             "flash_limit": self.flash_limit,
             "ram_limit": self.ram_limit,
+            "stack": None if self.stack is None else self.stack.to_json(),
             "libraries": [library.to_json() for library in self.libraries],
             "diagnostics": [finding.to_json() for finding in self.diagnostics],
             "warnings_elsewhere": self.warnings_elsewhere,

@@ -86,6 +86,7 @@ def compile_into(
             sizes = {
                 "flash_bytes": report.flash_bytes or 0, "flash_limit": report.flash_limit,
                 "ram_bytes": report.ram_bytes or 0, "ram_limit": report.ram_limit,
+                **({"stack_bytes": report.stack.bytes} if report.stack is not None and report.stack.certain else {}),
             }  # fmt: skip
             beyond = outside(_named_outside(sketch, sources))
             made = hashlib.sha256(program).hexdigest()

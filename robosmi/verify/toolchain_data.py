@@ -46,7 +46,8 @@ class Toolchain(NamedTuple):
         gives: what its tools make possible; a text for people.
         uploader: name of the file (see `uploader`) that says how programs get on boards; empty where none does.
         tools: by key.
-        sketch, core, flags, link, size, messages, libraries, environment, database: the tables of that name.
+        sketch, core, flags, link, size, messages, libraries, environment, database, stack: the tables of that name; the last two
+            may be empty.
     """
 
     path: Path
@@ -73,6 +74,7 @@ class Toolchain(NamedTuple):
     libraries: DataTable
     environment: DataTable
     database: DataTable
+    stack: DataTable
 
     @property
     def suffixes(self) -> tuple[str, ...]:
@@ -136,6 +138,7 @@ def load_toolchain(path: Path) -> Toolchain:
         libraries=table.table("libraries"),
         environment=table.table("environment"),
         database=table.table("database") if "database" in table.values else DataTable(path, {}),
+        stack=table.table("stack") if "stack" in table.values else DataTable(path, {}),
     )
 
 

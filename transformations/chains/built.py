@@ -14,7 +14,8 @@ from robosmi.errors import RobosmiError
 from robosmi.metamodels import migration
 from robosmi.verify.build_record import FOLDER, record_at
 
-_SIZES = {"flashBytes": "flash_bytes", "flashLimit": "flash_limit", "ramBytes": "ram_bytes", "ramLimit": "ram_limit"}
+_SIZES = {"flashBytes": "flash_bytes", "flashLimit": "flash_limit", "ramBytes": "ram_bytes", "ramLimit": "ram_limit",
+          "stackBytes": "stack_bytes"}  # fmt: skip
 
 
 def built(output: Path, name: str, files: Mapping[str, bytes]) -> migration.Build | None:

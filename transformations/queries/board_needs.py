@@ -72,6 +72,11 @@ class BoardNeeds(NamedTuple):
     build: migration.Build | None = None
     roomier: str = ""
 
+    @property
+    def stack(self) -> int:
+        """Bytes of stack: at most, where that is read off the compiled program, else as they are estimated."""
+        return int(self.build.stackBytes) if self.build is not None and self.build.stackBytes else self.memory.depth
+
     def to_json(self) -> dict[str, Any]:
         """The contract's form."""
         return {
@@ -85,6 +90,7 @@ class BoardNeeds(NamedTuple):
             "compiled": None if self.build is None else {
                 "board": self.build.board, "flash_bytes": self.build.flashBytes, "flash_limit": self.build.flashLimit,
                 "ram_bytes": self.build.ramBytes, "ram_limit": self.build.ramLimit,
+                "stack_bytes": self.build.stackBytes or None,
             },
             "loop": None if self.loop is None else {
                 "waits_low_ms": round(self.loop.low / 1000, 3), "waits_high_ms": round(self.loop.high / 1000, 3),
@@ -106,7 +112,7 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
 def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
     """The title of the board with the least memory among those of the platform that have enough; empty where none has."""
     flash = needs.build.flashBytes if needs.build is not None else 0
-    ram = (needs.build.ramBytes if needs.build is not None else needs.memory.total) + needs.memory.depth
+    ram = (needs.build.ramBytes if needs.build is not None else needs.memory.total) + needs.stack
     boards = (load_board(name) for name in mapped_boards(str(platform_of(plan).name)))
     enough = [b for b in boards if (chip := b.microcontroller) is not None and chip.ramBytes >= ram and chip.flashBytes > flash]
     return min(((int(b.microcontroller.ramBytes), str(b.title)) for b in enough if b.microcontroller), default=(0, ""))[1]
@@ -162,7 +168,9 @@ def needs_in_words(needs: BoardNeeds) -> str:
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
     known = needs.memory
-    if known.limit:
+    if build is not None and build.stackBytes:
+        said.append(f"at most {build.stackBytes} bytes of stack")
+    elif known.limit:
         ram = f"{known.total} of {known.limit} bytes of RAM and {known.depth}" if needs.build is None else f"{known.depth} bytes"
         said.append(f"about {ram} of stack")
     if known.stacks:
@@ -204,15 +212,16 @@ def shortages(needs: BoardNeeds) -> list[str]:
 
 
 def _lacking(needs: BoardNeeds) -> list[str]:
-    """What memory the board lacks: as it is compiled, with the stack that is estimated; before that, all as it is estimated."""
+    """What memory the board lacks: as it is compiled, its stack read off it or estimated; before that, all as estimated."""
     known, build = needs.memory, needs.build
     if build is None:
         return _too_much(known)
     sizes = (("flash", build.flashBytes, build.flashLimit), ("RAM", build.ramBytes, build.ramLimit))
     found = [f"{size} bytes of {what}, and the board has {limit}" for what, size, limit in sizes if size > limit]
-    if build.ramBytes <= build.ramLimit < build.ramBytes + known.depth:
+    if build.ramBytes <= build.ramLimit < build.ramBytes + needs.stack:
         left = build.ramLimit - build.ramBytes
-        found.append(f"{build.ramBytes} of {build.ramLimit} bytes of RAM leave {left} for about {known.depth} of stack")
+        most = f"up to {needs.stack}" if build.stackBytes else f"about {needs.stack}"
+        found.append(f"{build.ramBytes} of {build.ramLimit} bytes of RAM leave {left} for {most} of stack")
     return found
 
 

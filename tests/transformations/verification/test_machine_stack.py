@@ -1,0 +1,111 @@
+"""The bound of a program's stack, read off its machine code, against the stack that the simulator sees."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.jobs import job
+from robosmi.transformations.verification.machine_code import MachineCode
+from robosmi.transformations.verification.machine_stack import stack_bound
+from robosmi.verify.compile_report import CompileReport, StackBound
+from robosmi.verify.simulation import simulate
+from robosmi.verify.toolchain import compile_sketch
+from tests.corpus.memory_corpus import stack_room
+from tests.tools import require_engine, require_tools
+
+SKETCHES = Path(__file__).parent / "stacks"
+
+LISTING = """
+SYMBOL TABLE:
+00800100 l     O .bss\t00000002 called
+00800102 l     O .bss\t00000002 other
+
+Disassembly of section .text:
+
+00000010 <main>:
+  10:\tpush\tr28
+  12:\tlds\tr30, 0x0100\t; 0x800100 <called>
+  16:\tlds\tr31, 0x0101\t; 0x800101 <called+0x1>
+  1a:\ticall
+  1c:\tpop\tr28
+  1e:\tret
+
+00000020 <near>:
+  20:\tpush\tr2
+  22:\trcall\t.+0      \t; 0x24 <near+0x4>
+  24:\tret
+
+00000030 <far>:
+  30:\tpush\tr2
+  32:\tpush\tr3
+  34:\tpush\tr4
+  36:\tpush\tr5
+  38:\tret
+
+00000040 <begin>:
+  40:\tldi\tr24, 0x10\t; 16
+\t\t\t40: R_AVR_LO8_LDI_GS\t.text+0x20
+  42:\tldi\tr25, 0x00\t; 0
+  44:\tsts\t0x0101, r25\t; 0x800101 <called+0x1>
+  48:\tsts\t0x0100, r24\t; 0x800100 <called>
+  4c:\tldi\tr24, 0x18\t; 24
+\t\t\t4c: R_AVR_LO8_LDI_GS\tfar
+  4e:\tldi\tr25, 0x00\t; 0
+  50:\tsts\t0x0103, r25\t; 0x800103 <other+0x1>
+  54:\tsts\t0x0102, r24\t; 0x800102 <other>
+  58:\tlds\tr30, 0x0102\t; 0x800102 <other>
+  5c:\tlds\tr31, 0x0103\t; 0x800103 <other+0x1>
+  60:\tijmp
+"""
+
+
+def seen_stack(report: CompileReport, seconds: float) -> int:
+    """The stack that a program takes on the simulator."""
+    assert report.elf is not None
+    assert report.hex is not None
+    asked = job(report.elf, report.hex, load_board("uno"), seconds * 1e6)
+    found = simulate(replace(asked, stack_room=stack_room(report.elf)), "simavr").stack_bytes
+    assert found is not None
+    return found
+
+
+def bound_of(report: CompileReport) -> StackBound:
+    """The bound that a report tells."""
+    assert report.stack is not None
+    return report.stack
+
+
+def test_bound_is_what_the_simulator_sees_but_for_interrupts_that_did_not_come_at_the_deepest_place(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr")
+    require_engine("simavr")
+    report = compile_sketch(SKETCHES / "deep", keep=tmp_path)
+    bound = bound_of(report)
+    assert bound.certain
+    assert 0 <= bound.bytes - seen_stack(report, 0.2) <= bound.interrupts
+    assert bound.deepest[0] == "main"
+
+
+def test_what_nobody_can_bound_is_named(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr")
+    bound = bound_of(compile_sketch(SKETCHES / "endless", keep=tmp_path))
+    assert not bound.certain
+    assert [name for name in bound.recursive if "again" in name]
+    assert [name for name in bound.unknown if "computed" in name or name in ("main", "setup")]
+
+
+def test_call_through_a_variable_reaches_what_is_kept_there_and_nothing_else() -> None:
+    machine = MachineCode(LISTING)
+    assert machine.reached_from(0x1A) == (0x20,)
+    assert machine.reached_from(0x60) == (0x30,)
+    bound = stack_bound(LISTING, "avr")
+    assert bound is not None
+    assert (bound.bytes, bound.deepest) == (2 + 1 + 2 + 3, ("main", "near"))
+
+
+@pytest.mark.parametrize(("text", "architecture"), [("", "avr"), (LISTING, "arm")])
+def test_no_bound_without_main_or_for_another_processor(text: str, architecture: str) -> None:
+    assert stack_bound(text, architecture) is None

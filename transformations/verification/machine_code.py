@@ -1,0 +1,225 @@
+"""A linked AVR program as its disassembler prints it: instructions, names, and what calls through pointers may reach.
+
+Which functions a program takes the address of, and where it keeps them, the linker's relocations tell. How deep the stack
+comes is `machine_stack`'s.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from typing import NamedTuple
+
+_HEAD = re.compile(r"^([0-9a-f]+) <(.+)>:$")
+_CODE = re.compile(r"^ +([0-9a-f]+):\t(\w+)(?:\t([^;\n]*?)\s*(?:;.*)?)?$")
+_RELOCATION = re.compile(r"^\s+([0-9a-f]+): R_AVR_(\w+)\t([^\s+]+)(?:\+0x([0-9a-f]+))?$")
+_SYMBOL = re.compile(r"^([0-9a-f]{8}) .{6}(.) (\.\w+)\t[0-9a-f]+ (?:\.hidden )?(\S+)$")
+_HERE = re.compile(r"^\.([+-]\d+)$")
+_NUMBER = re.compile(r"^(?:0x[0-9a-fA-F]+|-?\d+)$")
+
+DATA = 0x800000
+"""Where the disassembler shows the data memory."""
+_FUNCTION, _WORD = "LO8_LDI_GS", "16_PM"
+_ADDRESSES = ("LO8_LDI", "LO8_LDI_NEG")
+_OBJECT = "O"
+"""The mark of a variable in the table of symbols."""
+_VIRTUAL = "_ZTV"
+"""How the names of tables of virtual functions begin."""
+_CONSTRUCTORS = ("__ctors_start", "__ctors_end")
+_POINTERS = {"X": "r26", "Y": "r28", "Z": "r30"}
+_NEAR = 24
+"""Instructions that are looked at before a call, and behind an address, for where it comes from and goes to."""
+_JUMPS = ("jmp", "call", "rjmp", "rcall")
+_THROUGH = ("icall", "eicall", "ijmp", "eijmp")
+_CALLS = (*_JUMPS, *_THROUGH)
+_BRANCH = re.compile(r"^br\w\w$")
+
+
+class Instruction(NamedTuple):
+    """One instruction: where it is, its name and its operands."""
+
+    address: int
+    name: str
+    operands: tuple[str, ...]
+
+    @property
+    def target(self) -> int | None:
+        """Where it jumps to, or what it calls; None where it does neither, or that is no number."""
+        if self.name not in _JUMPS and not _BRANCH.match(self.name):
+            return None
+        text = self.operands[-1] if self.operands else ""
+        here = _HERE.match(text)
+        return self.address + 2 + int(here[1]) if here else number(text)
+
+
+class _Held(NamedTuple):
+    """An address of code that the program holds: where, and the name above that place."""
+
+    place: int
+    target: int
+    within: str
+
+
+class MachineCode:
+    """A program's code.
+
+    Attributes:
+        code: its instructions by address.
+        symbols: the addresses of its functions by name.
+        labels: addresses within functions that tables of `switch` hold.
+
+    Args:
+        text: what `objdump -t -D -r --no-show-raw-insn -j .text -j .data -j .bss` prints of the linked program, its relocations
+            kept.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.code: dict[int, Instruction] = {}
+        self.symbols: dict[str, int] = {}
+        self._objects: list[tuple[int, str]] = []
+        self._addresses: dict[int, int] = {}
+        known = {".text": 0}  # and, once they are read, all names
+        raw, within = list[tuple[int, str, str, int, str]](), ""
+        for line in text.splitlines():
+            if found := _HEAD.match(line):
+                within = found[2]
+                if (address := int(found[1], 16)) < DATA:
+                    self.symbols[within] = address
+            elif found := _CODE.match(line):
+                if (address := int(found[1], 16)) < DATA:
+                    operands = tuple(part.strip() for part in (found[3] or "").split(",") if part.strip())
+                    self.code[address] = Instruction(address, found[2], operands)
+            elif found := _RELOCATION.match(line):
+                raw.append((int(found[1], 16), found[2], found[3], int(found[4] or "0", 16), within))
+            elif found := _SYMBOL.match(line):
+                known.setdefault(found[4], int(found[1], 16))
+                if found[2] == _OBJECT:
+                    self._objects.append((int(found[1], 16), found[4]))
+        self._objects.sort()
+        addresses = sorted(self.code)
+        self.next = dict(pairwise(addresses))
+        self._before = {after: before for before, after in pairwise(addresses)}
+        self._sort(self.symbols | known, raw)
+
+    def _sort(self, known: Mapping[str, int], raw: list[tuple[int, str, str, int, str]]) -> None:
+        """Which addresses are whose."""
+        begins = set(self.symbols.values())
+        first, last = (self.symbols.get(name, 0) for name in _CONSTRUCTORS)
+        labels, virtual = set[int](), set[int]()
+        held = list[_Held]()
+        for place, kind, name, more, within in raw:
+            if name not in known:
+                continue
+            target = known[name] + more
+            if kind in _ADDRESSES:
+                self._addresses[place] = target
+            elif kind in (_FUNCTION, _WORD) and target and not first <= place < last:
+                if target not in begins:
+                    labels.add(target)
+                elif within.startswith(_VIRTUAL):
+                    virtual.add(target)
+                else:
+                    held.append(_Held(place, target, within))
+        self.labels = tuple(sorted(labels))
+        self._virtual = tuple(sorted(virtual))
+        kept = dict[int, set[str]]()
+        for each in held:
+            kept.setdefault(each.target, set()).add(self._kept_in(each))
+        self._kept = kept
+        self._read = {self._called_from(address)[0] for address, each in self.code.items() if each.name in _THROUGH}
+
+    # ---- calls through pointers
+
+    def reached_from(self, call: int) -> tuple[int, ...]:
+        """The functions that a call through a pointer may reach.
+
+        Args:
+            call: address of the call.
+
+        A variable that is called through by its name reaches what is kept there, and what is kept nobody knows where; another
+        pointer reaches all but what is kept where it is called through by name.
+        """
+        variable, virtual = self._called_from(call)
+        others = self._read - {""} - {variable}
+        found = [target for target, kept in self._kept.items() if not kept <= others]
+        return tuple(sorted({*found, *(self._virtual if virtual else ())}))
+
+    def _kept_in(self, held: _Held) -> str:
+        """The variable that a function's address is kept in; empty where that is not known."""
+        if held.place >= DATA:
+            return held.within
+        instruction = self.code.get(held.place)
+        register = instruction.operands[0] if instruction is not None and instruction.operands else ""
+        at = held.place
+        for _ in range(_NEAR):
+            at = self.next.get(at, -1)
+            following = self.code.get(at)
+            if following is None or following.name in _CALLS or _BRANCH.match(following.name):
+                return ""
+            if following.name == "sts" and following.operands[1] == register:
+                return self._object((number(following.operands[0]) or 0) | DATA)
+            if following.name not in ("cp", "cpc", "out") and following.operands and following.operands[0] == register:
+                return ""
+        return ""
+
+    def _called_from(self, call: int) -> tuple[str, bool]:
+        """The variable that a call's pointer was read from, empty where not known, and whether the call may be virtual."""
+        register, loaded = "r30", False
+        for instruction in self._backwards(call):
+            operands = instruction.operands
+            if instruction.name in _CALLS:
+                break
+            if not operands or operands[0] not in (register, _pair(register)):
+                continue
+            if instruction.name == "lds" and operands[0] == register:
+                return (self._object((number(operands[1]) or 0) | DATA), False) if not loaded else ("", True)
+            if instruction.address in self._addresses:
+                return self._object(self._addresses[instruction.address]), False
+            if instruction.name in ("mov", "movw"):
+                register = operands[1]
+            elif instruction.name in ("ld", "ldd") and operands[0] == register:
+                if loaded:
+                    return "", True
+                loaded, register = True, _POINTERS[operands[1].strip("-")[0]]
+        return "", not loaded
+
+    def _backwards(self, address: int) -> Iterator[Instruction]:
+        for _ in range(_NEAR):
+            address = self._before.get(address, -1)
+            if address not in self.code:
+                return
+            yield self.code[address]
+
+    def _object(self, address: int) -> str:
+        """The name of the variable at an address of the data memory."""
+        at = bisect_right(self._objects, (address, "\x7f"))
+        return self._objects[at - 1][1] if at else ""
+
+    # ---- what belongs to what
+
+    def part(self, name: str) -> set[int]:
+        """The addresses of the instructions of a function."""
+        start = self.symbols.get(name)
+        return set() if start is None else {address for address in self.code if start <= address < self.end_of(start)}
+
+    def end_of(self, start: int) -> int:
+        """Where the function that begins at an address ends."""
+        return min((address for address in self.symbols.values() if address > start), default=start)
+
+
+def number(text: str) -> int | None:
+    """The number that an operand is; None for another."""
+    return int(text, 16 if text.startswith("0x") else 10) if _NUMBER.match(text) else None
+
+
+def low_of(register: str) -> str:
+    """The low register of the pair that a register belongs to."""
+    which = int(register[1:]) if register[:1] == "r" and register[1:].isdecimal() else -1
+    return f"r{which - which % 2}" if which >= 0 else register
+
+
+def _pair(register: str) -> str:
+    """The other name of a register in `movw`, which copies pairs."""
+    return low_of(register)
