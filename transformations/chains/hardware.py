@@ -87,7 +87,7 @@ def _title(component: hw.Component) -> str:
 
 
 def _net_name(net: Mapping[str, Any]) -> str:
-    return str(net["voltage"] or net["name"])
+    return str(net["title"] or net["voltage"] or net["name"])
 
 
 def _pins(net: Mapping[str, Any]) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
+from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wiring, listed, who
 from robosmi.validate import EVL
 
@@ -42,7 +43,7 @@ def DriversAreApart(n: hardware.Net) -> Any:
     driving = [(o, c) for o, c in w.on(n) if o.driver and w.means(c, "driver_output")]
     if len({(o, c.name) for o, c in driving}) < 2:  # one output may have two connectors
         return True
-    said = listed([f"{c.name} of '{who(o)}'" for o, c in driving])
+    said = listed([f"{told_name(c)} of '{who(o)}'" for o, c in driving])
     return fault(driving[1][0], f"outputs are joined: {said}")
 
 
@@ -166,7 +167,9 @@ def BearsTheSignals(c: hardware.Component) -> Any:
     for p in w.board_pins(c, through=False):
         model = w.board_model(p.board)
         if p.connector.kind is Kind.signal and model is not None and model.volts > most and not _gives(p.connector.name):
-            return fault(c, f"{p.label} drives {p.connector.name} of '{who(c)}' with {model.volts:g} V; it bears {most:g} V")
+            return fault(
+                c, f"{p.label} drives {told_name(p.connector)} of '{who(c)}' with {model.volts:g} V; it bears {most:g} V"
+            )
     return True
 
 

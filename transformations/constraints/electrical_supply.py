@@ -11,6 +11,7 @@ from typing import Any
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.circuit_walk import behind
+from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
 from robosmi.validate import EVL
 
@@ -186,7 +187,9 @@ def BearsItsSupply(c: hardware.Component) -> Any:
     """The supply of a component is not above what it bears."""
     for connector, volts, _, most in _supplied_with(c):
         if most is not None and volts > most:
-            return fault(c, f"'{who(c)}' bears {most:g} V at {connector.name}, and is given {volts:g} V", volts=volts, most=most)
+            return fault(
+                c, f"'{who(c)}' bears {most:g} V at {told_name(connector)}, and is given {volts:g} V", volts=volts, most=most
+            )
     return True
 
 
@@ -195,7 +198,7 @@ def SupplyIsEnough(c: hardware.Component) -> Any:
     """The supply of a component is as high as it needs."""
     for connector, volts, least, _ in _supplied_with(c):
         if least is not None and 0 < volts < least:
-            message = f"'{who(c)}' needs {least:g} V at {connector.name}, and is given {volts:g} V"
+            message = f"'{who(c)}' needs {least:g} V at {told_name(connector)}, and is given {volts:g} V"
             return fault(c, message, volts=volts, least=least)
     return True
 

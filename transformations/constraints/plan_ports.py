@@ -15,6 +15,7 @@ from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.queries.component_kinds import kinds_of
+from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.validate import EVL, Fail
 
@@ -206,7 +207,7 @@ def _on_one_wire(adapter: platform.Adapter) -> bool:
 
 
 def _wire(connection: migration.Connection) -> str:
-    return next((str(c.name) for c in connection.connectors), str(connection.name))
+    return next(iter(told_names(connection.connectors)), str(connection.name))
 
 
 @connections.critique(

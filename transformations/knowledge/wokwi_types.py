@@ -159,8 +159,10 @@ def plain_number(text: str) -> str:
 def _pins(component: hardware.Component, connected: Collection[hardware.Connector], part: Part, entry: _Entry) -> dict[str, str]:
     """The pins of connectors: by name, by what they are on, by their order, and the last signal of both."""
     found: dict[str, str] = {}
-    for connector in component.connectors:
-        if (pin := _named(connector, part, entry)) is not None:
+    on_pin: dict[str, hardware.Connector] = {}
+    for connector in sorted(component.connectors, key=lambda c: c.net is None):
+        pin = _named(connector, part, entry)
+        if pin is not None and on_pin.setdefault(pin, connector).net is connector.net:  # two gates may have pins of one name
             found[connector.connectorId] = pin
     for connector in component.connectors:
         if connector.connectorId not in found and (pin := _powered(connector, part)) is not None:

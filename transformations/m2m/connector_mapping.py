@@ -19,6 +19,7 @@ from robosmi.metamodels import hardware, migration, platform
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.part_names import PartNames, name_direction, names
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
+from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.joined_inside import tied_inside
 
 Role = hardware.Role
@@ -216,7 +217,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
     if id(net) not in state.on_boards:
         state.on_boards[id(net)] = [c for c in net.connectors if c.component is not None and c.component.role is Role.Board]
     others = (c for c in state.on_boards[id(net)] if c.component is not board)
-    named = [f"{c.pin or c.name} of the board '{_title(c.component)}'" for c in islice(others, _NAMED + 1)]  # type: ignore[arg-type]
+    named = [f"{c.pin or told_name(c)} of the board '{_title(c.component)}'" for c in islice(others, _NAMED + 1)]  # type: ignore[arg-type]
     if len(named) > _NAMED:
         named[_NAMED:] = ["more"]
     if named:

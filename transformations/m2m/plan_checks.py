@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.connector_names import wire_name
 from robosmi.transformations.queries.plan_adapters import closure, setup_statements
 
 RULE = "RS340"
@@ -67,7 +68,7 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
             continue
         title = component.title if titles.count(component.title) == 1 else f"{component.title} #{component.elementId}"
         used = [c for c in connections if any(b.connection is c or b.answer is c for b in ports)]
-        wires = ", ".join(f"{_wire(c)} on {c.pin.label if c.pin is not None else 'no pin'}" for c in used)
+        wires = ", ".join(f"{wire_name(c.connectors)} on {c.pin.label if c.pin is not None else 'no pin'}" for c in used)
         yield _check(plan, f"'{title}' ({wires})", ports, [component, *ports])
 
 
@@ -78,10 +79,6 @@ def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
             of_pin.setdefault(str(binding.pin.label), []).append(binding)
     for label, ports in of_pin.items():
         yield _check(plan, f"what is on '{label}'", ports, list(ports))
-
-
-def _wire(connection: migration.Connection) -> str:
-    return " and ".join(str(c.name) for c in connection.connectors) or "a wire"
 
 
 def _check(

@@ -16,6 +16,7 @@ from robosmi.transformations.knowledge.described_circuit import joins_by_bus_onl
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE
 from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, NotDrawn, WokwiWiring
 from robosmi.transformations.knowledge.wokwi_types import WokwiBoard, WokwiPart, boards_of_wokwi, wokwi_board, wokwi_part
+from robosmi.transformations.queries.connector_names import told_name
 
 _GROUND, _SUPPLY = "GND", "5V"
 
@@ -86,7 +87,7 @@ class _Wiring:
             self._list(component, "Wokwi's elements have no part that stands for it")
             return
         mapped = {c.connectorId: c for n in self.plan.connections if n.component is component for c in n.connectors}
-        if lost := [c.name or c.connectorId for identity, c in mapped.items() if identity not in part.pins]:
+        if lost := [told_name(c) or c.connectorId for identity, c in mapped.items() if identity not in part.pins]:
             self._list(component, f"its {', '.join(lost)} is no pin of {part.kind}")
             return
         self._name(component)

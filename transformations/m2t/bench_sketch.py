@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import hardware, migration
 from robosmi.transformations.queries.circuit import pin_literal
+from robosmi.transformations.queries.connector_names import wire_name
 
 _NEUTRAL = 1500
 _BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}
@@ -60,7 +61,7 @@ def _checks(plan: migration.MigrationPlan) -> Iterator[BenchCheck]:
     titles = [c.title for c in of_component]
     for component, connections in of_component.items():
         title = component.title if titles.count(component.title) == 1 else f"{component.title} #{component.elementId}"
-        wires = ", ".join(f"{_wire(c)} on {c.pin.label}" for c in connections if c.pin is not None)
+        wires = ", ".join(f"{wire_name(c.connectors)} on {c.pin.label}" for c in connections if c.pin is not None)
         free = [c for c in connections if not _console(c)]
         calls = tuple(_calls(component, free))
         note = "on the pins that this sketch talks over" if len(free) < len(connections) else ""
@@ -142,7 +143,3 @@ def _console(connection: migration.Connection) -> bool:
 def _pin(connection: migration.Connection) -> str:
     assert connection.pin is not None
     return pin_literal(connection.pin)
-
-
-def _wire(connection: migration.Connection) -> str:
-    return " and ".join(str(c.name) for c in connection.connectors) or "a wire"

@@ -21,6 +21,7 @@ from robosmi.transformations.m2t.circuit_colours import net_colours, rail_names
 from robosmi.transformations.m2t.circuit_layout import HEAD, Box, DrawnLink, DrawnMark, PartRow, Place, placed
 from robosmi.transformations.m2t.circuit_marks import Mark, Marks, marks
 from robosmi.transformations.queries.circuit_walk import natural_key, pins_of
+from robosmi.transformations.queries.connector_names import told_name
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
@@ -245,7 +246,7 @@ def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardw
     others = [c for c in component.connectors if not c.pin]
     for connector in (*pins, *others):
         if connector.net is not None and any(c.component is not component for c in connector.net.connectors):
-            text = connector.pin or same.get(id(connector.net)) or connector.name or connector.connectorId
+            text = connector.pin or same.get(id(connector.net)) or told_name(connector) or connector.connectorId
             found.setdefault((text, id(connector.net)), []).append(connector)
     return [(text, connectors) for (text, _), connectors in found.items()]
 

@@ -19,6 +19,7 @@ from robosmi.transformations.m2t.first_screen import first_screen, task_place
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, by_severity
 from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.choices import Choice, choices, choices_json
+from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.queries.source_lines import line_of
 from robosmi.transformations.queries.verdicts import constructs, verdict_counts
@@ -99,7 +100,7 @@ def _on(connection: migration.Connection) -> str:
     component = connection.component
     if component is None:
         return str(pin)
-    wires = ", ".join(str(c.name) for c in connection.connectors)
+    wires = ", ".join(told_names(connection.connectors))
     return f"{pin}: {wires} of {component.title}{f' ({component.partTitle})' if component.partTitle else ''}"
 
 
@@ -107,7 +108,7 @@ def _short(connection: migration.Connection) -> str:
     """A connection in few words: the pin, and what is on it."""
     pin = str(connection.pin.label) if connection.pin is not None else str(connection.name)
     component = connection.component
-    wires = ", ".join(str(wire.name) for wire in connection.connectors)
+    wires = ", ".join(told_names(connection.connectors))
     return f"{pin}: {wires} of {component.title}" if component is not None else pin
 
 
@@ -205,7 +206,7 @@ def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, A
     rows = [
         (
             c.pin.label if c.pin is not None else "", str(c.component.title) if c.component is not None else "",
-            ", ".join(str(wire.name) for wire in c.connectors), str(c.name),
+            ", ".join(told_names(c.connectors)), str(c.name),
             ", ".join(ports.get(c.pin.label, [])) if c.pin is not None else "",
         )
         for c in plan.connections

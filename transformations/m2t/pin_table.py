@@ -14,6 +14,7 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration
 from robosmi.quoting import csv_cell, toml
 from robosmi.transformations.queries.circuit import pin_label
+from robosmi.transformations.queries.connector_names import told_name
 
 _ENDINGS = (".csv", ".toml")
 
@@ -55,7 +56,7 @@ def _row(connection: migration.Connection) -> dict[str, str]:
         "part": (component.partTitle or component.title or component.partId) if component else "",
         "role": component.role.name if component else "",
         "title": (component.title or f"#{component.elementId}") if component else "",
-        "connector": " ".join(connection.connectors[0].name.split()) if connection.connectors else "",
+        "connector": " ".join(told_name(connection.connectors[0]).split()) if connection.connectors else "",
         "driver": "true" if component and component.driver else "",
         "through": "; ".join((part.title or part.partTitle).replace(";", ",") for part in connection.via),
     }

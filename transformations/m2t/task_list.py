@@ -13,6 +13,7 @@ from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.first_screen import FirstScreen, first_screen, task_place
+from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, constructs, verdict_counts
@@ -112,7 +113,7 @@ def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> di
     return {
         "pin": connection.pin.label if connection.pin else "",
         "component": connection.component.title if connection.component else "",
-        "connectors": ", ".join(c.name for c in connection.connectors),
+        "connectors": ", ".join(told_names(connection.connectors)),
         "via": ", ".join(c.title for c in connection.via),
         "name": connection.name,
         "ports": ", ".join(ports) or "none",

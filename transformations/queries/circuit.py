@@ -16,6 +16,7 @@ from robosmi.query import Q, root_of
 from robosmi.quoting import toml
 from robosmi.transformations.knowledge.part import GIVEN
 from robosmi.transformations.queries.circuit_walk import behind, either_side
+from robosmi.transformations.queries.connector_names import told_name
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -163,13 +164,21 @@ def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.C
             for c in circuit.components
         ],
         "mappings": [_mapping(connection, beyond) for connection in connections],
-        "nets": [{"name": net.name, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net)} for net in circuit.nets],
+        "nets": [
+            {"name": net.name, "title": net.title, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net)}
+            for net in circuit.nets
+        ],
     }
 
 
 def _ends(net: hardware.Net) -> list[dict[str, str]]:
     return [
-        {"component": c.component.title, "component_model_index": c.component.elementId, "id": c.connectorId, "name": c.name}
+        {
+            "component": c.component.title,
+            "component_model_index": c.component.elementId,
+            "id": c.connectorId,
+            "name": told_name(c),
+        }
         for c in net.connectors
         if c.component is not None
     ]
@@ -200,7 +209,7 @@ def _mapping(
 
 
 def _connectors(connectors: Iterable[hardware.Connector]) -> list[dict[str, str]]:
-    return [{"id": connector.connectorId, "name": connector.name} for connector in connectors]
+    return [{"id": connector.connectorId, "name": told_name(connector)} for connector in connectors]
 
 
 def _components(components: Iterable[hardware.Component]) -> list[dict[str, str]]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.metamodels import hardware
+from robosmi.transformations.queries.connector_names import told_name
 
 
 def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[hardware.Component, list[str]] | None:
@@ -27,7 +28,7 @@ def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[
     }
     wires = [wire for wire in _wires(net) if len(wire.ends) > 1]
     for component, buses in switches.items():
-        joined = next(([c.name or c.connectorId for c in bus] for bus in buses if len(_wired(bus, wires)) > 1), None)
+        joined = next(([told_name(c) or c.connectorId for c in bus] for bus in buses if len(_wired(bus, wires)) > 1), None)
         if joined is not None and not _leads_to_supply(pins, net, wires, component):
             return component, joined
     return None

@@ -234,7 +234,7 @@ class CircuitBuilder:
             tool: the drawing tool as it writes itself; in lower case it is the one that the builder was made for.
             version: the tool's version as the file has it.
             view: the view that was read, where the tool has several.
-        companions: further files of the drawing's folder that were read (`DrawingFolder.companions`).
+            companions: further files of the drawing's folder that were read (`DrawingFolder.companions`).
         """
         return hardware.Circuit(
             name=name, path=self.path, digest=digest, tool=tool, toolVersion=version, view=view, components=self.components,

@@ -28,7 +28,7 @@ from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
 _LEAST_PORTS = 3
-_NUMBERED = ("N$", "Net-(")
+_NUMBERED = ("N$", "Net-(", "unconnected-(")
 """How names begin that a tool gives to nets that have none."""
 
 

@@ -132,8 +132,7 @@ def symbol_net(instance: Instance) -> dict[str, str]:
     module_id, properties = instance.module_id, instance.properties
     number = _VOLTAGE.search(properties.get("voltage", ""))
     voltage = f"voltage {float(number[0]):g}" if number else "voltage ?"
-    if module_id in ("NetLabelModuleID", "LeftNetLabelModuleID"):
-        label = properties.get("label", "") or instance.title
+    if label := label_text(instance):
         return {"connector0": f"label {label}"}
     if module_id == "PowerLabelModuleID":
         return {"connector0": voltage.replace("voltage", "label")}
@@ -142,6 +141,13 @@ def symbol_net(instance: Instance) -> dict[str, str]:
     if module_id in ("PowerModuleID", "JustPowerModuleID"):
         return {"connector0": voltage, "connector1": "ground"} if module_id == "PowerModuleID" else {"connector0": voltage}
     return {}
+
+
+def label_text(instance: Instance) -> str:
+    """What a net label says; empty for other parts."""
+    if instance.module_id not in ("NetLabelModuleID", "LeftNetLabelModuleID"):
+        return ""
+    return instance.properties.get("label", "") or instance.title
 
 
 def _join_symbols(result: ViewWiring, instances: Mapping[str, Instance]) -> None:

@@ -118,7 +118,8 @@ class _Reading:
         for identity, instance in self.instances.items():
             if not instance.is_wire:
                 self._place(identity, instance, wired, groups)
-        net_of = {root: self.builder.net(ends) for root, ends in groups.items()}
+        titles = self._net_titles(wired)
+        net_of = {root: self.builder.net(ends, titles.get(root, "")) for root, ends in groups.items()}
         for identity in wired.wires:
             ends = sorted(wired.wire_ends.get(identity, ()), key=lambda end: (natural(end[0]), natural(end[1])))
             net = net_of.get(wired.joined.find((identity, ""))) if (identity, "") in wired.joined else None
@@ -126,6 +127,15 @@ class _Reading:
             self.builder.wire(identity, [End(*end) for end in ends], net, color)
         self._report_rest(wired)
         return self.builder.circuit(name, self.container.digest, "Fritzing", self.sketch.version, wired.view)
+
+    def _net_titles(self, wired: nets.ViewWiring) -> dict[Node, str]:
+        """The text of the first net label on each net."""
+        found: dict[Node, str] = {}
+        for identity, instance in self.instances.items():
+            for connector in wired.used.get(identity, ()):
+                if (text := nets.label_text(instance)) and (identity, connector) in wired.joined:
+                    found.setdefault(wired.joined.find((identity, connector)), text)
+        return found
 
     def _place(self, identity: str, instance: Instance, wired: nets.ViewWiring, groups: dict[Node, list[End]]) -> None:
         known = self.known[instance.module_id]

@@ -1,0 +1,49 @@
+"""What a connector is called where people read it: its name, told apart from others of that name on the same component.
+
+Gates of one part may have pins of one name, as units of a symbol may; a program that reads models has `connectorId` for that.
+Told here is the text alone; what a name means is told by the knowledge of parts, from the name as the drawing has it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from robosmi.metamodels import hardware
+
+_POWERED = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
+
+
+def told_name(connector: hardware.Connector) -> str:
+    """The name of a connector as it is shown, empty where it has none.
+
+    Where the component has another connector of that name that is not joined with it, the text says which one is meant: the
+    identity where it holds the name (gate and pin of EAGLE, `A.OUT`), else the name with the identity behind it (`OUT@7`, the
+    pad of a KiCad symbol). Pins of supplies and grounds that nothing connects are not told apart.
+    """
+    name = str(connector.name)
+    component = connector.component
+    if not name or component is None:
+        return name
+    others = [c for c in component.connectors if c.name == name and c is not connector]
+    if not any(_is_another(connector, other) for other in others):
+        return name
+    return connector.connectorId if name in connector.connectorId else f"{name}@{connector.connectorId}"
+
+
+def told_names(connectors: Iterable[hardware.Connector]) -> list[str]:
+    """The names of connectors as they are shown."""
+    return [told_name(connector) for connector in connectors]
+
+
+def wire_name(connectors: Iterable[hardware.Connector]) -> str:
+    """What a person calls the wire to these connectors of a component: their names, or `a wire` where they have none."""
+    return " and ".join(filter(None, dict.fromkeys(told_names(connectors)))) or "a wire"
+
+
+def _is_another(one: hardware.Connector, other: hardware.Connector) -> bool:
+    if (one.net is not None and one.net is other.net) or (one.pin and one.pin == other.pin):
+        return False
+    if one.kind in _POWERED and (one.net is None or other.net is None):
+        return False
+    component = one.component
+    return component is None or not any(one in bus.connectors and other in bus.connectors for bus in component.buses)
