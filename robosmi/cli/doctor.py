@@ -1,4 +1,4 @@
-"""`robosmi doctor`: what is installed, what is missing, and what does not work without it."""
+"""`robosmi doctor`: what is installed, what is missing and does not work without it, and own boards that a core contradicts."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def configure(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
-    from robosmi.verify.doctor import tools
+    from robosmi.verify.doctor import own_boards, tools
 
     report = Report("doctor")
     found = tools()
@@ -26,4 +26,5 @@ def run(arguments: argparse.Namespace) -> Report:
             report.lines.append(f"{'':{width}}  gives: {tool.gives}")
         if not tool.found and tool.fix:
             report.lines.append(f"{'':{width}}  do: {tool.fix}")
+    report.findings = own_boards()
     return report

@@ -30,6 +30,28 @@ class BootLoader(NamedTuple):
     touch_baud: int = 0
 
 
+class Claim(NamedTuple):
+    """What a board's file says that the core's headers say too.
+
+    Attributes:
+        says: for people (`D9 is on port B`).
+        ask: an expression in the language of the core, or an element of one of its arrays (`ports[9]`).
+        answer: the expression that the value must equal.
+        choices: further expressions; the one that has the value is named where the answer has not.
+        key: what is to be mended.
+        file: the board's file with it.
+        beside: a text that its line has.
+    """
+
+    says: str
+    ask: str
+    answer: str
+    choices: tuple[str, ...]
+    key: str
+    file: Path | None
+    beside: str
+
+
 class Board(NamedTuple):
     """A board. Sizes in bytes.
 
@@ -44,6 +66,8 @@ class Board(NamedTuple):
         folders: folders with headers of its own, which the flags name.
         boot_loader: what takes programs on it; None where nothing is known of that.
         signature: what a programmer reads from its microcontroller, six hexadecimal digits; empty where that is not known.
+        file: its file, with what the platform calls it; None where there is none.
+        claims: what its file says that the core says too.
     """
 
     name: str
@@ -56,6 +80,8 @@ class Board(NamedTuple):
     folders: tuple[Path, ...] = ()
     boot_loader: BootLoader | None = None
     signature: str = ""
+    file: Path | None = None
+    claims: tuple[Claim, ...] = ()
 
     def fill(self) -> dict[str, str]:
         """A copy of the values."""

@@ -21,6 +21,7 @@ STAND_IN_USED = "RS806"
 LITTLE_RAM = "RS807"
 BADLY_NAMED = "RS808"
 OTHER_BOARD = "RS809"
+OTHER_FACTS = "RS810"
 
 RULES = {
     COMPILER_ERROR: "the compiler reports an error",
@@ -32,6 +33,7 @@ RULES = {
     LITTLE_RAM: "the program fits, but little RAM is left for the stack",
     BADLY_NAMED: "the main file does not bear its folder's name",
     OTHER_BOARD: "the program was made for the pins of another board",
+    OTHER_FACTS: "the board's file and the core that programs are compiled with say different things of the board",
 }
 """Every rule of the compile check: id -> meaning."""
 

@@ -10,19 +10,25 @@ import importlib
 import re
 import shutil
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from importlib import metadata
 from operator import attrgetter
 from pathlib import Path
 
+from robosmi.diagnostics import Finding
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content, registry
+from robosmi.resources import built_in
 from robosmi.trust import acting
+from robosmi.verify.board_check import board_findings
+from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.host_model import HostModel, host_models, load_host_model
 from robosmi.verify.original_build import compiler_version, missing_tools
 from robosmi.verify.simulation import Engine, engine_names
+from robosmi.verify.tables import KIND
 from robosmi.verify.toolchain_data import Toolchain, load_toolchains
-from robosmi.verify.tools import core_version, environment, find_core, find_tool, install_fix, tool_version
+from robosmi.verify.tools import core_version, environment, find_core, find_installed, find_tool, install_fix, tool_version
 from robosmi.verify.uploader import find_program, uploader_data
 
 PACKAGES = {
@@ -100,6 +106,32 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
     optional = (_optional(name, *facts) for name, facts in OPTIONAL.items())
     return [*result, *map(_engine, engine_names()), *optional, *_plugins()]
+
+
+def own_boards(project: Path | None = None) -> list[Finding]:
+    """What a core that is installed contradicts of boards that are not built in (RS810).
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: a board's data is damaged.
+        SourceError: found data that names programs is not trusted.
+    """
+    found: list[Finding] = []
+    with acting(project):
+        for toolchain in load_toolchains(project):
+            boards = [each for each in load_boards(toolchain.platform, project) if each.file and not _built_in(each)]
+            if boards and find_core(toolchain) is not None:
+                with suppress(MissingToolError):  # said of the tool
+                    installed = find_installed(toolchain)
+                    found += [finding for board in boards for finding in board_findings(board, toolchain, installed)]
+    return found
+
+
+def _built_in(board: Board) -> bool:
+    files = {board.file, *(claim.file for claim in board.claims)}
+    return all(file is None or file.is_relative_to(built_in(KIND)) for file in files)
 
 
 def _plugins() -> Iterator[ToolStatus]:

@@ -14,6 +14,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.plugins import content
 from robosmi.trust import acting
+from robosmi.verify.board_check import board_findings
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.build import Build
 from robosmi.verify.compile_report import MISSING_HEADER, OTHER_BOARD, TOO_BIG, CompileReport
@@ -64,6 +65,7 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
     if (made_for := _other_board(sketch, chosen, boards, toolchain)) is not None:
         report = replace(report, diagnostics=(made_for, *report.diagnostics))
+    report = replace(report, diagnostics=(*board_findings(chosen, toolchain, installed), *report.diagnostics))
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
     return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
 

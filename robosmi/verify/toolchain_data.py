@@ -46,8 +46,8 @@ class Toolchain(NamedTuple):
         gives: what its tools make possible; a text for people.
         uploader: name of the file (see `uploader`) that says how programs get on boards; empty where none does.
         tools: by key.
-        sketch, core, flags, link, size, messages, libraries, environment, database, stack: the tables of that name; the last two
-            may be empty.
+        sketch, core, flags, link, size, messages, libraries, environment, database, stack, board_check: the tables of that name;
+            the last three may be empty.
     """
 
     path: Path
@@ -75,6 +75,7 @@ class Toolchain(NamedTuple):
     environment: DataTable
     database: DataTable
     stack: DataTable
+    board_check: DataTable
 
     @property
     def suffixes(self) -> tuple[str, ...]:
@@ -139,6 +140,7 @@ def load_toolchain(path: Path) -> Toolchain:
         environment=table.table("environment"),
         database=table.table("database") if "database" in table.values else DataTable(path, {}),
         stack=table.table("stack") if "stack" in table.values else DataTable(path, {}),
+        board_check=table.table("board_check") if "board_check" in table.values else DataTable(path, {}),
     )
 
 

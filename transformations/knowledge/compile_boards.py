@@ -6,7 +6,8 @@ from pathlib import Path
 
 from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
-from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards, variant_folder
+from robosmi.transformations.knowledge.board_claims import board_claims
+from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards, mapping_file, variant_folder
 from robosmi.verify.boards import Board, BootLoader
 
 
@@ -42,6 +43,8 @@ def _board(platform_name: str, board: platform.Board, project: Path | None) -> B
         folders=(variant,) if variant is not None else (),
         boot_loader=_boot_loader(board.bootLoader, chip),
         signature=str(chip.signature),
+        file=mapping_file(platform_name, str(board.name), project),
+        claims=board_claims(platform_name, board, mapping, project),
     )  # fmt: skip
 
 

@@ -1,0 +1,124 @@
+"""A board's file against the core that programs are compiled with: what contradicts is told with place and remedy (RS810)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from robosmi.diagnostics import Finding, Severity
+from robosmi.resources import built_in
+from robosmi.verify.board_check import arrays, board_findings
+from robosmi.verify.boards import load_boards
+from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchain_data import load_toolchains
+from robosmi.verify.tools import find_installed
+from tests.running import run
+from tests.tools import require_tools
+
+PLACE = built_in("platform_repo")
+HARDWARE, MAPPING = PLACE / "boards" / "uno.toml", PLACE / "arduino" / "boards" / "uno.toml"
+
+
+def own_board(data: Path, old: str, new: str) -> Path:
+    """A board like the Uno in one file of one's own, with a text changed."""
+    text = MAPPING.read_text() + HARDWARE.read_text()
+    text = text[: text.index("# Bare microcontrollers")]
+    for was, becomes in (('name = "uno"', 'name = "mine"'), ("arduino:avr:uno", "mine:avr:mine"), (old, new)):
+        assert was in text
+        text = text.replace(was, becomes, 1)
+    path = data / "platform_repo" / "arduino" / "boards" / "mine.toml"
+    path.parent.mkdir(parents=True)
+    path.write_text(text)
+    return path
+
+
+def findings(board: str) -> list[Finding]:
+    """What the core contradicts of a board."""
+    require_tools("arduino-core-avr", "avr-gcc")
+    toolchain = next(each for each in load_toolchains() if each.platform == "arduino")
+    chosen = next(each for each in load_boards("arduino") if each.name == board)
+    return board_findings(chosen, toolchain, find_installed(toolchain))
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in MAPPING.parent.glob("*.toml")))
+def test_boards_of_the_repository_agree_with_the_core(name: str) -> None:
+    assert findings(name) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "cause", "beside"),
+    [
+        ('port = "PB1"', 'port = "PE1"', "says that D9 is on port PE; in the core that programs are compiled with", 'D9"'),
+        ('port = "PB1"', 'port = "PE1"', "(variant 'standard') it is PB", 'D9"'),
+        ('port = "PB1"', 'port = "PB6"', "D9 is bit _BV(6) of its port", 'D9"'),
+        ('timer = "Timer1", channel = "A"', 'timer = "Timer0", channel = "A"', "the PWM of D9 is TIMER0A", 'D9"'),
+        ('["digital"] },', '["digital", "pwm"], timer = "Timer0", channel = "A" },', "it is NOT_ON_TIMER", 'D4"'),
+        ("{ D2 = 0, D3 = 1 }", "{ D2 = 1, D3 = 0 }", "the external interrupt of D2 is 1", "interrupts ="),
+        ("D9 = 9", "D9 = 10", "the number of D9 is 10", "numbers ="),
+        ('led = "D13"', 'led = "D12"', "the lamp of the board is on D12", "led ="),
+        ("pins = [", 'pins = [{ label = "A6", port = "PE0", abilities = ["analog_in"] },', "A6 is an analogue input", 'A6"'),
+        ("pins = [", 'pins = [{ label = "D25", port = "PE0", abilities = ["digital"] },', "it is no such pin", 'D25"'),
+        ('variant = "standard"', 'variant = "mega"', "cannot be compiled", "variant ="),
+        ('variant = "standard"', 'variant = "no-such"', "pins_arduino.h: No such file", "variant ="),
+        ('variant = "standard"', 'variant = "eightanaloginputs"', "", ""),
+    ],
+)
+def test_what_the_variant_contradicts_is_told(
+    old: str, new: str, cause: str, beside: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    path = own_board(tmp_path, old, new)
+    found = findings("mine")
+    assert bool(found) == bool(cause)
+    assert [finding.severity for finding in found] == [Severity.error] * len(found)
+    told = [finding for finding in found if cause in finding.message]
+    assert bool(told) == bool(cause)
+    for finding in told:
+        assert finding.fix
+        assert finding.location is not None
+        assert finding.location.path == str(path)
+        assert beside in path.read_text().splitlines()[(finding.location.line or 0) - 1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "cause"),
+    [
+        ("mine:avr:mine", "arduino:avr:unno", "the core lists no such board"),
+        ("mine:avr:mine", "arduino:avr:ethernet", "says define AVR_UNO; the core's list has AVR_ETHERNET for"),
+        ("mine:avr:mine", "arduino:avr:nano:cpu=atmega168", "says flash_bytes 32256; the core's list has 14336 for"),
+        ("flash_bytes = 32256", "flash_bytes = 32768", ""),
+    ],
+)
+def test_what_the_list_of_boards_contradicts_is_told(
+    old: str, new: str, cause: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A board with a full name of its own is listed nowhere, and may be otherwise."""
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    path = own_board(tmp_path, old, new)
+    monkeypatch.setattr("robosmi.transformations.knowledge.board_models._check_mapping", lambda *_: None)  # the name is another's
+    found = findings("mine")
+    assert [f.severity for f in found] == [Severity.warning] * len(found)
+    assert bool(found) == bool(cause)
+    assert not cause or any(cause in f.message and f.location is not None and f.location.path == str(path) for f in found)
+
+
+def test_compile_and_doctor_say_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    require_tools("arduino-core-avr", "avr-gcc")
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path / "data"))
+    path = own_board(tmp_path / "data", 'port = "PB1"', 'port = "PB6"')
+    sketch = tmp_path / "blink" / "blink.ino"
+    sketch.parent.mkdir()
+    sketch.write_text("void setup() { pinMode(9, OUTPUT); }\nvoid loop() {}\n")
+    report = compile_sketch(sketch.parent, "mine")
+    assert report.ok
+    assert [finding.rule for finding in report.diagnostics] == ["RS810"]
+    assert [finding.rule for finding in compile_sketch(sketch.parent, "uno").diagnostics] == []
+    outcome = run("doctor", "--json")
+    assert outcome.code == 1
+    assert [(f["rule"], f["location"]["path"]) for f in outcome.document["findings"]] == [("RS810", str(path))]
+
+
+def test_the_data_of_assembler_text() -> None:
+    lines = ["\t.text", "ports:", "\t.byte\t4", "\t.zero\t2", "mask:", "\t.word\t258", "\t.word\tport+1", "\t.long\t-1"]
+    assert arrays(lines) == {"ports": b"\x04\x00\x00", "mask": b"\x02\x01\x00\x00\xff\xff\xff\xff"}
