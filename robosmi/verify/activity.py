@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from statistics import median
 
+from robosmi.verify.pulses import FEWEST, Pulse, pulses_of, same_wave, wave_parts
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 
 LEVEL, PULSES, WAVE, BURST, LINE, READING, HELD = "level", "pulses", "wave", "burst", "line", "reading", "held"
@@ -41,14 +42,6 @@ SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0))
 
 _SERVO_PERIOD_US = (12_000.0, 30_000.0)
 _SERVO_WIDTH_US = (300.0, 3_000.0)
-_FEWEST = 4
-"""So many pulses at least are a wave or a burst; fewer are levels."""
-_AHEAD = 8
-_STEADY = 1.3
-"""Periods of a wave are within this factor of one another, nearly all of them."""
-_PITCH = 0.015
-_RARE = 10
-"""Odd pulses within a wave are the wave's where those before and behind are so many times as many."""
 _EQUAL_US = 8.0
 """Widths of two frames of a servo that differ by less are equal: interrupts delay edges by so much."""
 _SILENCE_US = 200_000.0
@@ -67,6 +60,7 @@ class ActivityEvent:
         pulses: of how many edges up a wave or burst is made, where it is made of edges and not by a timer; else 0.
         frames: how many frames of a servo have the width, without a pause.
         unclear: whether a pause about as long as the one that ends an activity is near, so that it may be seen otherwise.
+        barely: whether it only just happens, so that another run of the same program may do without it.
     """
 
     at_us: float
@@ -75,6 +69,7 @@ class ActivityEvent:
     pulses: int = 0
     frames: int = 0
     unclear: bool = False
+    barely: bool = False
 
     def __str__(self) -> str:
         value = self.value[0]
@@ -105,9 +100,9 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0]) -> list[Activi
         pin: label of the pin.
         sight: one of `SIGHTS`.
     """
-    runs: list[list[_Pulse]] = []
+    runs: list[list[Pulse]] = []
     unclear: list[bool] = []
-    for pulse in _pulses(trace, pin):
+    for pulse in pulses_of(trace, pin):
         pause = pulse.begin - runs[-1][-1].end if runs else math.inf
         near = sight.pause_us / _CLEAR <= pause <= sight.pause_us * _CLEAR
         if pause < sight.pause_us:
@@ -141,43 +136,7 @@ def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
     return kept
 
 
-@dataclass(frozen=True)
-class _Pulse:
-    """A time in which a pin is high, or in which a timer makes a wave there (`hz` above 0)."""
-
-    begin: float
-    end: float
-    hz: float = 0.0
-    duty: float = 0.0
-
-
-def _pulses(trace: PinTrace, pin: str) -> list[_Pulse]:
-    """The high times and waves of a pin, by time; a high time within a wave is the wave's."""
-    waves: list[_Pulse] = []
-    begun: tuple[float, float, float] | None = None
-    for wave in trace.waves:
-        if wave.pin != pin:
-            continue
-        if begun is not None:
-            waves.append(_Pulse(begun[0], wave.at_us, begun[1], begun[2]))
-        begun = (wave.at_us, wave.hz, wave.duty) if wave.hz > 0 and wave.duty > 0 else None
-    if begun is not None:
-        waves.append(_Pulse(begun[0], trace.simulated_us, begun[1], begun[2]))
-    high: list[_Pulse] = []
-    up: float | None = None
-    for at_us, level in trace.levels(pin):
-        if level == 1 and up is None:
-            up = at_us
-        elif level != 1 and up is not None:
-            high.append(_Pulse(up, at_us))
-            up = None
-    if up is not None:
-        high.append(_Pulse(up, trace.simulated_us))
-    outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)]
-    return sorted([*(p for p in waves if p.end > p.begin), *outside], key=lambda pulse: pulse.begin)
-
-
-def _run(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+def _run(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     """The events of pulses that follow each other closely."""
     found: list[ActivityEvent] = []
     number = 0
@@ -185,7 +144,7 @@ def _run(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[Activity
         pulse = pulses[number]
         if pulse.hz > 0:
             last = number
-            while last + 1 < len(pulses) and pulses[last + 1].hz > 0 and _same_wave(pulses[last + 1], pulse):
+            while last + 1 < len(pulses) and pulses[last + 1].hz > 0 and same_wave(pulses[last + 1], pulse):
                 last += 1
             found.append(ActivityEvent(pulse.begin, WAVE, (pulse.hz, round(pulse.duty, 3))))
             found += _end(pulses[last].end, horizon_us, sight)
@@ -199,110 +158,40 @@ def _run(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[Activity
     return found
 
 
-def _same_wave(one: _Pulse, other: _Pulse) -> bool:
-    return abs(one.hz - other.hz) <= 0.01 * other.hz and abs(one.duty - other.duty) <= 0.02
-
-
-def _edges(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+def _edges(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     """The events of high times that follow each other closely: a servo's frames, waves, a burst, or mere levels."""
-    periods = [after.begin - before.begin for before, after in pairwise(pulses)]
     if _is_frames(pulses):
         return _frames(pulses, horizon_us, sight)
-    if len(pulses) < _FEWEST:
+    if len(pulses) < FEWEST:
         return [event for p in pulses for event in _levels(p, horizon_us)]
-    parts: list[tuple[bool, list[_Pulse]]] = []
-    first = 0
-    while first < len(pulses):
-        last = _steady_until(periods, first)
-        steady = last - first + 1 >= _FEWEST
-        part = pulses[first : last + 1] if steady else pulses[first : first + 1]
-        if not steady and parts and not parts[-1][0]:
-            parts[-1][1].extend(part)
-        else:
-            parts.append((steady, part))
-        first += len(part)
-    return [event for steady, part in _absorbed(parts) for event in _part(steady, part, horizon_us, sight)]
+    return [event for steady, part in wave_parts(pulses) for event in _part(steady, part, horizon_us, sight)]
 
 
-def _is_servo_pulse(pulse: _Pulse) -> bool:
+def _is_servo_pulse(pulse: Pulse) -> bool:
     return pulse.hz == 0 and _SERVO_WIDTH_US[0] <= pulse.end - pulse.begin <= _SERVO_WIDTH_US[1]
 
 
-def _is_frames(pulses: Sequence[_Pulse]) -> bool:
+def _is_frames(pulses: Sequence[Pulse]) -> bool:
     """Whether pulses are frames of a servo, by their widths and their distance; the last one may be cut off."""
     periods = [after.begin - before.begin for before, after in pairwise(pulses)]
     whole = pulses[:-1] if len(pulses) > 2 and pulses[-1].end - pulses[-1].begin < _SERVO_WIDTH_US[0] else pulses
     return bool(periods) and all(map(_is_servo_pulse, whole)) and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]
 
 
-def _absorbed(parts: list[tuple[bool, list[_Pulse]]]) -> list[tuple[bool, list[_Pulse]]]:
-    """Parts in which a few odd pulses at the begin or the end of a wave, or within it, are the wave's.
-
-    Fewer than `_AHEAD` of them may look steady by chance.
-    """
-    kept: list[tuple[bool, list[_Pulse]]] = []
-    for steady, part in parts:
-        few = kept and not kept[-1][0] and len(kept[-1][1]) < _FEWEST
-        wave = next((n for n in reversed(range(len(kept))) if kept[n][0] and len(kept[n][1]) >= _AHEAD), len(kept))
-        if steady and (between := kept[wave + 1 :]):
-            before = kept[wave][1]
-            odd = [pulse for _, pulses in between for pulse in pulses]
-            if len(odd) * _RARE < min(len(before), len(part)) and _same_pitch(before, part):  # interrupts stretch some in a row
-                kept[wave:] = [(True, before + odd)]
-        goes_on = steady and kept and kept[-1][0] and _same_pitch(kept[-1][1], part)
-        if goes_on or (steady and few) or (not steady and len(part) < _FEWEST and kept and kept[-1][0]):
-            kept[-1] = (True, kept[-1][1] + part)
-        else:
-            kept.append((steady, part))
-    return kept
-
-
-def _same_pitch(one: Sequence[_Pulse], other: Sequence[_Pulse]) -> bool:
-    """Whether two waves have the same frequency, within 1.5 %."""
-    usual, another = (median(after.begin - before.begin for before, after in pairwise(part)) for part in (one, other))
-    return abs(usual - another) <= _PITCH * usual
-
-
-def _part(steady: bool, pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+def _part(steady: bool, pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     if steady:
         return _wave(pulses, horizon_us, sight)
-    if len(pulses) < _FEWEST:
+    if len(pulses) < FEWEST:
         return [event for pulse in pulses for event in _levels(pulse, horizon_us)]
     return [ActivityEvent(pulses[0].begin, BURST, (len(pulses),), len(pulses)), *_end(pulses[-1].end, horizon_us, sight)]
 
 
-def _levels(pulse: _Pulse, horizon_us: float) -> list[ActivityEvent]:
+def _levels(pulse: Pulse, horizon_us: float) -> list[ActivityEvent]:
     down = [ActivityEvent(pulse.end, LEVEL, (0,))] if pulse.end < horizon_us else []
     return [ActivityEvent(pulse.begin, LEVEL, (1,)), *down]
 
 
-def _steady_until(periods: list[float], first: int) -> int:
-    """The number of the last pulse of a wave that begins with a pulse: most of its periods are about the same.
-
-    Single ones may be odd: an interrupt stretches one, a pause between two bursts of a carrier is one long one.
-    """
-    if first >= len(periods):
-        return first
-    usual = median(periods[first : first + 5])
-    if not _near(periods[first], usual):
-        return first
-    number = first
-    while number < len(periods):
-        if _near(periods[number], usual):
-            usual = 0.9 * usual + 0.1 * periods[number]
-        else:
-            ahead = periods[number + 1 : number + 1 + _AHEAD]
-            if sum(_near(period, usual) for period in ahead) * 2 < len(ahead):
-                return number
-        number += 1
-    return number
-
-
-def _near(period: float, usual: float) -> bool:
-    return usual / _STEADY <= period <= usual * _STEADY
-
-
-def _wave(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+def _wave(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     """A wave by the middle of its periods, and its end."""
     periods = sorted(after.begin - before.begin for before, after in pairwise(pulses))
     middle = periods[len(periods) // 10 : len(periods) - len(periods) // 10] or periods
@@ -317,7 +206,7 @@ def _end(at_us: float, horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     return [ActivityEvent(at_us, LEVEL, (0,))] if at_us + sight.pause_us < horizon_us else []
 
 
-def _frames(pulses: list[_Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
+def _frames(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
     """The widths that some frames of a servo have one after the other, and the end of the frames.
 
     What fewer have is not seen: an interrupt may stretch one, and a ramp passes through.

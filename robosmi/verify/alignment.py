@@ -1,7 +1,8 @@
 """Which events of two runs belong together: those that say the same, in the same order.
 
-A servo may show what it was told for too short a time in one run and not at all in another, as the frames fall: such an event
-needs no counterpart. Whether what belongs together comes in time, and lasts as long, is `comparison`'s to judge.
+A servo may show what it was told for too short a time in one run and not at all in another, as the frames fall, and a wheel that
+turns round at a mark of its way may stay short of it: such an event needs no counterpart. Whether what belongs together comes in
+time, and lasts as long, is `comparison`'s to judge.
 """
 
 from __future__ import annotations
@@ -122,8 +123,8 @@ def _pairs(way: _Way | None) -> list[tuple[int, int]]:
 
 
 def _needless(events: Sequence[ActivityEvent], number: int, last: int) -> bool:
-    """Whether an event needs no counterpart: it is too short, or says again what was said before one that is."""
+    """Whether an event needs no counterpart: it only just happens, is too short, or says what was said before such a one."""
     event = events[number]
-    if event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES:
+    if event.barely or (event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES):
         return True
     return number - 1 > last >= 0 and alike(event, events[last])

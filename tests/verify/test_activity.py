@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -129,6 +130,36 @@ def test_a_carriers_burst_that_interrupts_stretch_at_its_end_is_no_pause() -> No
     other = [26.0] * 400 + [40.0] * 39 + [26.0] * 400  # as short as that, and yet another tone
     ups = [1000.0 + sum(other[:number]) for number in range(len(other))]
     assert len(said(trace([each for up in ups for each in ((up, 1), (up + 10, 0))]))) > 3
+
+
+def stretched_bursts(seed: int, bursts: int, within: float = 0.12) -> list[tuple[float, int]]:
+    """Edges of a carrier in bursts, of which interrupts delay some: the next period is shorter by as much, the last is not."""
+    chance, at, edges = random.Random(seed), 1000.0, list[tuple[float, int]]()
+    for _ in range(bursts):
+        owed = 0.0
+        for _ in range(38):
+            edges += [(at, 1), (at + 10, 0)]
+            late = chance.uniform(8, 25) if chance.random() < within else 0.0
+            at, owed = at + 26.3 + late - min(owed, 13.0), late
+        at += 1_550.0
+    return edges
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_carrier_that_interrupts_stretch_at_random_is_one_wave(seed: int) -> None:
+    """Servos' frames meet some periods in a row, at the begin, in the middle and at the end of any burst."""
+    edges = [*stretched_bursts(seed, 120), (2_000_000.0, 0)]
+    found = said(trace(edges))
+    assert len(found) == 3, found
+
+
+def test_a_few_slow_pulses_of_no_period_after_a_tone_are_seen() -> None:
+    """No interrupt stretches a period of a millisecond by a large part: these are the program's own."""
+    ups, at = [100_000 + 1000.0 * number for number in range(200)], 300_000.0
+    for gap in (1400.0, 600.0, 1900.0, 500.0, 1500.0, 800.0):
+        ups.append(at)
+        at += gap
+    assert len(said(trace([edge for up in ups for edge in ((up, 1), (up + 300, 0))]))) > 3
 
 
 def test_the_last_step_of_a_ramp_is_no_width_of_its_own() -> None:

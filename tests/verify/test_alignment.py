@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.activity import IDLE, LEVEL, PULSES, ActivityEvent
+from robosmi.verify.activity import IDLE, LEVEL, LINE, PULSES, ActivityEvent
 from robosmi.verify.alignment import aligned
 
 
@@ -45,3 +45,23 @@ def test_it_ends_where_values_differ_and_where_they_do_not_come_in_time() -> Non
     assert aligned(own, other).pairs == [(0, 0), (1, 1), (2, 2), (3, 3)]
     found = aligned(own, other, lambda one, two: abs(own[one].at_us - other[two].at_us) < 40_000)
     assert (found.pairs, found.own, found.other) == ([(0, 0), (1, 1)], 2, 2)
+
+
+def marks(*told: int) -> list[ActivityEvent]:
+    """Marks of a way, a second apart; negative ones are those that are barely reached."""
+    return [ActivityEvent(1e6 * at, LINE, (f"at {abs(mark)}",), barely=mark < 0) for at, mark in enumerate(told)]
+
+
+@pytest.mark.parametrize(
+    ("own", "other", "alike"),
+    [
+        ((12, 28, -44, 12), (12, 28, 12), True),
+        ((12, 28, 12), (12, 28, -44, 12), True),
+        ((12, 28, -44, 12), (12, 28, -44, 12), True),
+        ((12, 28, 44, 12), (12, 28, 12), False),
+        ((12, 28, -44, 12), (12, 12), False),
+    ],
+)
+def test_a_mark_that_is_barely_reached_may_be_missing(own: tuple[int, ...], other: tuple[int, ...], alike: bool) -> None:
+    found = aligned(marks(*own), marks(*other))
+    assert ((found.own, found.other) == (len(own), len(other))) == alike

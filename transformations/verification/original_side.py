@@ -111,8 +111,15 @@ def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool
     seen = [event for event in trace.device_events if event.device == number]
     if text := facts.get("tells_text"):
         return text_lines(trace, [ConsoleByte(e.at_us, int(e.value)) for e in seen if e.what == text], measures)
-    wanted = facts.get("tells", ())
-    return [ActivityEvent(e.at_us, LINE, (f"{e.what} {e.value}",)) for e in seen if e.what in wanted]
+    told: list[ActivityEvent] = []
+    of_value: dict[str, int] = {}
+    for event in seen:
+        if event.what in facts.get("tells", ()):
+            of_value[str(event.value)] = len(told)
+            told.append(ActivityEvent(event.at_us, LINE, (f"{event.what} {event.value}",)))
+        elif event.what == facts.get("tells_barely") and (last := of_value.get(str(event.value))) is not None:
+            told[last] = replace(told[last], barely=True)
+    return told
 
 
 def compared(

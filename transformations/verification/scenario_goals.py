@@ -2,7 +2,8 @@
 
 A branch that was taken once, for the first time, says little: a robot that stops is to be seen stopping from each of its
 motions, and going on after it. So each three things that follow one another on a channel are a goal, and values at the sides of a
-border between two ways of the program.
+border between two ways of the program. What a device can show at the most and at the least is one, since numbers have their
+longest texts there and some a sign; so is each text in which a number is negative.
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.original_run import OriginalRun
 
-THEN, BESIDE = "then", "beside"
-GOALS = (THEN, BESIDE)
+THEN, BESIDE, ENDS, NEGATIVE = "then", "beside", "ends", "negative"
+GOALS = (THEN, BESIDE, ENDS, NEGATIVE)
 """What goals that are no places of the source begin with."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _MOST_ON_A_CHANNEL = 24
@@ -27,13 +28,30 @@ _MOST_ON_A_CHANNEL = 24
 
 
 def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
-    """Each two and three things that follow one another on a channel: ("then", channel, what, what, what)."""
+    """Each two and three things that follow one another on a channel, and each text in which a number is negative.
+
+    As ("then", channel, what, what, what) and ("negative", channel, text).
+    """
     found: set[Place] = set()
     for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
         told = [_short(event) for event in events]
         then: list[Place] = [(THEN, name, *each) for each in (*pairwise(told), *zip(told, told[1:], told[2:], strict=False))]
         found.update(list(dict.fromkeys(then))[:_MOST_ON_A_CHANNEL])
+        texts = [_NUMBER.sub(_signed_zero, str(event.value[0])) for event in events if event.kind in (LINE, READING)]
+        negative: list[Place] = [(NEGATIVE, name, text) for text in texts if "-0" in text]
+        found.update(list(dict.fromkeys(negative))[:_MOST_ON_A_CHANNEL])
     return frozenset(found)
+
+
+def shown(run: OriginalRun, ports: Sequence[BoundPort]) -> dict[str, list[str]]:
+    """What a program does on each channel, without times: whether it heeds what an input shows."""
+    return {
+        name: [str(event) for event in events] for name, (events, *_) in channel_events(run.trace, ports, target=False).items()
+    }
+
+
+def _signed_zero(number: re.Match[str]) -> str:
+    return "-0" if number[0].startswith("-") else "0"
 
 
 def _short(event: ActivityEvent) -> str:

@@ -18,7 +18,7 @@ from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
-from robosmi.transformations.verification.scenario_goals import BESIDE, GOALS, behaviour, beside
+from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
@@ -84,7 +84,8 @@ def search(
     levels = [each for each in inputs if not any(isinstance(value, str) for value in each.values)]
     for number in range(max((len(each.values) for each in levels), default=0) if len(levels) > 1 else 0):
         made.try_signals(_together(levels, number))
-    inputs = [made.with_borders(each) for each in inputs]
+    made.try_ends(inputs)
+    inputs = [made.with_borders(each.with_ends()) for each in inputs]
     chance = random.Random(seed)
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and monotonic() < made.until:
         made.try_signals(_random_signals(inputs, made.horizon, chance))
@@ -105,6 +106,7 @@ class _Search:
     reached_by: list[frozenset[Place]] = field(default_factory=list)
     only_racy: set[Place] = field(default_factory=set)
     retried: int = 0
+    at_rest: dict[str, list[str]] = field(default_factory=dict)
 
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
@@ -115,6 +117,10 @@ class _Search:
         found.tried += 1
         scenario = Scenario(f"generated {found.tried}", self.horizon, signals, "generated")
         run = run_source(self.program, self.ports, scenario)
+        if found.tried == 1:
+            self.at_rest = shown(run, self.ports)
+        if any(place[0] == ENDS for place in also) and shown(run, self.ports) == self.at_rest:
+            also = frozenset()  # the program does not heed it
         places = places_reached(self.program, run, self.ports) | behaviour(run, self.ports) | also
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
@@ -139,6 +145,14 @@ class _Search:
         """Whether to try again what only racy scenarios have reached: of the source itself, and not for ever."""
         self.retried += any(place[0] not in GOALS for place in places - self.seen)
         return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
+
+    def try_ends(self, inputs: Sequence[_Input]) -> None:
+        """Let each device show the least that it can, and the most, of all that it measures."""
+        for name in dict.fromkeys(each.name for each in inputs if each.ends):
+            its = [each for each in inputs if each.name == name and each.ends]
+            for end in (0, -1):
+                signals = {setting: points for each in its for setting, points in _constant(each, each.ends[end])[name].items()}
+                self.try_signals({name: signals}, frozenset([(ENDS, name, end)]))
 
     def with_borders(self, each: _Input) -> _Input:
         """Halve the span between two values at which the source goes different ways, down to where these meet.
@@ -205,7 +219,8 @@ def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float)
 class _Input:
     """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device.
 
-    With `happens` a value is something that happens at an instant, such as a text that is sent.
+    `ends` are the least and the most that the device can give, where it measures something. With `happens` a value is something
+    that happens at an instant, such as a text that is sent.
     """
 
     name: str
@@ -213,6 +228,11 @@ class _Input:
     values: tuple[Any, ...]
     hold_ms: float
     device: str
+    ends: tuple[Any, ...] = ()
+
+    def with_ends(self) -> _Input:
+        """The signal with its ends among its values."""
+        return replace(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
 
     @property
     def happens(self) -> bool:
@@ -226,8 +246,9 @@ def _inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool) -> li
         if port.target and port.device and port.group in ("", port.source):
             known = facts.get(port.device, {})
             for setting, values in known.get("values", {}).items():
-                shown = [*texts, *values] if known.get("takes_text") else [None if v == "none" else v for v in values]
-                made.append(_Input(port.name, setting, tuple(shown), known["hold_ms"], port.device))
+                taken = [*texts, *values] if known.get("takes_text") else [None if v == "none" else v for v in values]
+                ends = tuple(known.get("ends", {}).get(setting, ()))
+                made.append(_Input(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends))
     if types:
         made.append(_Input(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"], TYPING))
     return made

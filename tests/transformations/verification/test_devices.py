@@ -6,6 +6,7 @@ import pytest
 
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
+from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate
 from tests.transformations.verification.conftest import Run
@@ -110,16 +111,46 @@ class Quiet(Bench):
     [
         ([90.0, 88.0, 91.0, 87.5, 90.0], []),  # it trembles where it is held
         ([90.0, 80.0, 82.0, 80.5], [82]),  # over a mark and back again
+        ([60.0, 83.0, 60.0, 40.0], [82, "82 barely", 52]),  # it turns round at a mark, where another run may do so before it
+        ([60.0, 92.0, 60.0, 40.0], [82, 52]),
         ([0.0, 60.0, 0.0], [22, 52, 22]),
         ([0.0, -75.0], [-8, -38, -68]),  # several at once
     ],
 )
-def test_a_servo_notes_the_marks_that_it_passes(way: list[float], marks: list[int]) -> None:
+def test_a_servo_notes_the_marks_that_it_passes(way: list[float], marks: list[int | str]) -> None:
     servo = FeedbackServo(Quiet(["D9", "D2"], 16_000_000), 0, {"servo": "D9", "feedback": "D2"}, {})
     PulseDriven.start(servo)
     for place in way:
         servo.moved_to(place)
-    assert [event.value for event in servo.bench.events] == marks
+    told = [event.value if event.what == "at" else f"{event.value} {event.what}" for event in servo.bench.events]
+    assert told == marks
+
+
+def stood(marks: WayMarks, place: float, begin_s: float, end_s: float) -> None:
+    """Stand at a place from one time to another."""
+    for number in range(round(begin_s * 100), round(end_s * 100)):
+        marks.moved(place, number * 10_000.0)
+
+
+@pytest.mark.parametrize("first", [12.0, 11.0])
+def test_a_mark_near_which_a_device_stands_is_one_that_it_barely_comes_to(first: float) -> None:
+    """Marks are at 11.52 and 27.52: the first one is passed before the device stands, or when it goes on."""
+    told: list[tuple[str, int]] = []
+    marks = WayMarks(16.0, lambda what, mark: told.append((what, mark)))
+    stood(marks, 0.0, 0.0, 0.5)
+    stood(marks, first, 0.5, 2.0)
+    stood(marks, 20.0, 2.0, 2.01)
+    stood(marks, 40.0, 2.01, 2.02)
+    assert told == [("at", 12), ("barely", 12), ("at", 28)]
+
+
+def test_a_slow_device_passes_its_marks_all_the_same() -> None:
+    told: list[tuple[str, int]] = []
+    marks = WayMarks(16.0, lambda what, mark: told.append((what, mark)))
+    for number in range(10_000):  # ten ticks a second
+        marks.moved(number * 0.01, number * 1000.0)
+    assert {what for what, _ in told} == {"at"}
+    assert len(told) == 6
 
 
 class Clocked(Quiet):

@@ -6,7 +6,11 @@ import random
 
 import pytest
 
+from robosmi.transformations.verification.port_devices import device_facts
+from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour
 from robosmi.transformations.verification.scenario_search import _constant, _Input, _random_signals
+from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.simulation import ConsoleByte, PinTrace
 
 LINE = _Input("RX", "points", ("a", "b"), 300.0, "serial_line")
 LAMP = _Input("LAMP", "points", (0, 1), 250.0, "levels")
@@ -22,3 +26,26 @@ def test_levels_hold_from_the_begin_and_texts_are_sent_once() -> None:
     assert _constant(LAMP, 1) == {"LAMP": {"points": ((0.0, 1),)}}
     assert _constant(LINE, "a") == {"RX": {"points": ((900.0, "a"),)}}
     assert any(_random_signals([LAMP], 6000.0, random.Random(seed))["LAMP"]["points"][0][0] == 0 for seed in range(20))
+
+
+def test_what_a_device_can_give_at_the_least_and_at_the_most_are_further_values() -> None:
+    thermometer = _Input("DHT", "celsius", (-5, 21, 80), 3000.0, "dht22", (-40, 80))
+    assert thermometer.with_ends().values == (-5, 21, 80, -40)
+
+
+def test_the_ends_of_devices_are_of_signals_that_they_have() -> None:
+    for kind, facts in device_facts().items():
+        for setting, ends in facts.get("ends", {}).items():
+            assert len(ends) == 2, kind
+            numbers = [value for value in facts["values"][setting] if isinstance(value, (int, float))]
+            assert all(ends[0] <= value <= ends[1] for value in numbers), (kind, setting)
+
+
+def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
+    def goals(text: str) -> set[object]:
+        letters = tuple(ConsoleByte(1000.0 * at, ord(letter)) for at, letter in enumerate(text))
+        run = OriginalRun(PinTrace("e", "running", 1e6, (), (), letters, ()), "running", "", b"")
+        return {place[2] for place in behaviour(run, []) if place[0] == NEGATIVE}
+
+    assert goals("T 21\nT 4\n") == set()
+    assert goals("T 21\nT -4\nT -5.5\n") == {"T -0"}

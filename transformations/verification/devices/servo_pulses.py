@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from math import floor
-
+from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.verify.bench import Device, Level
 
 _LONGEST_GAP_US = 50_000
-_FIRST_MARK = 0.72
-"""Where the first mark is, as a part of the distance of two: programs seldom head for a place that is so near to one."""
 
 
 class PulseDriven(Device):
@@ -22,8 +19,7 @@ class PulseDriven(Device):
         """Have seen no pulse yet."""
         self._begun: float | None = None
         self._last_pulse = 0.0
-        self._passed: int | None = None
-        self._below: int | None = None
+        self._marks = WayMarks(self.mark, self.note)
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Take a pulse of the program when it ends."""
@@ -39,26 +35,12 @@ class PulseDriven(Device):
         """React to a pulse of that width."""
 
     def moved_to(self, position: float) -> None:
-        """Note as `at` each mark of the way that is passed: so far on both ways, whatever the last tick is.
+        """Note as `at` each mark of the way that is passed, and as `barely` one that it only just comes to (see `way_marks`).
 
         Args:
             position: where the device is now, in its own unit, marks being `mark` apart.
         """
-        below = floor(position / self.mark - _FIRST_MARK)
-        if self._below is None:
-            self._below = below
-        while self._below < below:
-            self._below += 1
-            self._pass(self._below)
-        while self._below > below:
-            self._pass(self._below)
-            self._below -= 1
-
-    def _pass(self, number: int) -> None:
-        """Note a mark, but for one that was noted last: a device that comes back over it has made no way."""
-        if number != self._passed:
-            self._passed = number
-            self.note("at", round((number + _FIRST_MARK) * self.mark))
+        self._marks.moved(position, self.bench.now)
 
     @property
     def left_alone(self) -> bool:
