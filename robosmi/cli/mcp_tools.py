@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from mcp.server import MCPServer
 from mcp_types import ToolAnnotations
 
 from robosmi import __version__
 from robosmi.cli.mcp_commands import Commands, refused
+from robosmi.cli.mcp_stream import Server
 from robosmi.errors import RobosmiError, UsageError
 
 INSTRUCTIONS = """\
@@ -171,7 +171,7 @@ class Tools:
         return await self._commands.run(command, found)
 
 
-def make_server(commands: Commands) -> MCPServer:
+def make_server(commands: Commands) -> Server:
     """The server with all its tools.
 
     Args:
@@ -182,7 +182,7 @@ def make_server(commands: Commands) -> MCPServer:
         f"Runs native code: the original is compiled for this machine and run with the server's account, {held}; "
         f"a call ends after {commands.limit_s:g} s."
     )
-    server = MCPServer(
+    server = Server(
         "robosmi", title="RoboSMi", version=__version__, instructions=f"{INSTRUCTIONS}\nverify. {native}\n", log_level="WARNING"
     )
     tools = Tools(commands)

@@ -35,6 +35,7 @@ from robosmi.template_files import TemplateFiles
 Where = str | Path | Sequence[str | Path] | Mapping[str, str] | None
 """Where templates come from: a folder, several, texts by name, or None for the project's and the built-in ones."""
 
+_OF_MAPS = frozenset(dir(dict))
 _KNOWN: dict[type, bool] = {}
 """Class -> whether its objects are model elements; asking pyecore and abc each time would cost more than the attribute."""
 
@@ -71,6 +72,8 @@ class _Environment(SandboxedEnvironment):
         return contexts.parsed(self, source, name, filename)
 
     def getattr(self, obj: Any, attribute: str) -> Any:
+        if obj.__class__ is dict and attribute in obj and attribute not in _OF_MAPS and not attribute.startswith("_"):
+            return obj[attribute]
         is_element = _KNOWN.get(obj.__class__)
         if is_element is None:
             is_element = _KNOWN[obj.__class__] = isinstance(obj, (EObject, ModelElement))

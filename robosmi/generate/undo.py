@@ -31,6 +31,8 @@ from robosmi.model.recovery import at_work
 from robosmi.model.runs import STATE, kept, place_of
 
 SCHEMA = "robosmi-undo/1"
+_BASE64 = ":"
+"""What a text in Base64 begins with; those of earlier versions are in Base85, which takes much longer and has no colon."""
 
 
 @dataclass
@@ -85,11 +87,14 @@ def keep_before(
 
 
 def _packed(data: bytes | None) -> str | None:
-    return None if data is None else base64.b85encode(zlib.compress(data)).decode()
+    return None if data is None else _BASE64 + base64.b64encode(zlib.compress(data, 1)).decode()
 
 
 def _unpacked(text: str | None) -> bytes | None:
-    return None if text is None else zlib.decompress(base64.b85decode(text))
+    if text is None:
+        return None
+    packed = base64.b64decode(text.removeprefix(_BASE64)) if text.startswith(_BASE64) else base64.b85decode(text)
+    return zlib.decompress(packed)
 
 
 def undo(folder: Path) -> Undone:

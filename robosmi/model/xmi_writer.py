@@ -66,6 +66,7 @@ class _Writer:
         self.ids: dict[str, Any] = {}
         self.hrefs: dict[str, str] = {}
         self.local: dict[int, str] = {}  # elements of this file that were referred to -> their fragments
+        self.found: dict[int, tuple[str, str]] = {}  # elements that were referred to -> their files and fragments
 
     def write(self) -> bytes:
         """The bytes of the file."""
@@ -339,8 +340,11 @@ class _Writer:
 
     def place(self, element: EObject, column: Column, target: Any) -> tuple[str, str]:
         """File and fragment of a target."""
+        known = self.found.get(id(target))
+        if known is not None:
+            return known
         try:
-            return self.places.find(target)
+            known = self.found[id(target)] = self.places.find(target)
         except UnusableId as error:
             what = f"refers to {shown(target)}, whose id '{error}' would be read as a path"
             raise self.problem(element, column, what, "let ids begin with another character than '/'") from None
@@ -348,6 +352,7 @@ class _Writer:
             what = f"refers to {shown(target)}, which is in none of the models that are written"
             fix = "add the target to a model that is saved with this one, or remove the reference"
             raise self.problem(element, column, what, fix) from None
+        return known
 
     def href(self, element: EObject, column: Column, target: Any, file: str, fragment: str, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""

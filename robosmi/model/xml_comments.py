@@ -16,6 +16,8 @@ def comments(data: bytes) -> list[tuple[int, str]]:
         Line (from 1) and text of each, in their order.
     """
     found: list[tuple[int, str]] = []
+    if b"<!--" not in data and data.count(b"<?") <= data.startswith(b"<?xml ") and data.find(b"\0", 0, 4) < 0:
+        return found  # one byte a character, and none begins
     parser = expat.ParserCreate()
     parser.CommentHandler = lambda text: found.append((parser.CurrentLineNumber, text))
     parser.ProcessingInstructionHandler = lambda target, text: found.append((parser.CurrentLineNumber, f"{target} {text}"))

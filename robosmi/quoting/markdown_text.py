@@ -16,6 +16,8 @@ _ACTIVE = re.compile(
     rf"(?P<tag>{_TAG})|(?P<entity>&(?=\#?\w+;))|(?P<address>{_ADDRESS})|(?P<backslash>\\(?=[!-/:-@\[-`{{-~]|$))|(?P<tick>`)"
     r"|(?P<bracket>\](?=[(\[:]))|(?P<run>\*+|~+|_+)|(?P<close>(?<=\s)\#(?=\#*\s*$))"
 )
+_PLAIN = re.compile(r"[A-Za-z0-9 ,;'()/+=-]*+")
+"""What acts nowhere within a line."""
 _BLOCK = re.compile(
     r"(?:\#{1,6}(?:\s|$)|>|[-+*](?:\s|$)|`{3}|~{3}|=+\s*$|-+\s*$|(?:[-*_]\s*){3,}$|\[[^\]]*\]|[|:]|-+\s*[|:])"
     r"|(?P<number>\d{1,9})[.)](?:\s|$)"
@@ -28,6 +30,8 @@ def markdown(text: str) -> str:
     >>> markdown("int *p"), markdown("<script>"), markdown("[a](javascript:x)"), markdown("**b**")
     ('int *p', '&lt;script>', '[a\\](javascript&#58;x)', '**b\\*\\*')
     """
+    if _PLAIN.fullmatch(text):
+        return text
     line = visible(one_line(text))
     return _ACTIVE.sub(lambda found: _literal(found, line), line)
 

@@ -40,7 +40,13 @@
   function show(answer) {
     const held = document.activeElement, choice = held && held.closest("[data-choice]");
     const key = choice ? [choice.dataset.choice, held.dataset.option] : null;
-    for (const [name, text] of Object.entries(answer.sections)) by(name).innerHTML = text;
+    for (const [name, text] of Object.entries(answer.sections)) {
+      if (typeof text === "string") by(name).innerHTML = text;
+      else {
+        const pieces = by(name).querySelectorAll("[data-piece]");
+        for (const [at, part] of text) pieces[at].innerHTML = part;
+      }
+    }
     body.dataset.plan = answer.plan;
     by("progress").dataset.open = answer.open;
     by("progress").dataset.decided = answer.decided;

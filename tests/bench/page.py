@@ -79,6 +79,7 @@ def measured(folder: Path, runs: int) -> Iterator[tuple[str, float, list[float]]
         with served(browser, big) as page:
             what = f"{FINDINGS} findings, {LINES} more lines"
             yield f"ready, {what}", 500, [ready(page) for _ in range(runs)]
+            yield f"a choice shown, {what}", 1000, [choice(page, offered[n % len(offered)]) for n in range(runs)]
             found = [scrolled(page) for _ in range(runs)]
             yield f"longest task while scrolling, {what}", 50, [longest for longest, _ in found]
             yield f"longest step of scrolling, {what}", 50, [step for _, step in found]

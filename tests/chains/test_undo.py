@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import shutil
 from pathlib import Path
@@ -45,6 +46,18 @@ def test_undo_puts_the_last_state_back_and_again_forth(twice: tuple[dict[str, st
     assert done.removed == []
     undo(out)
     assert tree(out) == second
+
+
+def test_a_record_of_an_earlier_version_is_read(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
+    first, _, out = twice
+    place = runs.place_of(out, runs.STATE)
+    state = json.loads(place.read_text())
+    for entry in state["files"].values():
+        if entry[0] is not None:
+            entry[0] = base64.b85encode(base64.b64decode(entry[0].removeprefix(":"))).decode()
+    place.write_text(json.dumps(state))
+    undo(out)
+    assert tree(out) == first
 
 
 def test_undo_of_the_first_run_leaves_nothing_of_it(program: Path, tmp_path: Path) -> None:

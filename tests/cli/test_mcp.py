@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import os
 import shutil
 import subprocess
@@ -14,9 +15,12 @@ from typing import Any
 import pytest
 from mcp import Client
 from mcp.client.stdio import StdioServerParameters, stdio_client
+from mcp_types import jsonrpc_message_adapter
+from pydantic import ValidationError
 
 from robosmi.cli import landlock
 from robosmi.cli.mcp_commands import Commands
+from robosmi.cli.mcp_stream import answer_to
 from robosmi.cli.mcp_tools import Tools, make_server
 from robosmi.cli.root_folder import RootFolder
 from robosmi.errors import SourceError, UsageError
@@ -321,6 +325,62 @@ def test_a_client_starts_the_command_and_talks_over_its_streams(root: Path, tmp_
             assert not (tmp_path / "home").exists()
 
     asyncio.run(talk())
+
+
+@pytest.mark.parametrize(
+    ("line", "identity", "said"),
+    [
+        (
+            r'{"jsonrpc":"2.0","id":7,"method":"tools/call","params":{"name":"explain","arguments":{"rule":"RS\ud800"}}}',
+            7,
+            "halves",
+        ),
+        (r'{"jsonrpc":"2.0","id":"a","method":"tools/call","params":{"name":"\udfff"}}', "a", "halves"),
+        (r'{"jsonrpc":"2.0","id":8,"method":5}', 8, "JSON-RPC"),
+        (r'{"jsonrpc":"2.0","id":true,"method":5}', None, "JSON-RPC"),
+        ("[1, 2]", None, "JSON-RPC"),
+        ("no JSON", None, "no JSON"),
+        ("[" * 20_000, None, "no JSON"),
+    ],
+)
+def test_a_line_that_is_no_message_is_answered(line: str, identity: int | str | None, said: str) -> None:
+    with pytest.raises(ValidationError) as found:
+        jsonrpc_message_adapter.validate_json(line, by_name=False)
+    answer = answer_to(found.value)
+    assert (answer.id, said in answer.error.message) == (identity, True), answer
+    assert answer.model_dump_json()
+
+
+def test_a_started_server_goes_on_after_lines_that_are_no_messages(root: Path, tmp_path: Path) -> None:
+    def line(identity: int, method: str, **params: Any) -> str:
+        return json.dumps({"jsonrpc": "2.0", "id": identity, "method": method, "params": params})
+
+    asked = [
+        line(1, "initialize", protocolVersion="2025-06-18", capabilities={}, clientInfo={"name": "test", "version": "1"}),
+        '{"jsonrpc": "2.0", "method": "notifications/initialized"}',
+        line(2, "tools/call", name="explain", arguments={"rule": "RS\ud800"}),
+        "no JSON", line(3, "tools/list"),
+    ]  # fmt: skip
+    confined = [] if landlock.version() else ["--unconfined"]
+    command = [sys.executable, "-m", "robosmi", "mcp", "--root", str(root), *confined]
+    with subprocess.Popen(
+        command,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "ROBOSMI_HOME": str(tmp_path / "home")},
+    ) as server:
+        assert server.stdin is not None
+        assert server.stdout is not None
+        server.stdin.write("\n".join(asked) + "\n")
+        server.stdin.flush()
+        answers = [json.loads(server.stdout.readline()) for _ in range(4)]
+        server.stdin.close()
+        assert server.wait(20) == 0
+    told = {answer["id"]: answer for answer in answers}
+    assert set(told) == {1, 2, None, 3}
+    assert "halves of characters" in told[2]["error"]["message"]
+    assert len(told[3]["result"]["tools"]) == 10
 
 
 def require_landlock() -> None:

@@ -17,7 +17,7 @@ import pytest
 import robosmi
 from robosmi.errors import UsageError
 from robosmi.report.page_server import MOST, PageServer
-from robosmi.transformations.chains.page import PlanPage
+from robosmi.transformations.chains.page import PlanPage, changed
 from tests.running import run, tree
 
 PROGRAM = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
@@ -252,6 +252,15 @@ def test_choices_of_one_page_make_the_folder_that_choices_of_many_make(out: Path
     (out / "models" / "code.xmi").write_bytes((out / "models" / "code.xmi").read_bytes() + b"\n")
     answer = page.act("choose", {"id": "port:eye", "value": "D4", "plan": page.now()})
     assert (answer["state"], "digest" in answer["message"]) == ("refused", True)
+
+
+def test_of_a_section_only_the_pieces_that_changed_are_sent() -> None:
+    section = '<h2>{}</h2><div data-piece class="chunk">\n<div>{}</div>\n</div><!---->\n<div data-piece>b</div><!---->\n'
+    assert changed(section.format("t", "a"), section.format("t", "&lt;div data-piece&gt;")) == [
+        (0, "\n<div>&lt;div data-piece&gt;</div>\n")
+    ]
+    assert changed(section.format("t", "a"), section.format("u", "a")) == section.format("u", "a")
+    assert changed(section.format("t", "a"), "none") == "none"
 
 
 def plain(out: Path) -> dict[str, str]:

@@ -27,7 +27,7 @@ from robosmi.project import FILE_NAME, Project, load_project
 from robosmi.query import Q
 from robosmi.transformations.chains.edited_plan import STORED
 from robosmi.transformations.chains.migrate import migrate
-from robosmi.transformations.chains.models import MigrationModels, stored_models
+from robosmi.transformations.chains.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce, remember
 from robosmi.transformations.chains.renewed import renew_findings
 from robosmi.transformations.chains.sources import last_run, project_folder
@@ -132,8 +132,11 @@ def choose(
         data = Places(folder).read(STORED) or b""
         _hold(folder, data, seen)
         models = read(folder)
-        refuse_nonsense(models.plan)
-        settle(models.plan, models.files)
+        unchanged = _as_stored(folder, models) if models.settled else {}
+        if not models.settled:
+            refuse_nonsense(models.plan)
+            settle(models.plan, models.files)
+        models.settled = False
         chosen = {}
         for name, value in answers.items():
             choice = the_choice(models.plan, name)
@@ -146,12 +149,22 @@ def choose(
         if place is not None:
             settings = load_project(place)
             change = _project_change(models, chosen, place, settings)
-        made = produce(models, folder, inputs={STORED: data}, outside=change.files, dry_run=dry_run, diff=True)
+        made = produce(
+            models, folder, inputs={STORED: data}, outside=change.files, dry_run=dry_run, diff=True, unchanged=unchanged
+        )
     if change.stays:
         models.notes.append(_stays(folder, change.stays, known=place is not None))
     remember(made, history)
     project = place / FILE_NAME if place is not None and not change.stays else None
     return Chosen(**vars(made), chosen=chosen, project=project, settings=settings, command=command_for(folder, chosen, why))
+
+
+def _as_stored(folder: Path, models: MigrationModels) -> dict[str, bytes]:
+    """The models that no choice changes, as a run has stored them: that of the code is the longest of all."""
+    wanted = {str(entry.path): str(entry.digest) for entry in models.plan.inputs if entry.path in (CODE, HARDWARE)}
+    places = Places(folder)
+    found = {name: places.read(f"{FOLDER}/{name}") or b"" for name in wanted}
+    return {name: data for name, data in found.items() if digest(data) == wanted[name]}
 
 
 def _hold(folder: Path, data: bytes, seen: str | None) -> None:

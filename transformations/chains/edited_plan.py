@@ -6,6 +6,8 @@ The texts are compared, so that a plan which cannot be loaded is told apart, too
 
 from __future__ import annotations
 
+from typing import cast
+
 from lxml import etree
 
 from robosmi.errors import SourceError
@@ -24,7 +26,7 @@ _CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection",
 def beside_choices(plan: bytes) -> str:
     """The digest of a stored plan without the choices of pins and libraries; empty where it is no XML."""
     try:
-        root = parse_xml(plan, PLAN, PLAN, tool="EMF")
+        root = parse_xml(plan, PLAN, PLAN, tool="EMF", blanks=False)
     except SourceError:
         return ""
     for decision in root.iter(*_DECISIONS):
@@ -33,8 +35,13 @@ def beside_choices(plan: bytes) -> str:
                 del decision.attrib[name]
             for child in decision.findall(name):
                 decision.remove(child)
-    for element in root.iter():
-        element.text, element.tail = (element.text or "").strip(), ""
+    for text in cast("list[etree._ElementUnicodeResult]", root.xpath("//text()")):
+        parent = text.getparent()
+        assert parent is not None
+        if text.is_tail:
+            parent.tail = None
+        elif text != (bare := text.strip()):
+            parent.text = bare
     return digest(etree.tostring(root, method="c14n") + plan.rpartition(b">")[2])  # what stands behind it is an edit, too
 
 

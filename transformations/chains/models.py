@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
@@ -37,6 +39,7 @@ class MigrationModels:
         files: copies of what was read, path relative to the models' folder -> bytes.
         places: the same paths -> the path as the user knows it.
         notes: findings of the run that made them, which are not the plan's.
+        settled: whether a run has stored them as they are, so that nobody can have edited the plan since it was brought in line.
     """
 
     plan: migration.MigrationPlan
@@ -46,14 +49,18 @@ class MigrationModels:
     files: dict[str, bytes]
     places: dict[str, str] = field(default_factory=dict)
     notes: list[Finding] = field(default_factory=list)
+    settled: bool = False
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import element_html  # for notebooks only
 
         return element_html(self.plan)
 
-    def to_files(self) -> dict[str, bytes]:
+    def to_files(self, unchanged: Mapping[str, bytes] = MappingProxyType({})) -> dict[str, bytes]:
         """Everything that is stored, path relative to the models' folder -> bytes; the plan's digests are brought up to date.
+
+        Args:
+            unchanged: models beside the plan that are as they were stored, with these bytes: these are not made again.
 
         Raises:
             ModelError: a reference leads out of the set.
@@ -61,7 +68,8 @@ class MigrationModels:
         roots = {CODE: self.program, PLATFORM: self.repository}
         if self.circuit is not None:
             roots[HARDWARE] = self.circuit
-        stored = to_xmi({**roots, PLAN: self.plan}, roots)
+        written = to_xmi({**roots, PLAN: self.plan}, [name for name in roots if name not in unchanged])
+        stored = {name: written[name] if name in written else unchanged[name] for name in roots}
         kinds = {CODE: "code", HARDWARE: "hardware", PLATFORM: "platform"}
         known = {i.path: i for i in self.plan.inputs}
         for name, kind in kinds.items():

@@ -23,6 +23,7 @@ from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.record import Record
+from robosmi.generate.result import TextLink
 from robosmi.generate.text_form import read
 from robosmi.generate.undo import keep_before
 from robosmi.metamodels import migration, trace
@@ -38,7 +39,8 @@ from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.edited_plan import STORED, beside_choices, only_choices_differ
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
-from robosmi.transformations.m2t.program_files import BENCH
+from robosmi.transformations.m2t.first_screen import Counted
+from robosmi.transformations.m2t.program_files import BENCH, ProgramGeneration
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
@@ -67,6 +69,7 @@ class Generated:
         notes: findings of this run that are not the plan's.
         verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
         diff: what a dry run would change, or what was changed where that was asked for; else empty.
+        counted: what was counted of the plan when its files were made; None where the generator counts nothing.
     """
 
     models: MigrationModels
@@ -77,6 +80,7 @@ class Generated:
     notes: list[Finding] = field(default_factory=list)
     verification: tuple[dict[str, Json], int] | None = None
     diff: str = ""
+    counted: Counted | None = None
 
     @property
     def sketch(self) -> Path:
@@ -120,7 +124,7 @@ class Generated:
 
     def lines(self) -> list[str]:
         """What a person reads."""
-        lines = terminal_lines(self.models.plan, self.models.files, self.sketch, made=self.written)
+        lines = terminal_lines(self.models.plan, self.models.files, self.sketch, made=self.written, known=self.counted)
         return [*lines, *self.diff.splitlines()]
 
 
@@ -143,6 +147,7 @@ def produce(
     dry_run: bool = False,
     strict: bool = False,
     diff: bool = False,
+    unchanged: Mapping[str, bytes] | None = None,
 ) -> Generated:
     """Generate the sketch of a plan and put it, with the models, into the output folder.
 
@@ -154,6 +159,7 @@ def produce(
         dry_run: write nothing.
         strict: stop when a choice is open.
         diff: say what is changed, as a dry run does.
+        unchanged: models beside the plan that are as they are stored, with their bytes.
 
     Raises:
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
@@ -185,7 +191,7 @@ def produce(
             kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files, hand.base)
         kept.findings += hand.findings
         _trace_texts(plan, made, kept.files)
-        contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files().items()}
+        contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files(unchanged or {}).items()}
         exempt = inputs or {}
         known = {**{name: places.look(name) for name in sorted(kept.merged | kept.orphans)}, **exempt}
         _no_input(models, output, contents)
@@ -205,13 +211,15 @@ def produce(
             staying = [*(name for name in edited if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
             record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
             record.beside_choices = manifest.beside_choices if STORED in staying else beside_choices(contents[STORED])
-            everything = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
-            elsewhere = keep_before(output, places, everything, going, outside)
-            manifest.note(output, everything[MANIFEST])
-            update(output, everything, going, places.seen, elsewhere)
+            writing = {**contents, **kept.records, **kept.old, MANIFEST: record.to_bytes()}
+            elsewhere = keep_before(output, places, writing, going, outside)
+            manifest.note(output, writing[MANIFEST])
+            update(output, writing, going, places.seen, elsewhere)
     new = [c for key, c in by_person.items() if key not in manifest.choices]
     changes = _diff(places, contents, going, "would change" if dry_run else "changed") if dry_run or diff else ""
-    return Generated(models, output, {**contents, **kept.records, **kept.old}, not dry_run, new, kept.findings, diff=changes)
+    everything = {**contents, **kept.records, **kept.old}
+    told = made.counted if isinstance(made, ProgramGeneration) else None
+    return Generated(models, output, everything, not dry_run, new, kept.findings, diff=changes, counted=told)
 
 
 def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str], word: str) -> str:
@@ -304,13 +312,28 @@ def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping
     """The plan's text traces anew: where the lines of the parts of templates stand in the files as they are written."""
     if plan.trace is None:
         plan.trace = trace.Trace()
+    links = [
+        link
+        for file in made.files
+        for link in replace(file, after=read(files[file.name], errors="surrogateescape").text).links()
+        if link.part
+    ]
+    texts = list(plan.trace.texts)
+    if len(texts) == len(links) and all(map(_traces, texts, links)):
+        return  # making them anew takes ten times as long
     plan.trace.texts.clear()
     plan.trace.texts.extend(
         trace.TextTrace(path=k.path, line=k.line, endLine=k.end_line, step=k.step, rule=k.part, elements=k.elements)
-        for file in made.files
-        for k in replace(file, after=read(files[file.name], errors="surrogateescape").text).links()
-        if k.part
+        for k in links
     )
+
+
+def _traces(text: trace.TextTrace, link: TextLink) -> bool:
+    """Whether a stored trace says what a link of this run says."""
+    said = (text.line, text.endLine, text.rule, text.path, text.step)
+    if said != (link.line, link.end_line, link.part, link.path, link.step):
+        return False
+    return len(text.elements) == len(link.elements) and all(a is b for a, b in zip(text.elements, link.elements, strict=True))
 
 
 def _key(choice: migration.LibraryChoice) -> str:

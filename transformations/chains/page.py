@@ -7,6 +7,7 @@ it is served, is `robosmi.report.page_server`'s business.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,12 +21,14 @@ from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
 from robosmi.model.commit import update
 from robosmi.model.files import digest
+from robosmi.model.lean import collector_at_rest
 from robosmi.model.recovery import at_work
 from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.edited_plan import STORED
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.models import FOLDER, MigrationModels, stored_models
 from robosmi.transformations.m2t import page_code, page_sections
+from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.choices import choices
 from robosmi.transformations.queries.plan import open_choices
@@ -97,25 +100,29 @@ class PlanPage:
 
         Returns:
             `state` (saved, stale or refused), `message`, and the page as it now is: `plan`, `sections` that have changed
-            since the page was shown, `open`, `decided`, `progress`, `command` and `diff`.
+            since the page was shown (as `changed` says), `open`, `decided`, `progress`, `command` and `diff`.
         """
         before, shown = (self.plan, dict(self.sections)), str(about.get("plan", ""))
         state, message, command, changes = "saved", "", "", ""
         try:
-            message, command, changes = self._do(what, about, shown)
+            with collector_at_rest():
+                message, command, changes = self._do(what, about, shown)
         except StoppedError as error:
             state, message = "stale" if shown != self.now() else "refused", _told(error)
         except RobosmiError as error:
             state, message = "refused", _told(error)
         try:
-            if self.plan != self.now():
+            if (state, what) != ("saved", "choose") and self.plan != self.now():
                 self._make(stored_models(self.output))
         except RobosmiError as error:
             return {"state": "refused", "message": _told(error)}
         same = before[1] if shown == before[0] else {}
         return {
             "state": state, "message": message, "plan": self.plan, "command": command, "diff": changes,
-            "sections": {name: text for name, text in self.sections.items() if same.get(name) != text},
+            "sections": {
+                name: changed(same[name], text) if name in same else text
+                for name, text in self.sections.items() if same.get(name) != text
+            },
             **{name: self.facts[name] for name in ("open", "decided", "progress")},
         }  # fmt: skip
 
@@ -125,9 +132,10 @@ class PlanPage:
             identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))
             if not identity or max(map(len, (identity, value, why))) > _LONGEST:
                 raise UsageError("this is no choice", fix="load the page again")
-            done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown, read=self._read)
-            self._make(done.models)
-            self._held = done.models
+            read = partial(self._read, now=shown)
+            done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown, read=read)
+            done.models.settled = True
+            self._make(done.models, known=done.counted)
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
             where = f"in the plan and in {done.project_said}" if done.project is not None else alone
             return f"Saved: {identity} = {value}; {where}.", done.command, done.diff
@@ -146,10 +154,10 @@ class PlanPage:
                 return "Saved in the plan and in MIGRATION.md.", "", ""
         raise UsageError(f"the page asks for '{what}', which there is not", fix="load the page again")
 
-    def _read(self, folder: Path) -> MigrationModels:
-        """The models that the folder holds: those that the page was made of, once, where the files are still theirs."""
+    def _read(self, folder: Path, now: str) -> MigrationModels:
+        """The models that a folder whose plan has that digest holds: those of the page, once, where the files are theirs."""
         held, self._held = self._held, None
-        if held is None or self.plan != self.now():
+        if held is None or self.plan != now:
             return stored_models(folder)
         places = Places(folder)
         if any(digest(places.read(f"{FOLDER}/{entry.path}") or b"") != entry.digest for entry in held.plan.inputs):
@@ -170,14 +178,15 @@ class PlanPage:
         update(self.output, {name: with_ticks(text, ticked).encode("utf-8", AS_BYTES)}, seen=places.seen)
         generate(self.output / STORED, self.output)
 
-    def _make(self, models: MigrationModels, *, live: bool = True) -> None:
-        """The sections of a plan as it is stored."""
+    def _make(self, models: MigrationModels, *, live: bool = True, known: Counted | None = None) -> None:
+        """The sections of a plan as it is stored, of which the run that stored it may have counted what is `known`."""
         plan, files = models.plan, models.files
+        self._held = models
         self._take_ticks(plan)
         texts = self._texts(plan.name)
         picture = (Places(self.output).read(f"{FOLDER}/{PICTURE}") or b"").decode("utf-8", "replace")
         values: dict[str, dict[str, Any]] = {
-            "works": page_sections.works(plan, files),
+            "works": page_sections.works(plan, files, known),
             "decide": page_sections.decide(plan, files, str(self.output)),
             "write": page_sections.write(plan, texts),
             "check": page_sections.check(plan, models.notes, models.places),
@@ -213,6 +222,26 @@ class PlanPage:
             (n for n in listed if n.startswith(f"{name}/") and n.endswith(_CODE)), key=lambda n: (not n.endswith(".ino"), n)
         )
         return {n: data.decode("utf-8", "replace") for n in mine if (data := places.read(n)) is not None}
+
+
+def changed(before: str, after: str) -> str | list[tuple[int, str]]:
+    """What of a section has changed: its pieces that have, by their places; the whole text if anything around them has."""
+    (around, inside), (new_around, new_inside) = _pieces(before), _pieces(after)
+    if around != new_around:
+        return after
+    return [(at, new) for at, new in enumerate(new_inside) if new != inside[at]]
+
+
+def _pieces(section: str) -> tuple[list[str], list[str]]:
+    """The text around the pieces of a section, and that inside of each; what is shown of a plan has no tags."""
+    first, *rest = section.split("<div data-piece")
+    around, inside = [first], list[str]()
+    for piece in rest:
+        tag, _, text = piece.partition(">")
+        content, _, behind = text.partition("</div><!---->")
+        around += [tag, behind]
+        inside.append(content)
+    return around, inside
 
 
 def report_page(output: Path, nonce: str) -> str:

@@ -19,7 +19,7 @@ from robosmi.transformations.m2m.plan_checks import plan_checks
 from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.binding_edits import referred, trace_binding
+from robosmi.transformations.queries.binding_edits import binding_links, referred, trace_binding
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import SourceText
@@ -81,13 +81,14 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
     Raises:
         ModelError: a port cannot be written as the pin that it is bound to.
     """
+    links = binding_links(plan)
     for binding in plan.portBindings:
         choice = referred(binding)
         if binding.connection is not None and binding.connection.pin is not binding.pin:
             binding.pin = binding.connection.pin
         if binding.choice != NOT_WIRED or choice:
             _settle(binding, choice)
-            trace_binding(binding)
+            trace_binding(binding, links)
     for library in plan.libraryChoices:
         if library.choice != NO_LIBRARY or library.chosen is not None:
             _settle(library, library.chosen.name if library.chosen is not None else "")

@@ -13,9 +13,9 @@ from typing import NamedTuple
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.answers import answer
-from robosmi.transformations.queries.board_needs import board_needs, needs_in_words, shortages
+from robosmi.transformations.queries.board_needs import BoardNeeds, board_needs, needs_in_words, shortages
 from robosmi.transformations.queries.plan import called
-from robosmi.transformations.queries.verdicts import EFFORTS
+from robosmi.transformations.queries.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
 from robosmi.transformations.queries.work import Work
 
@@ -92,13 +92,33 @@ class FirstScreen(NamedTuple):
     check: Listed
 
 
-def first_screen(plan: migration.MigrationPlan, sources: Mapping[str, bytes], taken: int = 0) -> FirstScreen:
+class Counted(NamedTuple):
+    """What takes long to find out about a plan and is shown in several places.
+
+    Attributes:
+        needs: what the program needs of its board.
+        judged: its constructs with their verdicts.
+    """
+
+    needs: BoardNeeds
+    judged: Sequence[Construct]
+
+
+def counted(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Counted:
+    """Find it out; it holds until the plan is changed."""
+    return Counted(board_needs(plan), constructs(plan, sources))
+
+
+def first_screen(
+    plan: migration.MigrationPlan, sources: Mapping[str, bytes], taken: int = 0, needs: BoardNeeds | None = None
+) -> FirstScreen:
     """The first screen of a plan.
 
     Args:
         plan: the plan, complete.
         sources: path of a unit -> its bytes.
         taken: lines that something else of the first screen needs.
+        needs: what the program needs of its board, where that is known.
     """
     work = Work(plan)
     lists = (
@@ -106,7 +126,7 @@ def first_screen(plan: migration.MigrationPlan, sources: Mapping[str, bytes], ta
         Listed("Write", written(work), tuple(_bodies(work)), _write_hint(plan, work)),
         Listed("Check on the bench", checked(work), tuple(_checks(work))),
     )
-    needs = board_needs(plan)
+    needs = needs if needs is not None else board_needs(plan)
     short = tuple(shortages(needs))
     room = _shared([len(each.first) for each in lists], sum(_SHARES) - taken - 2 * bool(short))
     return FirstScreen(

@@ -15,14 +15,14 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import migration, platform
 from robosmi.query import Q
 from robosmi.transformations.m2t.circuit_picture import svg
-from robosmi.transformations.m2t.first_screen import first_screen, task_place
+from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, by_severity
 from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.choices import Choice, choices, choices_json
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.queries.source_lines import line_of
-from robosmi.transformations.queries.verdicts import constructs, verdict_counts
+from robosmi.transformations.queries.verdicts import verdict_counts
 from robosmi.transformations.queries.work import Work
 from robosmi.transformations.queries.written_bodies import task_key
 
@@ -31,10 +31,11 @@ CHUNK = 25
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
 
 
-def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Json]:
-    """How much works, and how many constructs have each verdict."""
-    screen = first_screen(plan, sources)
-    counts = verdict_counts(constructs(plan, sources))
+def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Json]:
+    """How much works, and how many constructs have each verdict; `known` is what was counted of the plan as it is."""
+    known = known if known is not None else counted(plan, sources)
+    screen = first_screen(plan, sources, needs=known.needs)
+    counts = verdict_counts(known.judged)
     return {
         "works": screen.works, "needs": screen.needs, "shortages": list(screen.shortages),
         "totals": [(each.title, each.total) for each in (screen.decide, screen.write, screen.check)],

@@ -17,6 +17,7 @@ from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, made_apart, with_own_types
 from robosmi.transformations.m2t.bench_sketch import bench
+from robosmi.transformations.m2t.first_screen import Counted, counted
 from robosmi.transformations.m2t.port_table import port_table
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
@@ -52,9 +53,20 @@ class ProgramTemplates:
     bench: str = ""
 
 
+@dataclass
+class ProgramGeneration(Generation):
+    """The files of a program, and what was counted of its plan for them.
+
+    Attributes:
+        counted: what was counted.
+    """
+
+    counted: Counted | None = None
+
+
 def program_files(
     plan: migration.MigrationPlan, sources: Mapping[str, bytes], templates: ProgramTemplates, project: Mapping[str, Any]
-) -> Generation:
+) -> ProgramGeneration:
     """The files of a program, their paths relative to the output folder; nothing is written.
 
     Args:
@@ -73,6 +85,7 @@ def program_files(
         raise UsageError(f"the target '{name}' has no sketch for the bench", fix=fix)
     g = Gen()
     assert plan.program is not None
+    known = counted(plan, sources)
     late, changes = with_own_types(plan), all_changes(plan)
     texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
 
@@ -122,6 +135,7 @@ def program_files(
 
     @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")
     def Report() -> dict[str, Any]:
-        return {"plan": plan, **report(plan, sources)}
+        return {"plan": plan, **report(plan, sources, known)}
 
-    return g.make()
+    made = g.make()
+    return ProgramGeneration(made.folder, made.files, made.messages, made.findings, counted=known)

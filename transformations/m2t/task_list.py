@@ -12,27 +12,29 @@ from typing import Any
 from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2t.first_screen import FirstScreen, first_screen, task_place
+from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
-from robosmi.transformations.queries.verdicts import CARE, Construct, constructs, verdict_counts
+from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
 """How calls correspond -> how the paper writes it (3.4)."""
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
 
-def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Any]:
+def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted) -> dict[str, Any]:
     """The report of a plan.
 
     Args:
         plan: a complete plan.
         sources: path of a unit -> its bytes.
+        known: what was counted of the plan as it is.
     """
-    judged = constructs(plan, sources)
+    judged = known.judged
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
-    screen = first_screen(plan, sources, taken=sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts))
+    taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
+    screen = first_screen(plan, sources, taken, known.needs)
     return {
         "name": plan.name,
         "called": called(plan),

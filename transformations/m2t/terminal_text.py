@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from robosmi.metamodels import migration
-from robosmi.transformations.m2t.first_screen import Item, Listed, first_screen
+from robosmi.transformations.m2t.first_screen import Counted, Item, Listed, first_screen
 
 _INDENT = "  "
 
 
-def terminal_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch: Path, *, made: bool) -> list[str]:
+def terminal_lines(
+    plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch: Path, *, made: bool, known: Counted | None = None
+) -> list[str]:
     """The lines about a plan.
 
     Args:
@@ -19,9 +21,10 @@ def terminal_lines(plan: migration.MigrationPlan, sources: Mapping[str, bytes], 
         sources: path of a unit -> its bytes.
         sketch: the folder of the program that is made of it.
         made: False where nothing was written.
+        known: what was counted of the plan as it is; None where nothing was.
     """
     board = plan.board.title if plan.board else "the target"
-    screen = first_screen(plan, sources)
+    screen = first_screen(plan, sources, needs=known.needs if known is not None else None)
     lines = [f"{'made' if made else 'would make'} {sketch} for {board}"]
     lines += [_sum("too big", short) for short in screen.shortages]
     lines.append(_sum("works", screen.works))

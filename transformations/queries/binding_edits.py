@@ -6,6 +6,7 @@ A plan keeps what the binding referred to when it was made: in the texts of its 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from robosmi.metamodels import migration, platform, trace
 from robosmi.query import root_of
@@ -43,23 +44,26 @@ def writes(change: migration.TextChange, value: str) -> bool:
     return re.search(rf"(?<!\w){re.escape(value)}(?!\w)", change.replacement) is not None
 
 
-def _link(binding: migration.PortBinding) -> trace.TraceLink | None:
-    plan = root_of(binding)
+def binding_links(plan: object) -> dict[int, trace.TraceLink]:
+    """The trace's links from what ports are bound to, by the `id` of the binding."""
     links = plan.trace.links if isinstance(plan, migration.MigrationPlan) and plan.trace is not None else ()
-    return next((link for link in links if link.rule == TRACED and any(target is binding for target in link.targets)), None)
+    return {id(target): link for link in links if link.rule == TRACED for target in link.targets}
 
 
 def _referred_before(binding: migration.PortBinding) -> migration.Connection | platform.Pin | None:
     """The connection or pin that a binding had when its plan was made."""
-    link = _link(binding)
+    return _source(binding_links(root_of(binding)).get(id(binding)))
+
+
+def _source(link: trace.TraceLink | None) -> migration.Connection | platform.Pin | None:
     sources = link.sources if link is not None else ()
     return next((s for s in sources if isinstance(s, migration.Connection | platform.Pin)), None)
 
 
-def trace_binding(binding: migration.PortBinding) -> None:
-    """Bring the trace of a binding in line with what it refers to now."""
-    link, now = _link(binding), binding.connection or binding.pin
-    before = _referred_before(binding)
+def trace_binding(binding: migration.PortBinding, links: Mapping[int, trace.TraceLink] | None = None) -> None:
+    """Bring the trace of a binding in line with what it refers to now; `links` are the plan's `binding_links`, if known."""
+    link = (binding_links(root_of(binding)) if links is None else links).get(id(binding))
+    now, before = binding.connection or binding.pin, _source(link)
     if link is None or before is now:
         return
     if before is not None:

@@ -21,7 +21,9 @@ _DOCTYPE = re.compile(rb"\A(?:\xef\xbb\xbf)?(?:\s++|(?><\?.*?\?>)|(?><!--.*?-->)
 _PLAIN = re.compile(rb"\s+([A-Za-z]+)(?:\s+SYSTEM\s+(?:\"[^\"<>\[]*\"|'[^'<>\[]*'))?\s*>")
 
 
-def parse_xml(data: bytes, path: str, what: str, tool: str = "Fritzing", doctype: str = "") -> etree._Element:
+def parse_xml(
+    data: bytes, path: str, what: str, tool: str = "Fritzing", doctype: str = "", *, blanks: bool = True
+) -> etree._Element:
     """The root of an XML text.
 
     Args:
@@ -30,6 +32,7 @@ def parse_xml(data: bytes, path: str, what: str, tool: str = "Fritzing", doctype
         what: name of the text in that file, for the message.
         tool: the drawing tool that writes such files, for the message.
         doctype: name of the document type that the tool writes; empty where it writes none.
+        blanks: whether texts of nothing but blanks between elements are kept; some stay in any case.
 
     Raises:
         SourceError: it is not well-formed, has too many tags, or has another document type or one with declarations.
@@ -54,6 +57,7 @@ def parse_xml(data: bytes, path: str, what: str, tool: str = "Fritzing", doctype
         huge_tree=False,
         remove_comments=True,
         remove_pis=True,
+        remove_blank_text=not blanks,
     )
     try:
         root = etree.fromstring(data, parser)
