@@ -319,7 +319,7 @@ def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping
         if link.part
     ]
     texts = list(plan.trace.texts)
-    if len(texts) == len(links) and all(map(_traces, texts, links)):
+    if len(texts) == len(links) and all(_traces(text, links[at]) for at, text in enumerate(texts)):
         return  # making them anew takes ten times as long
     plan.trace.texts.clear()
     plan.trace.texts.extend(
@@ -333,7 +333,7 @@ def _traces(text: trace.TextTrace, link: TextLink) -> bool:
     said = (text.line, text.endLine, text.rule, text.path, text.step)
     if said != (link.line, link.end_line, link.part, link.path, link.step):
         return False
-    return len(text.elements) == len(link.elements) and all(a is b for a, b in zip(text.elements, link.elements, strict=True))
+    return len(text.elements) == len(link.elements) and all(e is link.elements[at] for at, e in enumerate(text.elements))
 
 
 def _key(choice: migration.LibraryChoice) -> str:
