@@ -79,9 +79,8 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
         data = toml_of(inputs.read_text(path, inputs.SETTINGS))
     except (OSError, ValueError) as error:
         why = error.strerror if isinstance(error, OSError) and error.strerror else error
-        raise SourceError(
-            f"the scenario cannot be read: {why}", location=Location(str(path)), fix="correct it (TOML 1.0)"
-        ) from error
+        fix = "name a file that can be read" if isinstance(error, OSError) else "correct it (TOML 1.0)"
+        raise SourceError(f"the scenario cannot be read: {why}", location=Location(str(path)), fix=fix) from error
     for key in data:
         if key not in _KEYS:
             raise _wrong(path, f"'{key}' is no key of a scenario{did_you_mean(key, _KEYS)}", f"use: {', '.join(_KEYS)}")

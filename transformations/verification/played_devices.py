@@ -12,6 +12,7 @@ from typing import Any
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.plugins import content
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest, device_facts
+from robosmi.transformations.verification.signal_values import check_signal
 from robosmi.verify.scenario import POINTS, Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
@@ -102,13 +103,15 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
     """The signals of a scenario by the number of their port, the first one where the device has several.
 
     Raises:
-        UsageError: a signal is of no component, port or pin of the program, or of one that the program does not read.
+        UsageError: a signal is of no component, port or pin of the program, or of one that the program does not read, or has a
+            value that its device cannot show.
     """
     found: dict[int, Mapping[str, Points]] = {}
     for name, settings in (scenario.signals if scenario is not None else {}).items():
         if name == CONSOLE:
             if set(settings) != {POINTS}:
                 raise UsageError("what is typed on the console is one list of points", fix='write console = [[100, "text"]]')
+            check_signal(name, POINTS, settings[POINTS], device_facts()[TYPING])
             continue
         fitting = [n for n, port in enumerate(ports) if name in _names(port)]
         inputs = [n for n in fitting if ports[n].device]
@@ -123,6 +126,8 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
                 f"the scenario has a signal of '{name}', which has {len(inputs)} ports",
                 fix=f"use one of: {', '.join(ports[n].name for n in inputs)}",
             )
+        for setting, points in settings.items():
+            check_signal(name, setting, points, device_facts().get(ports[inputs[0]].device, {}))
         group = ports[inputs[0]].group
         found[next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]] = settings
     return found

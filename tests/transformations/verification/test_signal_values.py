@@ -1,0 +1,48 @@
+"""What a scenario may say of a signal: what its device can show, and an advice for all else, before anything is compiled."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from robosmi.errors import UsageError
+from robosmi.transformations.verification.port_devices import device_facts
+from robosmi.transformations.verification.signal_values import check_signal
+
+
+@pytest.mark.parametrize(
+    ("device", "setting", "value", "why"),
+    [
+        ("levels", "points", "up", "is no level"),
+        ("levels", "points", 7, "0 or 1"),
+        ("voltages", "points", -20, "cannot show"),
+        ("voltages", "points", None, "is no number"),
+        ("capacitor", "points", "dark", "is no number"),
+        ("ranger", "points", -3, "cannot show"),
+        ("dht22", "celsius", 1_000_000, "from -40 to 80"),
+        ("dht22", "humidity", [40], "is no number"),
+        ("typing", "points", 5, "is no text"),
+        ("serial_line", "points", [300], "or list of bytes"),
+        ("keypad", "points", [1], "is no list of 2 whole numbers"),
+        ("sony_remote", "points", [200, 1], "cannot show"),
+        ("lis3dh", "points", [0, 0], "is no list of 3 numbers"),
+        ("bme680", "points", [0.5, 1, 2, 3], "is no list of 4 whole numbers"),
+        ("bme680", "points", [1, 1, 70_000, 1], "cannot show"),
+        ("registers", "points", 256, "from 0 to 255"),
+    ],
+)
+def test_what_a_device_cannot_show_is_told_with_its_place(device: str, setting: str, value: Any, why: str) -> None:
+    with pytest.raises(UsageError) as caught:
+        check_signal("X", setting, ((20.0, value),), device_facts()[device])
+    assert "'X'" in caught.value.message
+    assert "20 ms" in caught.value.message
+    assert why in f"{caught.value.message} {caught.value.fix}"
+
+
+def test_whatever_scenarios_are_generated_of_can_be_shown() -> None:
+    for facts in device_facts().values():
+        for setting, values in facts.get("values", {}).items():
+            shown = [None if value == "none" else value for value in (*values, *facts.get("ends", {}).get(setting, ()))]
+            assert setting in facts["takes"]
+            check_signal("X", setting, tuple((0.0, value) for value in shown), facts)
