@@ -12,6 +12,8 @@ from typing import Any
 
 from robosmi.model.xmi_plan import ClassPlan, FeatureEntry
 
+NO_MODEL = "give a model in XMI"
+"""What to do about a file that is no model."""
 Problem = Callable[[int, str], None]
 PackageOf = Callable[[str], Any]
 """Namespace URI -> EPackage or generated module, or None."""
@@ -20,7 +22,7 @@ PackageOf = Callable[[str], Any]
 class Unreadable(Exception):
     """The file cannot be read as a model at all."""
 
-    def __init__(self, text: str, line: int, fix: str = "give a model in XMI") -> None:
+    def __init__(self, text: str, line: int, fix: str = NO_MODEL) -> None:
         super().__init__(text)
         self.text = text
         self.line = line

@@ -58,6 +58,8 @@ class PageServer(ThreadingHTTPServer):
 
     def __init__(self, content: Content, port: int = 0) -> None:
         self.content, self.token, self.turn = content, secrets.token_urlsafe(24), Lock()
+        if not 0 <= port <= 65535:
+            raise UsageError(f"{port} is no port", fix="give --port 1024 to 65535, or none for any that is free")
         try:
             if port and _answers(port):
                 raise OSError("another program listens there")

@@ -2,7 +2,7 @@
 "use strict";
 (() => {
   const body = document.body, by = id => document.getElementById(id), live = "live" in body.dataset;
-  let waiting = Promise.resolve();
+  let waiting = Promise.resolve(), noticed = null; // the plan that look() has told of
 
   function say(state, text) {
     by("status").dataset.state = state;
@@ -24,12 +24,13 @@
       });
       answer = await reply.json();
     } catch {
-      say("offline", `Not saved: ${what(about)}. The server does not answer; what was shown as saved is in the plan. Start robosmi open again, and choose again.`);
+      say("offline", `Not saved: ${what(about)}. The server does not answer; what was shown as saved is in the plan. Start robosmi open again, and choose on the page that it opens.`);
       back(about);
       return;
     }
     if (answer.sections) show(answer);
     if (answer.state !== "saved") back(about);
+    noticed = answer.state === "refused" ? answer.now : null;
     say(answer.state, answer.message);
   }
 
@@ -106,10 +107,17 @@
     const state = by("status").dataset.state;
     try {
       const now = await (await fetch("state", { cache: "no-store" })).json();
-      if (now.plan !== body.dataset.plan && state !== "stale") say("stale", "The plan was changed elsewhere since this page showed it. Your next choice shows it as it is now; or load the page again.");
-      else if (state === "offline") say("saved", "The server answers again. All that is shown is saved.");
+      if (now.plan === body.dataset.plan) {
+        if (state === "offline") say("saved", "The server answers again. All that is shown is saved.");
+        else if (noticed !== null && state === "stale") say("saved", "The plan is the one that is shown again.");
+        noticed = null;
+      } else if (now.plan !== noticed) {
+        noticed = now.plan;
+        if (!now.plan) say("stale", "The folder holds no plan any more: it was moved or removed, or may not be read. Nothing can be saved until it is back; or start robosmi open where it is now.");
+        else if (state !== "stale") say("stale", "The plan was changed elsewhere since this page showed it. Your next choice shows it as it is now; or load the page again.");
+      }
     } catch {
-      if (state !== "offline") say("offline", "The server does not answer. What is shown as saved is in the plan; start robosmi open again to go on.");
+      if (state !== "offline") say("offline", "The server does not answer. What is shown as saved is in the plan; to go on, start robosmi open again and use the page that it opens.");
     }
   }
 

@@ -145,6 +145,27 @@ def test_a_plan_that_is_changed_on_disk_is_said_without_a_click(migrated: Migrat
     undo(out)
 
 
+def test_a_plan_that_is_gone_or_damaged_is_said_with_its_place(migrated: Migrated, serve: Serve) -> None:
+    _, _, out = migrated("line_follower")
+    page = serve(out)
+    page.open()
+    plan = out / "models" / "plan.xmi"
+    text = plan.read_bytes()
+    plan.unlink()
+    page.wait(lambda: "holds no plan any more" in page.told())
+    plan.write_bytes(text)
+    page.wait(lambda: page.state() == "saved" and "shown again" in page.told())
+    plan.write_text("<x")
+    page.press("port:leftQTI", "D4")
+    page.wait(lambda: page.state() == "refused")
+    assert f"(in {plan}:1)" in page.told()
+    assert "put the file back as it was" in page.told()
+    time.sleep(2.5)  # the page looks every two seconds
+    assert page.state() == "refused", "what was refused stays in sight"
+    plan.write_bytes(text)
+    page.choose("port:leftQTI", "D4")
+
+
 def test_a_killed_server_is_said_and_what_was_not_saved_too(migrated: Migrated, browser: Any) -> None:
     _, _, out = migrated("line_follower")
     process, url = opened(out)

@@ -139,7 +139,15 @@ def stored_models(output: Path) -> MigrationModels:
             "the plan lies outside of the output folder, by a link", location=Location(str(path)),
             fix="put a copy of it and its models into the folder, or make the plan again with migrate",
         )  # fmt: skip
-    return load_models(path)
+    from robosmi.model.xmi_document import NO_MODEL  # a migration from sources reads no model
+
+    try:
+        return load_models(path)
+    except SourceError as error:
+        if error.fix != NO_MODEL:
+            raise
+        fix = "put the file back as it was (robosmi undo, version control), or make the plan again with migrate"
+        raise SourceError(error.message, location=error.location, fix=fix) from error
 
 
 def _checked(path: Path, entry: migration.Input) -> bytes:

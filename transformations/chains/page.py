@@ -68,7 +68,8 @@ class PlanPage:
     def now(self) -> str:
         """The digest of the plan as it is stored now; empty where there is none."""
         try:
-            return digest(Places(self.output).read(STORED) or b"")
+            data = Places(self.output).read(STORED)
+            return digest(data) if data is not None else ""
         except RobosmiError:
             return ""
 
@@ -99,8 +100,9 @@ class PlanPage:
             about: these values.
 
         Returns:
-            `state` (saved, stale or refused), `message`, and the page as it now is: `plan`, `sections` that have changed
-            since the page was shown (as `changed` says), `open`, `decided`, `progress`, `command` and `diff`.
+            `state` (saved, stale or refused), `message`, the digest of the plan as it is stored `now`, and the page as it now is:
+            `plan`, `sections` that have changed since the page was shown (as `changed` says), `open`, `decided`, `progress`,
+            `command` and `diff`.
         """
         before, shown = (self.plan, dict(self.sections)), str(about.get("plan", ""))
         state, message, command, changes = "saved", "", "", ""
@@ -115,10 +117,10 @@ class PlanPage:
             if (state, what) != ("saved", "choose") and self.plan != self.now():
                 self._make(stored_models(self.output))
         except RobosmiError as error:
-            return {"state": "refused", "message": _told(error)}
+            return {"state": "refused", "message": _told(error), "now": self.now()}
         same = before[1] if shown == before[0] else {}
         return {
-            "state": state, "message": message, "plan": self.plan, "command": command, "diff": changes,
+            "state": state, "message": message, "plan": self.plan, "now": self.plan, "command": command, "diff": changes,
             "sections": {
                 name: changed(same[name], text) if name in same else text
                 for name, text in self.sections.items() if same.get(name) != text
@@ -256,7 +258,8 @@ def report_page(output: Path, nonce: str) -> str:
 
 
 def _told(error: RobosmiError) -> str:
-    return f"Not done: {error.message}{f'. Do: {error.fix}' if error.fix else ''}."
+    place = f" (in {error.location})" if error.location is not None else ""
+    return f"Not done: {error.message}{place}.{f' What to do: {error.fix}.' if error.fix else ''}"
 
 
 def _built_in() -> dict[str, str]:
