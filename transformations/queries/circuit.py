@@ -38,10 +38,18 @@ def the_board(circuit: hardware.Circuit) -> hardware.Component:
     found = named if len(named) == 1 else found
     place = Location(circuit.path)
     if not found:
+        unknown = Q(circuit.components).select(lambda c: c.role is hardware.Role.Unknown)
+        likely = max(unknown, key=lambda c: sum(wire.net is not None for wire in c.connectors), default=None)
+        hint = (
+            f"; what '{likely.title}' (#{likely.elementId}, {likely.partTitle or likely.partId}) is nobody knows"
+            if likely
+            else ""
+        )
+        line = f': {toml("#" + likely.elementId)} = "Board"' if likely else ""
         raise SourceError(
-            "there is no board in this drawing",
+            f"there is no board in this drawing{hint}",
             location=place,
-            fix="draw the board that is to run the program, or give a part the role Board in robosmi.toml under [roles]",
+            fix=f"draw the board that is to run the program, or give a part the role Board in robosmi.toml under [roles]{line}",
         )
     if len(found) > 1:
         names = ", ".join(f"'{board.title}' (#{board.elementId})" for board in found)

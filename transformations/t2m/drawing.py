@@ -16,6 +16,7 @@ from robosmi.errors import ModelError, did_you_mean
 from robosmi.metamodels import hardware
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
+from robosmi.transformations.knowledge.drawn_chips import port_of
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
 from robosmi.transformations.knowledge.part_roles import classify, classify_by_id, classify_drawn
@@ -90,7 +91,7 @@ class CircuitBuilder:
     def _looked_up(self, part_id: str, defined: Part | None, board: DrawnBoard | None, own: bool) -> KnownPart:
         found = self.catalogue.find(part_id) or defined
         part = found or Part(part_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
-        part = replace(part, tool=self.tool)
+        part, by_name = replace(part, tool=self.tool), board is not None
         if board is None and part.role in ("Unknown", "Board"):
             board = drawn_board(part_id, self.tool, self.project)
         if board is not None and part.role == "Unknown":
@@ -111,6 +112,7 @@ class CircuitBuilder:
             defined=found is not None,
             leaders=bus_leaders(part),
             own=own,
+            by_name=by_name,
         )
 
     def place(self, placed: Placed) -> hardware.Component:
@@ -133,7 +135,7 @@ class CircuitBuilder:
             pin = self._pin(fact, part, known)
             kind = "signal" if pin and fact.kind == "unknown" else fact.kind
             if not pin and fact.id in placed.used and known.board is not None and part.role == "Board":
-                self._report_pinless(placed, known.board, fact)
+                self._report_pinless(placed, known.board, fact, known.by_name)
             model = models[fact.id] = hardware.Connector(connectorId=fact.id, name=fact.name, kind=_KINDS[kind], pin=pin)
             terminal = Terminal(
                 placed.identity, placed.title, part.role, _volts(properties), fact.id, fact.name, kind
@@ -302,9 +304,11 @@ class CircuitBuilder:
             return known.board.pins.get(fact.id, "")
         return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.numbered)
 
-    def _report_pinless(self, placed: Placed, board: DrawnBoard, fact: PartConnector) -> None:
+    def _report_pinless(self, placed: Placed, board: DrawnBoard, fact: PartConnector, by_name: bool) -> None:
         """Say that what hangs on a connector is lost, where its name is that of a pin and the board's file does not say which."""
         if fact.kind in ("supply", "ground") or not (label := normalised_label(fact.name or fact.id)):
+            return
+        if by_name and port_of(fact.name):  # a port of a bare chip: RS216
             return
         self.report(
             "RS257",
@@ -312,7 +316,9 @@ class CircuitBuilder:
             f"'{placed.title or board.title}' is connected at '{fact.id}', which seems to be {label}, and is no pin in the data"
             f" of the board '{board.name}'",
             placed.line,
-            f'add {label} = ["{fact.id}"] to [drawn_as.connectors] of tool "{self.tool}" in boards/{board.name}.toml',
+            "move what is wired there to a pin that the board has, or describe the board (docs/how-to/add-a-board.md)"
+            if by_name
+            else f'add {label} = ["{fact.id}"] to [drawn_as.connectors] of tool "{self.tool}" in boards/{board.name}.toml',
             connectors=[fact.id],
         )
 

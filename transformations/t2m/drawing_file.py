@@ -40,5 +40,7 @@ def _wide_encoding(data: bytes) -> str | None:
     """The encoding of more than one byte for each letter that a text is in, told by its first letters; None for UTF-8."""
     if data.startswith((b"\xff\xfe\0\0", b"\0\0\xfe\xff")) or data[1:4] == b"\0\0\0" or data[:3] == b"\0\0\0":
         return "UTF-32"
-    zeros = data[:1] == b"\0", data[1:2] == b"\0"
-    return "UTF-16" if data.startswith((b"\xff\xfe", b"\xfe\xff")) or zeros in ((True, False), (False, True)) else None
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "UTF-16"
+    first = data[:2].replace(b"\0", b"")  # of a binary file the other byte is no letter
+    return "UTF-16" if len(first) == 1 and len(data) > 1 and (first >= b" " or first in b"\t\r\n") else None

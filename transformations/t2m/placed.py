@@ -63,6 +63,7 @@ class KnownPart:
         defined: whether the catalogue or the drawing defines it.
         leaders: for each listed connector that it joins to others, the one that stands for all of them.
         own: it is of the person's own making, so that names tell nothing of what it does.
+        by_name: the board is told by the part's name or chip, its pins by their labels, and not by the tool's own id.
     """
 
     part: Part
@@ -72,6 +73,7 @@ class KnownPart:
     defined: bool
     leaders: dict[str, str]
     own: bool = False
+    by_name: bool = False
 
     def leader(self, connector: str) -> str:
         """The connector, or the name of the strip, that stands for all that the part joins to a connector."""

@@ -200,7 +200,7 @@ class _Making:
         lacking = [
             name for pin, name in part.pins.items()
             if pin in self.used.get(part.identity, ()) and port_of(name) and pin not in stands.board.pins
-            and not any(word in name.upper() for word in ("XTAL", "TOSC", "RESET"))
+            and not any(word in name.upper() for word in ("XTAL", "TOSC", "RESET")) and not self._at_clock(part, pin)
         ]  # fmt: skip
         if lacking:
             self.report(
@@ -208,6 +208,12 @@ class _Making:
                 part.line, "move what is wired there to other pins",
             )  # fmt: skip
         return stands.board
+
+    def _at_clock(self, part: SchematicPart, pin: str) -> bool:
+        """Whether a crystal or its like is on the net of a pin."""
+        end = End(part.identity, pin)
+        clocks = {each.identity for each in self.drawn.parts if _is_clock(each)}
+        return any(end in net.ends and any(other.component in clocks for other in net.ends) for net in self.drawn.nets)
 
     @staticmethod
     def _chip(part: SchematicPart) -> str:
@@ -292,8 +298,7 @@ class _Making:
             return
         clock = Counter(chip_clock for _, chip_clock in self.chips.values()).most_common(1)[0][0]
         for part in self.drawn.parts:
-            told = f"{part.symbol} {part.family} {part.description}".lower()
-            hertz = hertz_of(part.value) if any(word in told for word in _CLOCK_PARTS) else 0
+            hertz = hertz_of(part.value) if _is_clock(part) else 0
             if hertz and hertz != clock and hertz > 1_000_000:
                 self.report(
                     "RS218", Severity.warning,
@@ -321,6 +326,11 @@ class _Making:
             "RS229", Severity.warning, "there is no board in this drawing: its parts and nets are read, and no pin is told", None,
             "give the file that has the board, or give a part the role Board in robosmi.toml under [roles]",
         )  # fmt: skip
+
+
+def _is_clock(part: SchematicPart) -> bool:
+    told = f"{part.symbol} {part.family} {part.description}".lower()
+    return any(word in told for word in _CLOCK_PARTS)
 
 
 def hash_of(pins: Mapping[str, str]) -> str:

@@ -55,6 +55,9 @@ class _Drawn:
         self.document, self.report = document, builder.report
         self.twice = {name for name, count in Counter(part.name for part in document.parts).items() if count > 1}
         self.parts = self._identified()
+        self.gates: dict[tuple[str, str], set[str]] = {}
+        for pin in (each for pins in document.nets.values() for each in pins):
+            self.gates.setdefault((pin.part, pin.pin), set()).add(pin.gate)
 
     def _identified(self) -> dict[str, EaglePart]:
         found: dict[str, EaglePart] = {}
@@ -116,8 +119,8 @@ class _Drawn:
             cause = f"a net has a pin of '{pin.part}', and no part is called so{did_you_mean(pin.part, self.parts)}{left_out}"
             self.report("RS207", Severity.warning, cause, pin.line, "correct the net, or add the part")
             return None
-        if part.found is None:
-            return End(pin.part, pin.pin)
+        if part.found is None:  # what its gates are is told by its wired pins alone
+            return End(pin.part, pin.pin if len(self.gates[pin.part, pin.pin]) < 2 else f"{pin.gate}.{pin.pin}")
         found = part.found.pins.get((pin.gate, pin.pin))
         if found is None:
             names = [known.written for known in part.found.pins.values()]

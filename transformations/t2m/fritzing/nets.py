@@ -7,7 +7,7 @@ and power symbols join by what their properties say. What a net is for (rails) i
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -49,7 +49,7 @@ class ViewWiring:
     too_big: list[Instance] = field(default_factory=list)
 
 
-def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: Has) -> ViewWiring:
+def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: Has, twice: Collection[str] = ()) -> ViewWiring:
     """What is joined in a view.
 
     Args:
@@ -57,6 +57,7 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: 
         instances: the live instances by identity, which is their model index.
         leaders: what parts join inside (`bus_leaders`), by module id.
         has: whether an instance that is no wire has a connector.
+        twice: model indices that several instances have: what names one of them is left out, as nobody knows which is meant.
     """
     result = ViewWiring(view)
     joined, used = result.joined, result.used
@@ -80,6 +81,8 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: 
             continue
         for own, index, theirs in instance.view(view).edges:
             other = instances.get(index)
+            if index in twice:
+                continue
             if other is None:
                 result.dangling.append((instance, index))
             elif index in silent:

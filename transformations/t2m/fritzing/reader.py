@@ -63,6 +63,7 @@ class _Reading:
         self.report = builder.report
         builder.findings += container.findings
         self.embedded = self._embedded()
+        self.twice: set[str] = set()
         self.instances = self._identified()
         self.known: dict[str, KnownPart] = {
             i.module_id: self.builder.know(
@@ -101,10 +102,12 @@ class _Reading:
                 self.report(
                     "RS206",
                     Severity.warning,
-                    f"{why}; '{instance.title or instance.module_id}' is read as {identity}, its connections may be wrong",
+                    f"{why}; '{instance.title or instance.module_id}' is read as {identity}, and what others connect to that"
+                    " index is left out",
                     instance.line,
                     "open the sketch in Fritzing and save it again",
                 )
+                self.twice.add(instance.index)
             found[identity] = instance
         return dict(sorted(found.items(), key=lambda item: natural(item[0])))
 
@@ -112,7 +115,7 @@ class _Reading:
         """The model, and the findings of the builder with it."""
         leaders = {module_id: known.leaders for module_id, known in self.known.items()}
         by_bus = {i for i, instance in self.instances.items() if not instance.is_wire and self.known[instance.module_id].by_bus}
-        wired, odd = believed(self.instances, leaders, by_bus, self.container.path, self._has)
+        wired, odd = believed(self.instances, leaders, by_bus, self.container.path, self._has, self.twice)
         self.builder.findings += odd
         groups: dict[Node, list[End]] = {}
         for identity, instance in self.instances.items():

@@ -16,7 +16,12 @@ from robosmi.transformations.t2m.fritzing.nets import Has, ViewWiring, links_par
 
 
 def believed(
-    instances: Mapping[str, Instance], leaders: Leaders, by_bus: Collection[str], path: str, has: Has
+    instances: Mapping[str, Instance],
+    leaders: Leaders,
+    by_bus: Collection[str],
+    path: str,
+    has: Has,
+    twice: Collection[str] = (),
 ) -> tuple[ViewWiring, list[Finding]]:
     """The wiring of the view that is believed, and what speaks against it.
 
@@ -26,16 +31,17 @@ def believed(
         by_bus: instances that only join others (breadboards), which views need not have in common.
         path: the file, for findings.
         has: whether an instance that is no wire has a connector.
+        twice: model indices that several instances have.
     """
     first, second, last = VIEWS
-    breadboard = wiring(first, instances, leaders, has)
+    breadboard = wiring(first, instances, leaders, has, twice)
     linked = links_parts(breadboard, instances)
     if linked and all(i.view(first).edges == i.view(second).edges for i in instances.values()):
         return breadboard, []
-    schematic = wiring(second, instances, leaders, has)
+    schematic = wiring(second, instances, leaders, has, twice)
     if linked:
         return breadboard, _differences(breadboard, schematic, instances, by_bus, path)
-    others = (schematic, wiring(last, instances, leaders, has))
+    others = (schematic, wiring(last, instances, leaders, has, twice))
     chosen = next((other for other in others if links_parts(other, instances)), None)
     if chosen is None:
         message = "no part is connected to another in this drawing"

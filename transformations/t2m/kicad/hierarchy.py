@@ -14,7 +14,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.connectivity import Joined, Node
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End
 from robosmi.transformations.t2m.kicad.nets import SheetNets
-from robosmi.transformations.t2m.kicad.sheet import MOST_SYMBOLS, LibrarySymbol, Sheet, SheetSymbol, SubSheet, placed_at
+from robosmi.transformations.t2m.kicad.sheet import MOST_SYMBOLS, LibrarySymbol, Sheet, SheetSymbol, SubSheet, net_name, placed_at
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_SHEETS = 1_000
@@ -67,7 +67,7 @@ class Hierarchy:
                 names.setdefault(self.joined.find(node), node[1].removeprefix("name "))
         for root, found in ends.items():
             if len(found) > 1 or root in names:
-                made.nets.append(SchematicNet(names.get(root, ""), [*found]))
+                made.nets.append(SchematicNet(net_name(names.get(root, "")), [*found]))
 
     def _walk(self, sheet: Sheet, file: str, path: str, names: tuple[str, ...], inside: tuple[str, ...]) -> SheetNets:
         self._sheets += 1
@@ -124,7 +124,7 @@ class Hierarchy:
             if library is not None and pin.kind == "power_in" and (library.power or pin.hidden):
                 name = symbol.properties.get("Value", "") if library.power and sheet.by_value else pin.name
                 if name:
-                    self.joined.union(node, nets.everywhere(name))
+                    self.joined.union(node, nets.name(name) if library.power and library.local else nets.everywhere(name))
 
     def _of_reference(
         self, symbol: SheetSymbol, library: LibrarySymbol | None, reference: str, unit: int, path: str, names: tuple[str, ...],

@@ -151,7 +151,8 @@ class _Modern:
             properties = _properties(found)
             self.sheet.library[name] = LibrarySymbol(
                 identity=name,
-                power=child(found, "power") is not None,
+                power=(power := child(found, "power")) is not None,
+                local=power is not None and "local" in map(word, power[1:]),
                 description=properties.get("Description", "") or properties.get("ki_description", ""),
                 keywords=properties.get("ki_keywords", ""),
                 pins=tuple(_pins(found) or (_pins(base) if base is not None else [])),

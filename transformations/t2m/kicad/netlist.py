@@ -6,6 +6,7 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, told, word
+from robosmi.transformations.t2m.kicad.sheet import net_name
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_PARTS = 50_000
@@ -91,7 +92,7 @@ class _Netlist:
         taken: dict[End, SchematicNet] = {}
         for entry in self.listed.members(section):
             net = self.listed.parsed(entry)
-            made = SchematicNet(told(net, "name").rpartition("/")[2])
+            made = SchematicNet(net_name(told(net, "name")))
             for node in children(net, "node"):
                 end = self._end(told(node, "ref"), told(node, "pin"), self.listed.line(entry.start))
                 if end is None or taken.get(end) is made:

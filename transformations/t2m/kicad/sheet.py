@@ -46,13 +46,15 @@ class LibraryPin:
 
 @dataclass(frozen=True, slots=True)
 class LibrarySymbol:
-    """A symbol of a library: its id with the library's name, whether it only names a net, what the library says, its pins."""
+    """A symbol of a library: its id with the library's name, whether it only names a net (`local`: of its sheet alone), what the
+    library says, its pins."""
 
     identity: str
     power: bool = False
     description: str = ""
     keywords: str = ""
     pins: tuple[LibraryPin, ...] = ()
+    local: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +137,25 @@ class Sheet:
     sheets: list[SubSheet] = field(default_factory=list)
     library: dict[str, LibrarySymbol] = field(default_factory=dict)
     instances: dict[str, tuple[str, int]] = field(default_factory=dict)
+
+
+_ESCAPED = {
+    "{slash}": "/", "{backslash}": "\\", "{lt}": "<", "{gt}": ">", "{colon}": ":", "{dblquote}": '"', "{space}": " ",
+    "{brace}": "{",
+}  # fmt: skip
+"""How KiCad writes letters in names that mean something in its own lists."""
+
+
+def net_name(text: str) -> str:
+    """The name of a net or a label as a person has written it: without the sheets that a netlist puts before it.
+
+    >>> net_name("/Motors/PWM{slash}A"), net_name("Net-(A1-SDA/A4)")
+    ('PWM/A', 'Net-(A1-SDA/A4)')
+    """
+    name = text.rpartition("/")[2] if text.startswith("/") else text
+    for written, letter in _ESCAPED.items():
+        name = name.replace(written, letter)
+    return name
 
 
 def placed_at(symbol: SheetSymbol, pin: LibraryPin) -> Point:

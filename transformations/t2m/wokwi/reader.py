@@ -23,6 +23,7 @@ TOOL = "Wokwi"
 _SYMBOLS = {"wokwi-gnd": "GND", "wokwi-vcc": "VCC"}
 """Types that only name a net, with their pin: all of one type are joined."""
 _PREFIXES = ("wokwi-", "board-", "chip-")
+_BOARD = "board-"
 _OWN = "chip-"
 """How the types of chips begin that a person has made."""
 _NO_PART = "$"
@@ -68,6 +69,7 @@ class _Reading:
         self.parts = self._identified()
         self.variants: dict[str, tuple[str, ...]] = {}
         self.known = {identity: self._known(part) for identity, part in self.parts.items()}
+        self._take_board()
         self.joined = Joined()
         self.used: dict[str, dict[str, None]] = {}
         self.wires: list[tuple[Connection, tuple[End, End]]] = []
@@ -95,6 +97,17 @@ class _Reading:
         title = next((part.kind.removeprefix(p) for p in _PREFIXES if part.kind.startswith(p)), part.kind)
         described = Part(part.kind, title, source="the diagram")
         return part_id, self.builder.know(part_id, described, own=part.kind.startswith(_OWN))
+
+    def _take_board(self) -> None:
+        """Where no part is a board that is known, the only one of an unknown type that is called like a board is one."""
+        if any(known.part.role == "Board" for _, known in self.known.values()):
+            return
+        called = [i for i, part in self.parts.items() if part.kind.startswith(_BOARD) and not self.known[i][1].part.connectors]
+        if len(called) == 1:
+            kind = self.parts[called[0]].kind
+            evidence = f"no other part is a board, and its type begins with '{_BOARD}'"
+            board = Part(kind, kind.removeprefix(_BOARD), role="Board", evidence=evidence, source="the diagram")
+            self.known[called[0]] = f"{kind} (board)", self.builder.know(f"{kind} (board)", board)
 
     def circuit(self, name: str) -> hardware.Circuit:
         """The model, and the findings of the builder with it."""

@@ -121,9 +121,10 @@ def test_what_is_no_schematic_is_refused(text: str, cause: str, tmp_path: Path) 
     assert "passwd" not in str(refused.value)
 
 
-def test_a_binary_file_of_an_older_eagle_is_recognised_and_refused(tmp_path: Path) -> None:
+@pytest.mark.parametrize("head", [b"\x10\x80", b"\x10\x00\x01\x02"])
+def test_a_binary_file_of_an_older_eagle_is_recognised_and_refused(head: bytes, tmp_path: Path) -> None:
     path = tmp_path / "old.sch"
-    path.write_bytes(b"\x10\x80" + bytes(100))
+    path.write_bytes(head + bytes(100))
     assert recognises(path.read_bytes())
     with pytest.raises(SourceError, match="EAGLE 5 or before"):
         read_circuit(path)
@@ -192,3 +193,39 @@ def test_a_display_with_pins_called_like_those_of_a_board_is_none(tmp_path: Path
     path = schematic(tmp_path, libraries, parts, [net("A", "U1.D2", "DIS1.D4")])
     assert {c.title for c in read_circuit(path)[0].components if c.role is hw.Role.Board and c.boardName} == {"U1"}
     assert pins(path) == {"D2": "DIS1"}
+
+
+def test_the_port_of_a_crystal_is_none_that_the_board_lacks(tmp_path: Path) -> None:
+    """A library may call it by its port alone; without the crystal it is a pin like others, which the board has not."""
+    parts = [part("IC1", "ATMEGA328P"), part("Q1", "CRYSTAL", "16MHz"), part("LED1", "LED")]
+    libraries = [device("ATMEGA328P", CHIP), device("CRYSTAL", TWO), device("LED", TWO)]
+    nets = [net("X", "IC1.(PCINT6)PB6", "Q1.1"), net("Y", "IC1.(PCINT7)PB7", "LED1.1")]
+    path = schematic(tmp_path, libraries, parts, nets)
+    assert ["(PCINT7)PB7" in text and "PB6" not in text for text in said(read_circuit(path)[1], "RS216")] == [True]
+
+
+def test_what_a_chip_lacks_is_said_once(tmp_path: Path) -> None:
+    path = schematic(tmp_path, [device("ATMEGA328P", [*CHIP, ("ADC6", "io")]), device("R", TWO)],
+        [part("IC1", "ATMEGA328P"), part("R1", "R")], [net("SENSE", "IC1.ADC6", "R1.1")])  # fmt: skip
+    rules = [finding.rule for finding in read_circuit(path)[1]]
+    assert (rules.count("RS216"), rules.count("RS257")) == (1, 0)
+
+
+def test_what_a_drawn_board_lacks_has_advice_that_helps(tmp_path: Path) -> None:
+    libraries = [device("ARDUINO_UNO", [*UNO, ("A6", "io")]), device("LED", TWO)]
+    path = schematic(tmp_path, libraries, [part("U1", "ARDUINO_UNO"), part("LED1", "LED")], [net("L", "U1.A6", "LED1.1")])
+    found = [finding for finding in read_circuit(path)[1] if finding.rule == "RS257"]
+    assert ["drawn_as" not in str(finding.fix) for finding in found] == [True]
+
+
+def test_gates_of_a_part_without_its_library_are_told_apart(tmp_path: Path) -> None:
+    nets = [
+        f'<net name="{name}"><segment><pinref part="U1" gate="A" pin="{pin}"/><pinref part="X1" gate="{gate}" pin="1"/>'
+        "</segment></net>"
+        for name, pin, gate in (("L", "D2", "-1"), ("R", "D3", "-2"))
+    ]
+    path = schematic(tmp_path, [device("ARDUINO_UNO", UNO)], [part("U1", "ARDUINO_UNO"), part("X1", "MPT2")], nets)
+    circuit, findings = read_circuit(path)
+    assert {c.connectorId for c in circuit.components[1].connectors} == {"-1.1", "-2.1"}
+    assert pins(path) == {"D2": "X1", "D3": "X1"}
+    assert said(findings, "RS208") == []

@@ -250,6 +250,28 @@ def test_damage_in_the_drawing_is_told_and_nothing_is_dropped() -> None:
     assert net_of(circuit, "Arm", "connector1") is None
 
 
+def test_what_names_an_index_that_stands_twice_is_left_out(tmp_path: Path) -> None:
+    """The board names index 2, which two lamps have; the second one names the board, so that it alone is told."""
+    path = tmp_path / "a.fz"
+    path.write_text(
+        "<module><instances>"
+        + "".join(
+            f'<instance moduleIdRef="{kind}" modelIndex="{index}" path=""><title>{title}</title><views><breadboardView>'
+            f'<geometry z="1" x="0" y="0"/><connectors><connector connectorId="{own}"><connects>{to}</connects></connector>'
+            "</connectors></breadboardView></views></instance>"
+            for kind, index, title, own, to in (
+                ("arduino_Uno_Rev3(fix)", 1, "Uno", "connector64", '<connect connectorId="connector1" modelIndex="2"/>'),
+                ("5mmColorLEDModuleID", 2, "One", "connector1", ""),
+                ("5mmColorLEDModuleID", 2, "Two", "connector1", '<connect connectorId="connector64" modelIndex="1"/>'),
+            )
+        )
+        + "</instances></module>"
+    )
+    made = hardware_of(path)
+    assert [(m["pin"], m["component"]) for m in made.result["mappings"]] == [("D3", "Two")]
+    assert [f.rule for f in made.findings if "stands twice" in f.message] == ["RS206"]
+
+
 @pytest.mark.parametrize("part", ["Arm", "Uno"])
 def test_a_connection_at_a_pin_that_the_part_lacks_is_no_mapping(part: str, tmp_path: Path) -> None:
     """As in the drawings of all tools; two wires that end there are not joined by it."""

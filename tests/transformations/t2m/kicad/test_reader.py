@@ -20,6 +20,7 @@ from tests.transformations.t2m.kicad.support import (
     led,
     placed,
     schematic,
+    symbol,
     uno,
     wire,
 )
@@ -258,3 +259,33 @@ def test_a_hundred_thousand_parts_are_refused_before_they_are_parsed(tmp_path: P
     with pytest.raises(SourceError, match="more than 50,000 symbols"):
         read_circuit(path)
     assert time.process_time() - started < 10
+
+
+def test_a_local_symbol_of_a_supply_names_a_net_of_its_sheet_alone(tmp_path: Path) -> None:
+    """KiCad 9 has both; a global one joins sheets."""
+    for form, joined in (("local", False), ("global", True)):
+        library = [*LIBRARY, symbol("power:VDD", ["VDD"], f"(power {form})", "power_in")]
+        inner = [led("D1", 300, 0), placed("power:VDD", "#PWR2", 300, 0)]
+        schematic(tmp_path / "inner.kicad_sch", *inner, library=library)
+        outer = [led("D2", 300, 0), placed("power:VDD", "#PWR1", 300, 0), below("S", "inner.kicad_sch")]
+        path = schematic(tmp_path / "a.kicad_sch", *outer, library=library)
+        circuit, _ = read_circuit(path)
+        one, other = (next(c for c in circuit.components if c.title == title).connectors[0].net for title in ("D2", "S/D1"))
+        assert (one is other) is joined
+        assert one is not None
+        assert one.title == "VDD"
+
+
+def test_names_of_nets_are_as_a_person_wrote_them(tmp_path: Path) -> None:
+    path = schematic(
+        tmp_path / "a.kicad_sch", uno(), led("D1", 300, 0), label("PWM{slash}A", 100, 20), label("PWM{slash}A", 300, 0)
+    )
+    assert [net.title for net in read_circuit(path)[0].nets] == ["PWM/A"]
+    netlist = tmp_path / "a.net"
+    nets = "".join(
+        f'(net (code {n}) (name "{name}") (node (ref A1) (pin {n})) (node (ref D1) (pin {n})))'
+        for n, name in ((1, "/Motors/PWM{slash}A"), (2, "Net-(A1-SDA/A4)"))
+    )
+    parts = "(comp (ref A1) (value Uno)) (comp (ref D1) (value LED))"
+    netlist.write_text(f"(export (version D) (components {parts}) (libparts) (nets {nets}))")
+    assert {net.title for net in read_circuit(netlist)[0].nets} == {"PWM/A", ""}

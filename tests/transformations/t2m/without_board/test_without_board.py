@@ -92,3 +92,14 @@ def test_the_board_that_a_person_names_is_taken_with_its_connections_alone(board
     table = run("wiring", tmp_path / "out", "--as", "csv", "-o", tmp_path / "wiring.csv")
     assert table.code == 0
     assert [line.split(",")[0] for line in (tmp_path / "wiring.csv").read_text().splitlines() if ",D" in line] == [pin]
+
+
+def test_where_no_part_is_a_board_the_unknown_one_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "a.fz"
+    path.write_text(
+        '<module><instances><instance moduleIdRef="acme_9000" modelIndex="7" path=""><title>Brain</title><views><breadboardView>'
+        '<geometry z="1" x="0" y="0"/></breadboardView></views></instance></instances></module>'
+    )
+    with pytest.raises(SourceError, match="what 'Brain' \\(#7, acme_9000\\) is nobody knows") as refused:
+        hardware(path)
+    assert '"#7" = "Board"' in str(refused.value.fix)

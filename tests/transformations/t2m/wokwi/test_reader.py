@@ -207,6 +207,19 @@ def test_a_board_of_another_family_is_read_and_no_program_is_moved_to_it(kind: s
         plan_migration([PROGRAM], hardware=path)
 
 
+def test_a_board_of_a_type_that_nobody_knows_is_one_where_no_other_is(tmp_path: Path) -> None:
+    wires = [["b:D5", "led1:A", "", []], ["b:GND.1", "led1:C", "", []]]
+    path = diagram(tmp_path, [part("b", "board-acme-9000"), LED], wires)
+    made = hardware(path)
+    assert [(b["title"], b["module_id"]) for b in made.result["boards"]] == [("b", "board-acme-9000")]
+    assert pins(path) == {"D5": "led1"}
+    assert "type begins with 'board-'" in made.circuit.components[0].roleEvidence
+    with pytest.raises(SourceError, match="nothing is known of the board 'b'"):
+        plan_migration([PROGRAM], hardware=path)
+    beside = hardware(diagram(tmp_path, [part("b", "board-acme-9000"), LED, UNO], wires))
+    assert [b["title"] for b in beside.result["boards"]] == ["uno"]
+
+
 def test_five_hundred_parts_take_half_a_second_and_too_many_are_refused(tmp_path: Path) -> None:
     leds = [part(f"led{n}", "wokwi-led", label=f"lamp {n}") for n in range(500)]
     path = diagram(tmp_path, [UNO, *leds], [[f"uno:{2 + n % 12}", f"led{n}:A", "green", []] for n in range(500)])
