@@ -115,7 +115,7 @@ def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str
     sizes = {group: _columns(boxes, mine, inside.get(group, ())) for group, mine in groups.items()}
     limit = max((height for _, height in sizes.values()), default=0.0)
     limit = max(limit, sqrt(sum((width + _APART) * (height + _GAP) for width, height in sizes.values())))
-    left, top, widest, bottom = float(_MARGIN), float(_MARGIN), 0.0, 0.0
+    left, top, widest, bottom = float(_MARGIN), float(_MARGIN), 0.0, float(_MARGIN)
     for group, (width, height) in sizes.items():
         if top > _MARGIN and top + height > limit + _MARGIN:
             left, top, widest = left + widest + _APART, float(_MARGIN), 0.0
@@ -127,7 +127,7 @@ def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str
         _draw(boxes, link)
     text = max((text_width(line) + 2 * _MARGIN for line in below), default=0)
     width = max(left + widest + _MARGIN if boxes else 200, text)
-    return round(width), round(bottom + _FOOT * len(below)) or 60
+    return round(width), round(bottom + _FOOT * len(below))
 
 
 def _columns(boxes: Sequence[Box], mine: Sequence[Box], links: Sequence[DrawnLink]) -> tuple[float, float]:

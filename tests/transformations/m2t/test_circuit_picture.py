@@ -124,6 +124,13 @@ def crossed(picture: str) -> list[str]:
     return wrong
 
 
+def outside(picture: str) -> list[str]:
+    """The texts that are not wholly in the picture."""
+    root = etree.fromstring(picture.encode())
+    width, height = (float(root.get(key, "0")) for key in ("width", "height"))
+    return [s.text for s in spans(picture) if not (s.left >= 0 and s.top >= 0 and s.right <= width and s.bottom <= height)]
+
+
 def texts(picture: str) -> list[str]:
     """The texts of a picture."""
     return [" ".join(span.text.split()) for span in spans(picture)]
@@ -152,13 +159,21 @@ def test_no_text_lies_over_another_and_no_wire_ends_nowhere_in_any_drawing() -> 
         wrong += [f"{path}: '{one}' and '{other}'" for one, other in overlapping(spans(picture))]
         wrong += [f"{path}: the wire {wire} ends nowhere" for wire in loose_ends(picture)]
         wrong += [f"{path}: the wire {wire} goes through a box" for wire in crossed(picture)]
-        root = etree.fromstring(picture.encode())
-        width, height = (float(root.get(key, "0")) for key in ("width", "height"))
-        wrong += [
-            f"{path}: '{s.text}' leaves the picture" for s in spans(picture) if not (s.right <= width and s.bottom <= height)
-        ]
+        wrong += [f"{path}: '{text}' leaves the picture" for text in outside(picture)]
     assert wrong == []
     assert drawn >= 10
+
+
+def test_where_nothing_is_connected_what_is_said_is_in_the_picture(tmp_path: Path) -> None:
+    path = tmp_path / "diagram.json"
+    lamp = '{"type": "wokwi-led", "id": "lamp"}'
+    path.write_text(
+        '{"editor": "wokwi", "parts": [{"type": "wokwi-arduino-uno", "id": "uno"},\n' + f"{lamp}, {lamp}],\n"
+        '"connections": [["uno:4", "lamp:A", "", []]]}\n'
+    )
+    picture = hardware(path).picture()
+    assert "not connected: uno, lamp, lamp" in texts(picture)
+    assert outside(picture) == []
 
 
 def test_no_two_nets_of_any_drawing_have_one_name_or_colour() -> None:

@@ -14,7 +14,16 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.connectivity import Joined, Node
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End
 from robosmi.transformations.t2m.kicad.nets import SheetNets
-from robosmi.transformations.t2m.kicad.sheet import MOST_SYMBOLS, LibrarySymbol, Sheet, SheetSymbol, SubSheet, net_name, placed_at
+from robosmi.transformations.t2m.kicad.sheet import (
+    MOST_SYMBOLS,
+    LibrarySymbol,
+    Sheet,
+    SheetSymbol,
+    SubSheet,
+    net_name,
+    of_library,
+    placed_at,
+)
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_SHEETS = 1_000
@@ -162,13 +171,15 @@ class Hierarchy:
     def _part(self, part: _Part) -> SchematicPart:
         symbol, library = part.symbol, part.library
         family, _, name = symbol.identity.rpartition(":")
+        family, name = of_library(family, name)
         pins = {pin.number: pin.name or pin.number for pin in library.pins if pin.style in (0, symbol.style)} if library else {}
         power = library is not None and library.power
         value = symbol.properties.get("Value", "")
         kept = {key: text for key, text in symbol.properties.items() if text not in ("", "~") and key not in _OWN}
         return SchematicPart(
-            identity=part.identity, title=part.title, symbol=name or symbol.identity, listed_as=symbol.identity, family=family,
-            value="" if value in (name, "~") else value, description=library.description if library else "",
+            identity=part.identity, title=part.title, symbol=name or symbol.identity,
+            listed_as=f"{family}:{name}" if family else name,
+            family=family, value="" if value in (name, "~") else value, description=library.description if library else "",
             tags=tuple(library.keywords.split()) if library else (), pins=pins, properties=kept,
             line=symbol.line if symbol in self.root.symbols else None, power=power, defined=library is not None,
         )  # fmt: skip

@@ -6,7 +6,7 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, told, word
-from robosmi.transformations.t2m.kicad.sheet import net_name
+from robosmi.transformations.t2m.kicad.sheet import net_name, of_library
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_PARTS = 50_000
@@ -70,6 +70,7 @@ class _Netlist:
         family, name = told(source, "lib"), told(source, "part")
         identity, path = _identity(part)
         known = library.get(f"{family}:{name}")
+        family, name = of_library(family, name)
         fields = {told(f, "name"): word(f[-1]) for f in children(child(part, "fields") or [], "field") if len(f) > 2}
         if reference in self.by_reference:
             cause = f"the reference '{reference}' stands twice; its pins are left out"

@@ -158,6 +158,21 @@ def net_name(text: str) -> str:
     return name
 
 
+def of_library(family: str, name: str) -> tuple[str, str]:
+    """Library and name of a symbol as it was called before KiCad rescued it into a library of the project.
+
+    >>> of_library("robot-rescue", "R-Device"), of_library("", "R-RESCUE-robot"), of_library("Device", "R")
+    (('Device', 'R'), ('', 'R'), ('Device', 'R'))
+    """
+    short, rescued, _ = name.partition("-RESCUE-")
+    if rescued:
+        return ("", short) if family.lower().endswith("-rescue") else (family, short)
+    if family.lower().endswith("-rescue") and "-" in name:
+        short, _, library = name.rpartition("-")
+        return library, short
+    return family, name
+
+
 def placed_at(symbol: SheetSymbol, pin: LibraryPin) -> Point:
     """The place of a pin on the sheet."""
     a, b, c, d = symbol.matrix

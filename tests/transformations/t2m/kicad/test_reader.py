@@ -289,3 +289,14 @@ def test_names_of_nets_are_as_a_person_wrote_them(tmp_path: Path) -> None:
     parts = "(comp (ref A1) (value Uno)) (comp (ref D1) (value LED))"
     netlist.write_text(f"(export (version D) (components {parts}) (libparts) (nets {nets}))")
     assert {net.title for net in read_circuit(netlist)[0].nets} == {"PWM/A", ""}
+
+
+def test_symbols_that_kicad_has_rescued_are_what_they_were(tmp_path: Path) -> None:
+    """A resistor of a rescue library conducts as any other, and the lamp behind it is on the pin."""
+    library = [*LIBRARY, symbol("robot-rescue:R-Device", ["1", "2"]), symbol("robot-rescue:LED-RESCUE-robot", ["1", "2"])]
+    parts = [placed("robot-rescue:R-Device", "R1", 300, 0, "220"), placed("robot-rescue:LED-RESCUE-robot", "D1", 400, 0)]
+    labels = [label("A", 100, 20), label("A", 300, 0), label("B", 300, 10), label("B", 400, 0)]
+    path = schematic(tmp_path / "a.kicad_sch", uno(), *parts, *labels, library=library)
+    circuit, _ = read_circuit(path)
+    assert [(c.partId, c.role) for c in circuit.components[1:]] == [("Device:R", hw.Role.Passive), ("LED", hw.Role.Output)]
+    assert pins(path) == {"D2": "D1"}
