@@ -127,6 +127,34 @@ void loop() { servo_set(9, 1500 + n % 50 * 8); servo_set(10, n & 32 ? 1000 : 200
     assert set(told) == {"1 210 511"}
 
 
+QUIET = ["ws2812.h/ws2812b_open", "ws2812.h/ws2812_set", "fdserial.h/fdserial_open", "fdserial.h/fdserial_txChar"]
+
+
+@proves(*QUIET, beside=["servo.h/servo_set"])
+def servos_keep_their_widths_beside_lights_and_serial_lines(uno: Uno) -> None:
+    """Bits of both are made with interrupts off, at times without an edge of a servo's pulse."""
+    program = """
+uint32_t colours[20]; ws2812_t *lights; fdserial *line; int32_t n;
+void setup() { servo_set(9, 1500); servo_set(10, 1200); servo_set(11, 1700); lights = ws2812b_open();
+  line = fdserial_open(-1, 3, 0, 38400); }
+void loop() { for (auto &colour : colours) colour = 0x102030 + n % 99; ws2812_set(lights, 4, colours, 20);
+  fdserial_txChar(line, 0x33); pause(n++ % 9); }
+"""
+    trace = uno.run(program, [*QUIET, "servo.h/servo_set", "simpletools.h/pause"], 2500)
+    for pin, width in (("D9", 1500.0), ("D10", 1200.0), ("D11", 1700.0)):
+        widths = [high for _, high in trace.pulses(pin)]
+        assert len(widths) > 115
+        assert [high for high in widths if abs(high - width) > width / 100] == []
+    bit = 1e6 / 38400
+    sent = [high for _, high in trace.pulses("D3") if high < 2.5 * bit]
+    assert len(sent) > 200
+    assert [high for high in sent if abs(high - 2 * bit) > 1] == []
+    bits = "".join("1" if high > 0.6 else "0" for _, high in trace.pulses("D4"))
+    pictures = [bits[at : at + 480] for at in range(0, len(bits) - 479, 480)]
+    assert len(pictures) > 200
+    assert pictures == [f"{0x201030 + number % 99:024b}" * 20 for number in range(len(pictures))]
+
+
 DRIVING = [f"abdrive.h/drive_{name}" for name in ("goto", "gotoMode", "getTicks", "speed")]
 
 

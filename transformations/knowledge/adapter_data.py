@@ -1,8 +1,8 @@
 """Adapter files as built data: beside each file a JSON of the same name, so that no marker is parsed when a program is migrated.
 
-`python -m robosmi.transformations.knowledge.adapter_data FOLDER` builds it. Names in `needs` are complete there
-(`servo.h/servo_set`), so that what a piece needs is found without looking into further files. A file whose text is not the one
-that its data was built from, or that has none, is parsed: an edit counts at once.
+`python -m robosmi.transformations.knowledge.adapter_data PLACE...` builds it, for all files of a folder or for the files that
+are given. Names in `needs` are complete there (`servo.h/servo_set`), so that what a piece needs is found without looking into
+further files. A file whose text is not the one that its data was built from, or that has none, is parsed: an edit counts at once.
 """
 
 from __future__ import annotations
@@ -134,11 +134,39 @@ def build(folder: Path) -> dict[Path, str]:
     return {path.with_suffix(".json"): to_data(file, raw[path], headers) for path, file in files.items()}
 
 
-def main(folders: Sequence[str]) -> int:
-    """Write the built data of folders of adapter files."""
-    for folder in folders:
-        for path, text in build(Path(folder)).items():
-            write_atomic(path, text.encode())
+def asked(place: Path) -> dict[Path, str]:
+    """The built data of what a person asks for: path -> text.
+
+    Args:
+        place: an adapter file, or a folder with adapter files. Where the pieces are that a file needs is read in its folder.
+
+    Raises:
+        PlatformDataError: it is neither, a file cannot be read, or a marker in one is wrong.
+    """
+    if place.is_dir() and adapter_paths(place):
+        return build(place)
+    if not place.is_file() or place.suffix not in ENDINGS:
+        raise PlatformDataError(
+            "this is no adapter file and no folder that has one",
+            location=Location(str(place)),
+            fix=f"give adapter files (their names end in {' or '.join(ENDINGS)}), or folders of them",
+        )
+    levels = adapter_file(place, inputs.read_bytes(place, inputs.DATA).decode("utf-8")).header.count(
+        "/"
+    )  # that of sys/time.h lies in a folder of its own
+    data = place.with_suffix(".json")
+    return {data: build(place.parents[levels])[data]}
+
+
+def main(places: Sequence[str]) -> int:
+    """Write the built data of adapter files, and of folders of them; 1 if one cannot be built: then nothing is written."""
+    try:
+        built = {path: text for place in places for path, text in asked(Path(place)).items()}
+    except PlatformDataError as error:
+        print(error, file=sys.stderr)
+        return 1
+    for path, text in built.items():
+        write_atomic(path, text.encode())
     return 0
 
 

@@ -10,7 +10,7 @@ import pytest
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_data import adapter_paths, build, load
+from robosmi.transformations.knowledge.adapter_data import adapter_paths, build, load, main
 from robosmi.transformations.knowledge.adapter_files import read_adapter_file
 from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
@@ -96,3 +96,30 @@ def test_folders_of_a_project_go_before_the_built_in_ones(tmp_path: Path) -> Non
     own.mkdir(parents=True)
     assert adapter_index("arduino", "propeller", tmp_path).folders == [own, FOLDERS[0]]
     assert adapter_index("arduino", "unheard-of", tmp_path).folders == []
+
+
+def test_data_are_built_for_folders_and_for_single_files(tmp_path: Path) -> None:
+    folder = written(tmp_path / "a")
+    (folder / "sys").mkdir()
+    (folder / "sys" / "more.cpp").write_text(LOW.format("low();").replace("tools.h", "sys/more.h"))
+    there = build(folder)
+    for data in there:
+        data.unlink(missing_ok=True)
+    assert main([str(folder / "tools.cpp"), str(folder / "sys" / "more.cpp")]) == 0
+    assert {path: path.read_text() for path in folder.rglob("*.json")} == {
+        path: text for path, text in there.items() if path.name != "latch.json"
+    }
+    assert main([str(folder)]) == 0
+    assert {path: path.read_text() for path in folder.rglob("*.json")} == there
+
+
+def test_what_is_no_adapter_file_and_no_folder_of_them_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder, empty = written(tmp_path / "a"), tmp_path / "empty"
+    empty.mkdir()
+    (folder / "tools.cpp").write_text(LOW.format("high();"))
+    before = (folder / "tools.json").read_text()
+    for wrong in (folder / "tools.json", folder / "tool.cpp", tmp_path / "nothing", empty):
+        assert main([str(folder), str(wrong)]) == 1
+        said = capsys.readouterr().err
+        assert said.startswith(f"{wrong}: this is no adapter file and no folder that has one\n  do: ")
+    assert (folder / "tools.json").read_text() == before

@@ -41,7 +41,7 @@ typedef text_t fdserial;
 #define FDSERIAL_MODE_ECHO_RX_TO_TX 32
 
 //# helper SerialLine
-//#   needs: simpletools.h/Io simpletools.h/PinWatch simpletools.h/TimedInput
+//#   needs: simpletools.h/Io simpletools.h/PinWatch simpletools.h/TimedInput simpletools.h/quiet_of_servos
 //#   include: <util/delay_basic.h>
 //#   fidelity: up to 19,200 baud a byte is put together from the times of its edges, so that other interrupts go on, and several lines
 //#   fidelity: receive at the same time; faster, a byte is received and sent with interrupts off
@@ -146,6 +146,7 @@ struct SerialLine : Stream, PinWatch {
     if (!sends.wired()) return 1;
     if (frames_due) frames_due();
     frames_wait = 50;
+    if (cycles < F_CPU / 9000) quiet_of_servos(bit_us * 10UL);
     uint16_t bits = byte << 1 | 0x200, until = 0;
     uint8_t old = SREG, last = head;
     cli();
@@ -205,7 +206,7 @@ inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t bau
 //#   fidelity: 63 bytes are kept, as there; it waits half a second, as there; the modes for inversion, open drain and echo are obeyed
 //#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
 //#   limit: a byte is sent while the program waits, and what arrives meanwhile may get lost
-//#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
+//#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
 //#   limit: FDSERIAL_MODE_RX_ONLY changes nothing
 //#   range: baudrate 245..57600 away from RX: bytes get lost or broken
 //#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes

@@ -45,7 +45,7 @@ struct HalfLine : SerialLine {
 //#   pin: txpin digital out
 //#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there
 //#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
-//#   limit: above 19,200 baud interrupts are off for each byte, so that servos tremble
+//#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
 inline serial *serial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   serial *device = new serial();
   device->terminalEcho = (mode & ECHO_RX_TO_TX) != 0;

@@ -632,6 +632,28 @@ inline int32_t count(int32_t pin, int32_t duration) {
   return edges;
 }
 
+//# helper quiet_of_servos
+//#   fidelity: waits until no pulse of Servo.h begins or ends for so many microseconds, at most a frame of 20 ms
+inline void quiet_of_servos(uint32_t us) {
+#ifdef TCNT5
+  volatile uint16_t &count = TCNT5, &next = OCR5A;
+  volatile uint8_t &mask = TIMSK5, &pending = TIFR5;
+#else
+  volatile uint16_t &count = TCNT1, &next = OCR1A;
+  volatile uint8_t &mask = TIMSK1, &pending = TIFR1;
+#endif
+  if (us > 15000) return;  // no frame has room for that
+  uint16_t least = (us + 24) * clockCyclesPerMicrosecond() / 8, most = clockCyclesPerMicrosecond() * 2500UL;
+  for (uint32_t begun = micros(); mask & _BV(OCIE1A) && micros() - begun < 20000;) {
+    uint8_t old = SREG;
+    cli();
+    uint16_t left = next - count;
+    bool due = pending & _BV(OCF1A);
+    SREG = old;
+    if (!due && left > least && left <= most) return;
+  }
+}
+
 //# helper in_range_of_tone
 //#   fidelity: what tone() can play within 1 %
 inline bool in_range_of_tone(int32_t frequency) {
@@ -646,6 +668,7 @@ inline bool in_range_of_tone(int32_t frequency) {
 //#   pin: pin digital out
 //#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
 //#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
+//#   limit: beside servos some half periods are up to 24 us longer: of 1 ms at 38 kHz one cycle of 38 may lack
 //#   range: frequency 31..65535 or 0: it waits without a tone
 inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io(pin);

@@ -195,26 +195,28 @@ inline void ws2812_close(ws2812_t *driver) {
 //# adapter ws2812_set
 //#   for: void ws2812_set(ws2812_t *driver, int pin, uint32_t *colors, int count)
 //#   kind: semantic
-//#   needs: TYPE_GRB ws2812_t simpletools.h/Io
+//#   needs: TYPE_GRB ws2812_t simpletools.h/Io simpletools.h/quiet_of_servos
 //#   pin: pin digital out
-//#   fidelity: all lights are set when it returns, which takes 31 us for each
-//#   limit: interrupts are off meanwhile, so that servos tremble, and from 33 lights on the clock falls behind; only at 16 MHz
-//#   range: count 0..32: the clock falls behind meanwhile
+//#   fidelity: all lights are set when it returns, which takes 33 us for each; beside servos it waits up to 20 ms for a time
+//#   fidelity: between their pulses, so that these keep their widths
+//#   limit: interrupts are off meanwhile, so that from 31 lights on the clock falls behind; only at 16 MHz
+//#   limit: beside servos whose pulses leave no such time in a frame of 20 ms, these tremble
+//#   range: count 0..30: the clock falls behind meanwhile
 inline void ws2812_set(ws2812_t *driver, int32_t pin, uint32_t *colors, int32_t count) {
   Io io(pin);
   if (!io.wired() || driver->cog < 0) return;
   io.set(false);
   io.drive(true);
   while (micros() - driver->ended < driver->reset) yield();
+  quiet_of_servos(33UL * max(count, 0));
   uint8_t before = SREG;
   cli();
   uint8_t low = *io.out & ~io.mask, high = low | io.mask;
-  for (int32_t light = 0; light < count; light++) {
-    uint32_t color = colors[light];
-    uint8_t red = color >> 16, green = color >> 8;
-    bool swapped = driver->type == TYPE_GRB;
-    uint8_t bytes[3] = {swapped ? green : red, swapped ? red : green, (uint8_t)color};
-    for (uint8_t byte : bytes) {
+  const uint8_t *bytes = (const uint8_t *)colors;  // blue, green, red, none
+  uint8_t first = driver->type == TYPE_GRB ? 1 : 2;
+  for (uint16_t left = max(count, 0); left; left--, bytes += 4) {
+    for (uint8_t part = 3, place = first; part; part--, place = part == 2 ? 3 - first : 0) {
+      uint8_t byte = bytes[place];
       uint8_t bits = 8, now;
       asm volatile(
           "1: st %a[out], %[high]\n\t"  // 2 cycles; the pin is high for 6 or 13 cycles of 20
