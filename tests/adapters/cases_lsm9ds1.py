@@ -133,6 +133,10 @@ void setup() {{ {OPEN} imu_readGyro(&x, &y, &z); say(x); say(y); say(z); imu_rea
     assert told[16:19] == [pytest.approx(1, abs=0.01), pytest.approx(-1, abs=0.01), 0]
     assert told[19:22] == [24, pytest.approx(75.2), pytest.approx(297.15, abs=0.01)]
     assert told[22:] == [1, 0, 1, 0]
+    others, _ = answered(
+        uno, program, [*m("init"), *READINGS], 80, {**KNOWN, **readings, (MOTION, 0x27): [5], (FIELD, 0x27): [7]}
+    )
+    assert [float(each) for each in others.text.split()][22:] == [0, 1, 0, 1]
     several = [number(bits[:8]) for select, bits, _ in exchanges(trace) if len(bits) > 16 and select == FIELD]
     assert several == [0xE8, 0xE8]  # the magnetometer is told that more bytes follow
 

@@ -329,3 +329,17 @@ def test_clocks_of_the_c_library() -> None:
         3000, headers="time.h sys/time.h unistd.h",
     )  # fmt: skip
     assert told == ["1", "1", "5", "15"]
+
+
+def test_the_calendar_of_the_c_library() -> None:
+    """The same calls as on the target: its adapters for time.h are judged by them."""
+    program = (
+        "struct tm now, *then; char text[40]; time_t t; now.tm_sec = 5; now.tm_min = 14; now.tm_hour = 18; now.tm_mday = 22; "
+        'now.tm_mon = 10; now.tm_year = 125; t = mktime(&now); then = localtime(&t); print("%d %d %d %d ", t, then->tm_yday, '
+        'then->tm_wday, then->tm_isdst); print("%d ", strftime(text, 40, "%A|%e|%I|%j|%V|%G|%p", then)); print("%s ", text); '
+        'print("%s", ctime(&t)); t = 951782400; print("%s", asctime(gmtime(&t))); print("%d", strftime(text, 4, "%Y", then));'
+    )
+    told = said(program, 3000, headers="time.h")
+    assert told[:4] == ["1763835245", "325", "6", "-1"]
+    assert told[4:6] == ["29", "Saturday|22|06|326|47|2025|PM"]
+    assert told[6:] == ["Sat", "Nov", "22", "18:14:05", "2025", "Tue", "Feb", "29", "00:00:00", "2000", "0"]

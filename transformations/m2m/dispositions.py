@@ -38,6 +38,7 @@ class Known(NamedTuple):
         divisions: how each definition of main is divided.
         adapted: names with an adapter outside of the program's text.
         placed: names with a placeholder.
+        served: headers for which there are adapters.
     """
 
     api: ApiIndex
@@ -45,6 +46,7 @@ class Known(NamedTuple):
     divisions: Collection[Division]
     adapted: Collection[str]
     placed: Collection[str]
+    served: Collection[str] = ()
 
 
 def decide(d: Disposition, element: ccode.Located, action: migration.Action, rule: str, reason: str) -> None:
@@ -77,10 +79,13 @@ def includes(known: Known) -> ETL:
         kind = known.api.header_kind(include.header)
         if own_header(include):
             return "own"
-        if kind != "standard":
-            return {"platform": "platform", "posix": "missing"}.get(kind or "", "unknown")
-        if include.header not in known.target.standard_headers:
-            return "missing"
+        if kind not in ("platform", "standard", "posix"):
+            return "unknown"
+        if kind == "platform":
+            return "platform"
+        if kind == "posix" or include.header not in known.target.standard_headers:
+            served = any(header in known.served for header in known.api.closure([include.header]))
+            return "platform" if served else "missing"
         return "in header" if is_header(file_of(include)) else "conditional" if conditional(include) else "there"
 
     @t.rule(guard=lambda i: bool(own_header(i)))

@@ -133,7 +133,9 @@ def partition(
         result.concurrency = concurrency(views, result.adapters, result.divisions, plain)
     apart = {a.name for a in result.adapters if a.signatureSource is not OWN}
     code = ProgramModel(views)
-    judged = dispositions(code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}))
+    judged = dispositions(
+        code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}, choice.index.headers)
+    )
     judged.run()
     result.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element)]
     _change_unit_texts(views, sources, functions, prototypes, shared, result, judged, target.language == CPLUSPLUS)

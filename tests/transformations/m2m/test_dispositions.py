@@ -123,3 +123,13 @@ def test_the_model_for_rules_has_the_extents_of_the_program(kind: Any) -> None:
         assert code.owns(element)
         assert code.element(code.id_of(element)) is element
     assert not code.owns(ccode.Include(header="x"))
+
+
+def test_a_header_of_functions_with_adapters_is_no_task(tmp_path: Path) -> None:
+    """The target has neither header; what the first two declare has adapters."""
+    source = tmp_path / "sleeper.c"
+    source.write_text("#include <unistd.h>\n#include <sys/time.h>\n#include <fcntl.h>\nint main() { sleep(1); }\n")
+    plan = robosmi.plan_migration([source]).plan
+    said = {d.element.header: d.rules[0] for _, d in judged(plan) if isinstance(d.element, ccode.Include)}
+    assert said == {"unistd.h": "platform-include", "sys/time.h": "platform-include", "fcntl.h": "posix-include"}
+    assert [task.message.split(" was ")[0] for task in plan.tasks if task.rule == "RS503"] == ["'fcntl.h'"]

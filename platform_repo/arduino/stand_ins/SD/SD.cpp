@@ -3,12 +3,13 @@
 
 #include <string.h>
 
-static const uint8_t ROOM = 96, FILES = 2;
+static const uint8_t ROOM = 96, FILES = 2, ROOT = 255;
 
 struct Kept {
   char name[13];   // empty for a free place
   uint8_t length;  // with what is not on the card yet
   uint8_t stored;  // what is on the card, and what is read without writing
+  bool folder;     // an empty one
   uint8_t bytes[ROOM];
 };
 
@@ -27,10 +28,11 @@ static uint8_t number_of(const char *name) {
 
 File::File() : number(0), mode(0), at(0) {}
 
-File::File(uint8_t number, uint8_t mode) : number(number), mode(mode), at(mode & (O_APPEND | O_WRITE) ? kept[number - 1].length : 0) {}
+File::File(uint8_t number, uint8_t mode)
+    : number(number), mode(mode), at(number != ROOT && mode & (O_APPEND | O_WRITE) ? kept[number - 1].length : 0) {}
 
 size_t File::write(uint8_t byte) {
-  if (!number || !(mode & O_WRITE)) return 0;
+  if (isDirectory() || !number || !(mode & O_WRITE)) return 0;
   Kept &file = kept[number - 1];
   if (mode & O_APPEND) at = file.length;
   if (at >= ROOM) return 0;
@@ -46,7 +48,7 @@ size_t File::write(const uint8_t *bytes, size_t count) {
 }
 
 int File::availableForWrite() {
-  return number ? ROOM - at : 0;
+  return number && !isDirectory() ? ROOM - at : 0;
 }
 
 int File::read() {
@@ -66,11 +68,11 @@ int File::peek() {
 }
 
 int File::available() {
-  return number && mode & O_READ ? length_of(kept[number - 1], mode) - at : 0;
+  return number && !isDirectory() && mode & O_READ ? length_of(kept[number - 1], mode) - at : 0;
 }
 
 void File::flush() {
-  if (number && mode & O_WRITE) kept[number - 1].stored = kept[number - 1].length;
+  if (number && !isDirectory() && mode & O_WRITE) kept[number - 1].stored = kept[number - 1].length;
 }
 
 bool File::seek(uint32_t to) {
@@ -84,7 +86,7 @@ uint32_t File::position() {
 }
 
 uint32_t File::size() {
-  return number ? length_of(kept[number - 1], mode) : 0;
+  return number && !isDirectory() ? length_of(kept[number - 1], mode) : 0;
 }
 
 void File::close() {
@@ -97,12 +99,22 @@ File::operator bool() {
 }
 
 char *File::name() {
-  static char none[] = "";
-  return number ? kept[number - 1].name : none;
+  static char none[] = "", root[] = "/";
+  return number == ROOT ? root : number ? kept[number - 1].name : none;
 }
 
 bool File::isDirectory() {
-  return false;
+  return number == ROOT || (number && kept[number - 1].folder);
+}
+
+File File::openNextFile(uint8_t mode) {
+  while (number == ROOT && at < FILES)
+    if (*kept[at++].name) return File(at, mode);
+  return File();
+}
+
+void File::rewindDirectory() {
+  at = 0;
 }
 
 bool SDClass::begin(uint8_t) {
@@ -118,7 +130,10 @@ void SDClass::end() {
 }
 
 File SDClass::open(const char *name, uint8_t mode) {
-  if (!begun || !*name || strlen(name) > 12) return File();
+  if (!begun || !*name) return File();
+  if (!strcmp(name, "/")) return File(ROOT, mode);
+  if (*name == '/') name++;
+  if (strlen(name) > 12) return File();
   uint8_t number = number_of(name);
   if (!number && mode & O_CREAT && (number = number_of(""))) strcpy(kept[number - 1].name, name);
   if (!number) return File();
@@ -130,12 +145,27 @@ bool SDClass::exists(const char *name) {
   return begun && *name && number_of(name);
 }
 
-bool SDClass::remove(const char *name) {
-  if (!exists(name)) return false;
-  Kept &file = kept[number_of(name) - 1];
-  file.name[0] = 0;
-  file.length = file.stored = 0;
+static bool take_away(const char *name, bool folder) {
+  uint8_t number = begun && *name ? number_of(name) : 0;
+  if (!number || kept[number - 1].folder != folder) return false;
+  kept[number - 1] = Kept();
   return true;
+}
+
+bool SDClass::remove(const char *name) {
+  return take_away(name, false);
+}
+
+bool SDClass::rmdir(const char *name) {
+  return take_away(name, true);
+}
+
+bool SDClass::mkdir(const char *name) {
+  uint8_t number = number_of(name);
+  if (number) return kept[number - 1].folder;
+  File made = open(name, O_WRITE | O_CREAT);
+  if (made) kept[number_of(name) - 1].folder = true;
+  return made;
 }
 
 SDClass SD;

@@ -31,10 +31,12 @@ class File : public Stream {
   operator bool();
   char *name();
   bool isDirectory();
+  File openNextFile(uint8_t mode = FILE_READ);
+  void rewindDirectory();
   using Print::write;
 
  private:
-  uint8_t number;  // 0 for none
+  uint8_t number;  // 0 for none, 255 for the card's folder
   uint8_t mode;
   uint8_t at;
 };
@@ -47,6 +49,8 @@ class SDClass {
   File open(const char *name, uint8_t mode = FILE_READ);
   bool exists(const char *name);
   bool remove(const char *name);
+  bool mkdir(const char *name);
+  bool rmdir(const char *name);
 };
 
 extern SDClass SD;

@@ -1,5 +1,8 @@
 //# header sys/unistd.h
-// Waiting. Read from propgcc b280e7a77, lib/include/sys/unistd.h, lib/time/sleep.c and usleep.c. avr-libc has neither.
+// Waiting, and folders of a card. Read from propgcc b280e7a77, lib/include/sys/unistd.h, lib/time/sleep.c and usleep.c, lib/misc/rmdir.c.
+// avr-libc has none of them.
+//# task chdir the library of the card has no current folder: write the folder into the names that the program opens
+//# task getcwd the library of the card has no current folder: take the name that the program would have given to chdir
 
 //# type useconds_t
 //#   fidelity: exact
@@ -21,4 +24,14 @@ inline uint32_t sleep(uint32_t seconds) {
 inline int32_t usleep(uint32_t usec) {
   for (uint32_t begun = micros(); micros() - begun < usec;) yield();
   return 0;
+}
+
+//# adapter rmdir
+//#   for: int rmdir(const char *path)
+//#   kind: oneToOne
+//#   include: <SD.h>
+//#   library: SD
+//#   fidelity: exact: 0, or -1 where it is no folder or not empty
+inline int32_t rmdir(const char *path) {
+  return SD.rmdir(path) ? 0 : -1;
 }

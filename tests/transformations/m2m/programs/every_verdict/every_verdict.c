@@ -4,7 +4,7 @@
 #ifndef QUIET
 #include <stdio.h>
 #endif
-#include <unistd.h>
+#include <fcntl.h>
 #include "nowhere.h"
 #include "wheel.h"
 #define TICKS 3
