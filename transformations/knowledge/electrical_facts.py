@@ -183,7 +183,7 @@ _WORDS = {
     "rest": ("low", "high"),
     "output": ("push-pull", "contact"),
     "wants": ABILITIES,
-    "bench": ("servo", "motor", "switch", "sound", "ranger", "humidity", "count", "none"),
+    "bench": ("servo", "motor", "stepper", "switch", "sound", "ranger", "humidity", "count", "none"),
 }
 """The only values that a key may have, or that its list may hold."""
 

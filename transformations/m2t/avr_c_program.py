@@ -18,6 +18,7 @@ _TEMPLATES = ProgramTemplates(
     "avr_c/adapters.h.j2",
     "avr_c/Makefile.j2",
     "Makefile",
+    bench="avr_c/bench.c.j2",
 )
 
 

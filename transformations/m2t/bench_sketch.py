@@ -13,7 +13,7 @@ from robosmi.metamodels import hardware, migration
 from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.connector_names import wire_name
 
-_NEUTRAL = 1500
+_NEUTRAL, _COILS = 1500, 4
 _BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}
 
 
@@ -85,7 +85,9 @@ def _calls(component: hardware.Component, connections: list[migration.Connection
     if _on_bus(connections) and (kind == "" or device is None or device.addresses):
         yield BenchCall("tryBus", ())
         return
-    if kind == "humidity":
+    if kind == "stepper":
+        yield from _stepped(writes)
+    elif kind == "humidity":
         yield from (BenchCall("tryHumidity", (_pin(c),)) for c in connections[:1])
     elif kind == "count":
         yield from (BenchCall("tryCount", (_pin(c),)) for c in connections)
@@ -95,6 +97,23 @@ def _calls(component: hardware.Component, connections: list[migration.Connection
         yield from (BenchCall(*_driven(kind, c)) for c in writes)
     else:
         yield from (call for c in connections for call in _by_role(component, c))
+
+
+def _stepped(connections: list[migration.Connection]) -> Iterator[BenchCall]:
+    """How a stepper motor is tried: by a driver's step and direction, else coil after coil, in the order of their names."""
+    named = {str(c.name).strip().lower(): connection for connection in connections for c in connection.connectors}
+    step = next((named[name] for name in named if name.startswith(("step", "stp", "clk", "pul"))), None)
+    turns = next((named[name] for name in named if name.startswith(("dir", "cw"))), None)
+    if step is not None and turns is not None:
+        yield BenchCall("trySteps", (_pin(step), _pin(turns)))
+    elif len(connections) == _COILS:
+        at = [named[name] for name in sorted(named, key=_coil)]
+        yield BenchCall("tryCoils", tuple(_pin(connection) for connection in at))
+
+
+def _coil(name: str) -> tuple[str, str]:
+    """Where a coil's wire comes in turn: IN1 to IN4, and A+, B+, A-, B- of a motor with two coils."""
+    return (name[-1], name) if name[-1:] in ("+", "-") else ("", name)
 
 
 def _driven(kind: str, connection: migration.Connection) -> tuple[str, tuple[str, ...]]:
