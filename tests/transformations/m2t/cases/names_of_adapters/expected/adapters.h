@@ -73,6 +73,7 @@ inline bool in_range_of_tone(int32_t frequency) {
 // void freqout(int pin, int msTime, int frequency)
 // 1 % in frequency from 31 Hz up to 65 kHz; the burst ends with the call and the pin as an input
 // Limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
+// Limit: beside servos some half periods are up to 24 us longer: of 1 ms at 38 kHz one cycle of 38 may lack
 inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io(pin);
   if (!io.wired() || !in_range_of_tone(frequency)) {
