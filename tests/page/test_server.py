@@ -293,3 +293,15 @@ def test_no_command_follows_a_link_out_of_the_folder(
     assert "link" in outcome.err
     assert not (tmp_path / "made.csv").exists()
     assert not (out.parent / "robosmi.toml").exists()
+
+
+def test_a_page_with_nothing_on_it_says_so(out: Path, tmp_path: Path) -> None:
+    text = PlanPage(out).document(live=False, nonce="n")
+    assert "No drawing was given. With a drawing or a pin table" in text
+    assert "No drawing was given, and no port has a pin yet." in text
+    (tmp_path / "nothing.c").write_text("int main() { return 0; }\n")
+    robosmi.migrate([tmp_path / "nothing.c"], tmp_path / "empty")
+    text = PlanPage(tmp_path / "empty").document(live=False, nonce="n")
+    assert "There is nothing to choose; the program calls no function of its platform." in text
+    assert "Nothing was chosen yet." in text
+    assert "0 of 0" not in text

@@ -202,11 +202,13 @@ class PlanPage:
             for name, given in values.items()
         }
         left, total, work = len(open_choices(plan)), len(choices(plan)), Work(plan)
-        ready = f"{work.working} of {work.calls['total']} calls are ready"
+        calls = work.calls["total"]
+        made = f"{total - left} of {total} choices made, {left} open" if total else "There is nothing to choose"
+        ready = f"{work.working} of {calls} calls are ready" if calls else "the program calls no function of its platform"
         self.facts = {
             "title": f"{plan.name}: moved to {plan.board.title if plan.board is not None else 'its target'}",
             "open": left, "decided": total - left,
-            "progress": f"{total - left} of {total} choices made, {left} open; {ready}.",
+            "progress": f"{made}; {ready}.",
         }  # fmt: skip
         self.plan = self.now()
 

@@ -48,14 +48,16 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     told = {each["id"]: each for each in choices_json(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
     shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
-    return {"open": [one for one in shown if one["open"]], "made": [one for one in shown if not one["open"]]}
+    open_ = [one for one in shown if one["open"]]
+    drawing = plan.circuit is None and any(one["kind"] == "port" for one in open_)
+    return {"open": open_, "made": [one for one in shown if not one["open"]], "wants_drawing": drawing}
 
 
 def _role(told: Mapping[str, Any], output: str) -> dict[str, Any]:
     """The choice of what a component is for; it is never open, since a component of which nothing is known is taken as read."""
     return {
         "id": told["id"], "kind": "role", "subject": told["subject"], "open": False, "chosen": told["chosen"],
-        "by": WHO[told["by"]], "at": "", "why": told["why"], "title": f"What is '{told['subject']}' for?", "what": "", "line": "",
+        "by": WHO[told["by"]], "at": "", "why": told["why"], "title": f"What is '{told['subject']}' for?", "line": "",
         "ranked": [], "command": f"robosmi choose {output} {told['id']}=ROLE",
         "drawn": [],
         "others": [
@@ -71,6 +73,8 @@ def _choice(
     decision, how = one.decision, answer(plan, one.decision)
     pins = {c.name: c for c in plan.connections}
     port = isinstance(decision, migration.PortBinding)
+    what = str(decision.what) if isinstance(decision, migration.PortBinding) else ""
+    said = f"'{one.subject}' ({what})" if what else f"'{one.subject}'"
     libraries = {} if port else {c.name: c for c in decision.candidates}  # type: ignore[attr-defined]
     options = [
         {
@@ -85,8 +89,7 @@ def _choice(
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told["chosen"] or "",
         "by": WHO[told["by"]], "at": told["at"] or "", "why": told["why"], "table": how.table,
-        "title": f"Which pin is the port '{one.subject}' on?" if port else f"Which library drives '{one.subject}'?",
-        "what": decision.what if isinstance(decision, migration.PortBinding) else "",
+        "title": f"Which pin is the port {said} on?" if port else f"Which library drives '{one.subject}'?",
         "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
         "ranked": [option for option in options if not option["plain"]],
         "drawn": [option for option in options if option["plain"] and option["value"] in pins],
