@@ -22,6 +22,7 @@ from robosmi.transformations.queries.component_kinds import (
     known_roles,
     said,
 )
+from robosmi.transformations.queries.port_pins import measures
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
 _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
@@ -58,8 +59,13 @@ class Fit(NamedTuple):
 
 
 def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
-    """How a port fits a connection; None where direction, role, side or the connector's purpose speak against it."""
+    """How a port fits a connection; None where direction, role, side or the connector's purpose speak against it.
+
+    None, too, where the port is a channel of a converter and the connection's pin has none.
+    """
     known = known_roles()
+    if connection.pin is not None and not measures(connection.pin, seat.binding):
+        return None
     own = connector_words(c.name for c in connection.connectors)
     serial = is_serial(connection)
     if not _same_direction(seat.binding.signal.name, connection, own, serial, known):

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.transformations.knowledge.part import GIVEN, ROLES
-from robosmi.transformations.queries.port_pins import NOT_WIRED
+from robosmi.transformations.queries.port_pins import NOT_WIRED, measures
 
 NO_LIBRARY = "none"
 """The answer that a component needs no library."""
@@ -115,7 +115,7 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
         ranked = [(label, score, _why_on(named.get(label), why, plan, decision)) for label, score, why in ranked]
         offered = {id(named[label]) for label, _, _ in ranked if named.get(label) is not None}
         ranked += [
-            (str(c.name), 0.0, _why_on(c.pin, "drawn; nothing speaks for it", plan, decision))
+            (str(c.name), 0.0, _why_on(c.pin, _why_drawn(c.pin, decision), plan, decision))
             for c in plan.connections
             if c.pin is not None and id(c.pin) not in offered
         ]
@@ -138,10 +138,14 @@ def free_pins(plan: migration.MigrationPlan, binding: migration.PortBinding) -> 
 
 
 def _serves(pin: platform.Pin, binding: migration.PortBinding) -> bool:
-    """Whether a pin has the port's direction: each digital pin can read and write, one that is only analog can read."""
+    """Whether a pin has the port's direction, and a converter where it needs one: each digital pin can read and write, one that is only analog can read."""
     if "digital" in pin.abilities:
-        return True
+        return measures(pin, binding)
     return "analog_in" in pin.abilities and binding.signal is migration.Signal.read
+
+
+def _why_drawn(pin: platform.Pin, binding: migration.PortBinding) -> str:
+    return "drawn; nothing speaks for it" if measures(pin, binding) else f"drawn; {pin.label} cannot measure a voltage"
 
 
 def _why_on(pin: platform.Pin | None, why: str, plan: migration.MigrationPlan, binding: migration.PortBinding) -> str:

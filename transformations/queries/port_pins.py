@@ -28,6 +28,12 @@ def text_in_place(binding: migration.PortBinding) -> str:
     return f"{UNBOUND} /* {called} is not wired{'' if binding.choice == NOT_WIRED else ' yet'} */"
 
 
+def measures(pin: platform.Pin, binding: migration.PortBinding) -> bool:
+    """Whether a pin has the converter that a conventional port needs; True for a port that needs none."""
+    port = binding.conventionalPort
+    return port is None or port.capability is not platform.PinCapability.analog or "analog_in" in pin.abilities
+
+
 def port_literals(plan: migration.MigrationPlan) -> tuple[dict[str, str], dict[int, str]]:
     """Name of a conventional port -> its pin, and number of a port of the source -> its pin; ports without a pin are left out.
 
