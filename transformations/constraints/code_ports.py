@@ -12,10 +12,14 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
-from robosmi.transformations.queries.pin_uses import PinUse, pin_uses_of
+from robosmi.transformations.queries.made_calls import MadeCalls
+from robosmi.transformations.queries.pin_uses import PinUse, macro_uses_of, pin_uses_of
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.validate import Fail
+
+_SHOWN = 4
+"""How many numbers a message names."""
 
 units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 
@@ -28,10 +32,12 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> Any:
     m = the_move()
     view = m.view(u)
     count = view.api.ports
-    uses = [*pin_uses_of(view, m.views), *register_bits(view, m.masks)]
+    uses = [*pin_uses_of(view, m.views), *macro_uses_of(view), *register_bits(view, m.masks)]
     wrong = [use for use in uses if use.pin is not None and use.pin >= count]
     numbers = sorted({use.pin for use in wrong if use.pin is not None})
-    said = "; ".join(f"{number}, where functions that shift a bit by it act on port {number % count} there" for number in numbers)
+    shown = numbers[:_SHOWN]
+    said = "; ".join(f"{number}, where functions that shift a bit by it act on port {number % count} there" for number in shown)
+    said += f"; and {len(numbers) - _SHOWN} more" * (len(numbers) > _SHOWN)
     return not wrong or together(f"no port of the source (0 to {count - 1}) has this number: {said}", [u.call for u in wrong])
 
 
@@ -51,13 +57,17 @@ def PortsAreKnown(u: ccode.SourceUnit) -> Any:
     )
 
 
-def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Expression]]:
-    """The calls and registers of a unit that are given ports which the text does not say."""
+def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
+    """The calls, macros and registers of a unit that are given ports which the text does not say."""
     m = the_move()
     view = m.view(u)
     flows = [flow for flow in m.plan.portFlows if flow.anything]
     calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
     yield from ((f"'{call.calleeName}'", call) for call in calls)
+    used = MadeCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
+    places = {int(change.startOffset) for flow in flows if not flow.calls for change in flow.changes if change.unit is u}
+    macros = [c for c in u.macros if str(c.name) in used and any(c.startOffset <= at < c.endOffset for at in places)]
+    yield from ((f"'{macro.name}'", macro) for macro in macros)
     bits: list[PinUse] = register_bits(view, m.masks)
     yield from ((f"'{use.function}'", use.call) for use in bits if use.pin is None and use.direction != "unknown")
 

@@ -82,7 +82,7 @@ def _flow(
     names = list(dict.fromkeys(p.name for p in each.flow.places if p.name))[:3]
     why = each.flow.kept[:_REASONS] if not each.moved else ["its numbers go to pins of platform functions only"]
     return migration.PortFlow(
-        name=", ".join(names) or f"{first.function} in line {_line(first)}",
+        name=", ".join(names) or f"{first.function} {_where(first)}",
         choice="target" if each.moved else "source",
         chosenBy=migration.ChosenBy.rule,
         confidence=1.0,
@@ -94,8 +94,11 @@ def _flow(
     )
 
 
-def _line(argument: PinArgument) -> int:
-    return int(argument.call.line) if argument.call is not None else 0
+def _where(argument: PinArgument) -> str:
+    """Where a call that takes a pin stands: its line, or the macro in whose body it is."""
+    macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if argument.call is None else []
+    line = argument.call.line if argument.call is not None else 0
+    return f"in the macro '{macros[0].name}'" if macros else f"in line {line}"
 
 
 def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:

@@ -160,8 +160,10 @@ def _cut(whole: Listed, lines: int) -> Listed:
 def works(plan: migration.MigrationPlan, work: Work) -> str:
     """How many calls work, and what becomes of the others."""
     calls = work.calls
+    several = work.unread != 1
+    lost = f"{work.unread} call{'s' * several} in text that could not be read {'are' if several else 'is'} not counted"
     if not calls["total"]:
-        return "the program calls no function of its platform"
+        return f"nothing is known: {lost}" if work.unread else "the program calls no function of its platform"
     parts = [
         (calls[WAITS], "for a pin"), (calls[TO_WRITE], "for a body"), (calls[NO_SUPPORT], "for what the target lacks"),
     ]  # fmt: skip
@@ -170,7 +172,7 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
     care = f" ({calls[WITH_CARE]} with limits)" if calls[WITH_CARE] else ""
     functions = len(plan.adapterUses)
     some = f"{work.working} of {calls['total']} calls of {functions} platform function{'s' * (functions != 1)} are ready{care}"
-    return "; ".join([some, *others])
+    return "; ".join([some, *others, *[lost] * bool(work.unread)])
 
 
 def decided(work: Work) -> str:

@@ -138,7 +138,10 @@ def free_pins(plan: migration.MigrationPlan, binding: migration.PortBinding) -> 
 
 
 def _serves(pin: platform.Pin, binding: migration.PortBinding) -> bool:
-    """Whether a pin has the port's direction, and a converter where it needs one: each digital pin can read and write, one that is only analog can read."""
+    """Whether a pin has the port's direction, and a converter where the port needs one.
+
+    Each digital pin can read and write; one that is only analog can read.
+    """
     if "digital" in pin.abilities:
         return measures(pin, binding)
     return "analog_in" in pin.abilities and binding.signal is migration.Signal.read

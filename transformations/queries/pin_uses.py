@@ -97,6 +97,23 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 
 
+def macro_uses_of(view: CodeView) -> list[PinUse]:
+    """The pins that calls use which macros make where they are used in a unit, in text order.
+
+    Args:
+        view: the unit.
+    """
+    values = Values(view.program, view.unit)
+    found: list[PinUse] = []
+    for call in view.of_kind(ccode.Call):
+        function = view.called().get(str(call.calleeName)) if call.viaMacro else None
+        facts = view.api.pins(function.name, function.header) if function is not None and function.entry is not None else None
+        if function is not None and facts is not None:
+            for parameter in facts.parameters:
+                found += _argument_uses(function, call, parameter, values)
+    return found
+
+
 def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinParameter, values: Values) -> Iterator[PinUse]:
     arguments = list(call.arguments)
     if parameter.position >= len(arguments):

@@ -7,18 +7,20 @@ role. Which numbers go where is `port_flows`' business; what a port becomes on t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.made_calls import MadeCalls
 from robosmi.transformations.queries.pin_uses import PinUse, pin_number, pin_uses, pin_values
 from robosmi.transformations.queries.port_masks import PortMasks
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
-from robosmi.transformations.queries.value_flows import Flow, PinArgument, PortPlace
+from robosmi.transformations.queries.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.values import Value, Values
 
 
@@ -61,12 +63,15 @@ class FlowPorts:
         numbers: the ports that the text can send through it.
         anything: whether a number may come that the text does not say.
         values: of each of the flow's arguments, in their order; empty in the body of a macro.
+        made: of each of the flow's arguments in the body of a macro, by its place, the calls that the macro makes where it is
+            used, with the numbers that they may pass.
     """
 
     flow: Flow
     numbers: list[int]
     anything: bool
     values: list[list[Value]]
+    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = field(default_factory=dict)
 
     @property
     def moved(self) -> bool:
@@ -101,7 +106,8 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
     values = {view.unit.path: Values(view.program, view.unit) for view in views}
     reached = {view.unit.path: ReachedValues(view.program, view.unit) for view in views}
     count = next((view.api.ports for view in views), 0)
-    through = [_flow_ports(flow, values, reached, count) for flow in flows]
+    made = MadeCalls(views)
+    through = [_flow_ports(flow, values, reached, count, made) for flow in flows]
     masks = PortMasks(views)
     bits = [use for view in views for use in register_bits(view, masks)]
     found: dict[int, Port] = {}
@@ -109,7 +115,7 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
         found.setdefault(number, Port(f"P{number}", "runtime", element, number))
     _name(found, through)
     anything = any(f.anything for f in through) or any(use.pin is None for use in bits)
-    _use(found, [*pin_uses(views), *bits, *_in_macros(through, views)], through)
+    _use(found, [*pin_uses(views), *bits, *_in_macros(through)], through)
     own = list(found.values())
     return ProgramPorts([*own, *give_numbers(own, _conventional(views))], through, anything)
 
@@ -128,15 +134,23 @@ def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port
     return list(conventional)
 
 
-def _flow_ports(flow: Flow, values: Mapping[str, Values], reached: Mapping[str, ReachedValues], count: int) -> FlowPorts:
+def _flow_ports(
+    flow: Flow, values: Mapping[str, Values], reached: Mapping[str, ReachedValues], count: int, macros: MadeCalls
+) -> FlowPorts:
     mine: list[list[Value]] = []
-    for argument in flow.arguments:
+    made: dict[int, list[tuple[ccode.Call, set[int | None]]]] = {}
+    unknown = False
+    for position, argument in enumerate(flow.arguments):
         known: list[Value] = []
         if argument.call is not None:
             known = pin_values(argument.parameter, list(argument.call.arguments), argument.argument, values[argument.unit.path])
+            unknown |= any(value.number is None for value in known)
+        else:
+            made[position] = [(c, _given_by(c, argument.parameter, values[v.unit.path])) for v, c in macros.of(argument)]
+            unknown |= not made[position] or any(None in given for _, given in made[position])
         mine.append([v if v.number is None else Value(pin_number(v.number), v.origin) for v in known])
-    numbers = {v.number for known in mine for v in known if v.number is not None}
-    unknown = any(v.number is None for known in mine for v in known) or any(a.call is None for a in flow.arguments)
+    numbers = {v.number for each in mine for v in each if v.number is not None}
+    numbers |= {number for calls in made.values() for _, given in calls for number in given if number is not None}
     if unknown or not flow.kept:
         numbers |= {place.value for place in flow.places}
     anything = False
@@ -145,7 +159,15 @@ def _flow_ports(flow: Flow, values: Mapping[str, Values], reached: Mapping[str, 
         computed = [v.number for unit, one in flow.calculated for v in reached[unit.path].of(_result(one))]
         numbers |= {pin_number(number) for number in (*given, *computed) if number is not None}
         anything = flow.computed or None in computed or not numbers
-    return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine)
+    return FlowPorts(flow, sorted(n for n in numbers if 0 <= n < count), anything, mine, made)
+
+
+def _given_by(call: ccode.Call, parameter: PinParameter, values: Values) -> set[int | None]:
+    """The numbers that a call of a macro may give for a pin, None among them where the text does not say it."""
+    arguments = list(call.arguments)
+    given = arguments[parameter.position] if parameter.position < len(arguments) else None
+    known = pin_values(parameter, arguments, given, values)
+    return {None if value.number is None else pin_number(value.number) for value in known}
 
 
 def _result(expression: Any) -> Any:
@@ -165,10 +187,12 @@ def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[t
 
 
 def _where(each: FlowPorts, number: int) -> ccode.Located:
-    """What holds a number in a flow, else the first call that is reached, else any of its places."""
+    """What holds a number in a flow, else the first call that it reaches, else any call or any of its places."""
     holders: list[ccode.Located] = [place.element for place in each.flow.places if place.value == number]
-    calls: list[ccode.Located] = [a.call for a in each.flow.arguments if a.call is not None]
-    return (holders or calls or [place.element for place in each.flow.places])[0]
+    made = [(call, numbers) for calls in each.made.values() for call, numbers in calls]
+    reached: list[ccode.Located] = [call for call, numbers in made if number in numbers]
+    calls: list[ccode.Located] = [*(a.call for a in each.flow.arguments if a.call is not None), *(call for call, _ in made)]
+    return (holders or reached or calls or [place.element for place in each.flow.places])[0]
 
 
 def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
@@ -232,20 +256,16 @@ def _use(found: Mapping[int, Port], uses: Sequence[PinUse], through: Sequence[Fl
                 found[number].uses.append(use)
 
 
-def _in_macros(through: Sequence[FlowPorts], views: Sequence[CodeView]) -> Iterator[PinUse]:
-    """The uses in bodies of macros: each of the numbers of their flow."""
+def _in_macros(through: Sequence[FlowPorts]) -> Iterator[PinUse]:
+    """The uses in bodies of macros: each of the numbers of their flow, in a call that reaches it where one is known."""
     for each in through:
-        for argument in each.flow.arguments:
+        for position, argument in enumerate(each.flow.arguments):
             if argument.call is None:
-                call = _made(argument, views)
+                made = each.made.get(position, [])
                 for number in each.numbers:
+                    reached = [call for call, numbers in made if number in numbers] or [call for call, _ in made]
+                    call = reached[0] if reached else ccode.Call(calleeName=argument.function)
                     yield PinUse(number, "", "literal", argument.function, argument.parameter.direction, 0, call)
-
-
-def _made(argument: PinArgument, views: Sequence[CodeView]) -> ccode.Call:
-    """A call that the macro makes where it is used, or any other."""
-    made = (c for v in views for c in v.of_kind(ccode.Call) if c.viaMacro and c.calleeName == argument.function)
-    return next(made, ccode.Call(calleeName=argument.function))
 
 
 def _conventional(views: Sequence[CodeView]) -> list[Port]:

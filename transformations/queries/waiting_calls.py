@@ -18,8 +18,10 @@ WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT = (
     "works", "works_with_care", "waits_for_port", "not_wired", "to_write", "not_supported",
 )  # fmt: skip
 CALL_STATES = (WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT)
-"""The states of calls: with a body; with one that has limits; with one whose port has no pin yet, or is not wired by a person's
-word; without a body; of what the target lacks."""
+"""The states of calls: with a body; with one that has limits; with one whose port has no pin yet, or is none of the source at
+all; with one that is not wired by a person's word; without a body; of what the target lacks."""
+NO_PORT = "RS326"
+"""The rule of numbers that no port of the source has: calls that are given one do nothing."""
 
 
 def open_conventions(plan: migration.MigrationPlan, use: migration.AdapterUse) -> Q[migration.PortBinding]:
@@ -38,6 +40,7 @@ class CallStates:
     def __init__(self, plan: migration.MigrationPlan) -> None:
         self.plan = plan
         self._of_macros = MacroCalls(plan)
+        self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
         self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
@@ -49,7 +52,12 @@ class CallStates:
         if use.status is migration.AdapterStatus.todo:
             return TO_WRITE
         ports = self._of_macros.ports(use, call) if call.viaMacro else []
-        if id(call) in self._waiting or any(b.open for b in ports) or open_conventions(self.plan, use):
+        if (
+            id(call) in self._waiting
+            or id(call) in self._nowhere
+            or any(b.open for b in ports)
+            or open_conventions(self.plan, use)
+        ):
             return WAITS
         if id(call) in self._unwired or (ports and all(map(_left_out, ports))):
             return NOT_WIRED_CALL

@@ -55,6 +55,11 @@ class Work:
         """How many calls of platform functions are in each state of `waiting_calls`, and `total`."""
         return CallStates(self.plan).counts()
 
+    @cached_property
+    def unread(self) -> int:
+        """How many calls stand in text that the parser could not read, whatever they call."""
+        return sum(len(unit.unresolved) for unit in self.plan.program.units) if self.plan.program is not None else 0
+
     @property
     def working(self) -> int:
         """How many calls do what they did, or nearly so."""
@@ -92,6 +97,7 @@ class Work:
         left = all_choices.select(lambda d: d.open)
         return {
             "calls": {**self.calls, "working": self.working},
+            "unread_calls": self.unread,
             "decide": {
                 "total": len(all_choices), "decided": len(all_choices) - len(left), "open": len(left),
                 "answers": [_answer(self.plan, d) for d in left],

@@ -8,7 +8,8 @@ the rest of the file is read. Real programs are far below the limits. How a copy
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -27,6 +28,12 @@ MAX_BRANCHES = 1000
 """`else` after `else` of one chain."""
 MAX_EXPANDED = 4_000_000
 """Tokens of a file after its macros are expanded."""
+_BRACKET = MAX_RUN // MAX_BRACKETS
+"""Tokens of a run that nest as deep as a bracket in the body of a macro."""
+MAX_GROWN = 60_000
+"""Tokens that the large uses of macros of one file may become; what would be more is cut, since reading it takes seconds."""
+_LARGE_USE = 200
+"""Tokens of a use that counts for that; programs that people write have few such uses."""
 LARGEST = inputs.SOURCE.most
 """Bytes of a source file or header; none of a microcontroller's program is that large."""
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
@@ -81,23 +88,25 @@ def shallow(data: bytes) -> bool:
 class _Scan:
     """One pass over the tokens. A level is an open bracket; each counts the tokens of its run since the last separator."""
 
-    def __init__(self, tokens: Sequence[Token], weights: dict[str, tuple[int, int]]) -> None:
+    def __init__(self, tokens: Sequence[Token], weights: dict[str, Weight]) -> None:
         self.tokens = tokens
         self.weights = weights
         self.edits: list[Edit] = []
-        self.total = 0
+        self.total = self.grown = 0
 
     def run(self) -> None:
         """Fill `edits` and `total`."""
         tokens = self.tokens
-        counts, starts, lists, factors, chains = [0], [0], [False], [1], [0]
+        counts, starts, lists, factors, repeated, chains = [0], [0], [False], [1], [1], [0]
         depth_sum, i = 0, 0
         while i < len(tokens):
             kind, _, _, text = tokens[i]
-            weight = factors[-1]
-            if kind == "name" and text in self.weights:
-                weight *= self.weights[text][0]
-            self.total = min(self.total + weight, MAX_EXPANDED * 10)
+            whole, peak, weight = factors[-1], 0, repeated[-1]
+            if kind == "name" and (made := self.weights.get(text)) is not None:
+                whole, peak, weight = whole * made.size, weight * made.peak, weight * made.tail
+                self.grown += whole if whole > _LARGE_USE else 0
+                peak = MAX_RUN + 1 if self.grown > MAX_GROWN and whole > _LARGE_USE else peak
+            self.total = min(self.total + whole, MAX_EXPANDED * 10)
             if kind == "punct" and text in _OPEN:
                 if len(counts) >= MAX_BRACKETS:
                     i = self._cut_brackets(i)
@@ -109,11 +118,12 @@ class _Scan:
                 counts.append(0)
                 starts.append(i + 1)
                 lists.append(text != "{" or inherits or of_type)
-                factors.append(min(factors[-1] * self.weights[before][1], MAX_EXPANDED * 2) if named else factors[-1])
+                factors.append(min(factors[-1] * self.weights[before].repeats, MAX_EXPANDED * 2) if named else factors[-1])
+                repeated.append(min(repeated[-1] * self.weights[before].at_once, MAX_EXPANDED * 2) if named else repeated[-1])
                 chains.append(0)
             elif kind == "punct" and text in _CLOSE and len(counts) > 1:
                 depth_sum -= counts.pop()
-                for stack in (starts, lists, factors, chains):
+                for stack in (starts, lists, factors, repeated, chains):
                     stack.pop()
                 counts[-1] += 1
                 depth_sum += 1
@@ -131,12 +141,12 @@ class _Scan:
             elif text not in _OPEN and text not in _CLOSE:
                 counts[-1] += weight
                 depth_sum += weight
-                if depth_sum > MAX_RUN:
+                if max(depth_sum, depth_sum - weight + peak) > MAX_RUN:
                     level = max(range(len(counts)), key=counts.__getitem__)
                     i = self._cut_run(starts[level], i)
                     while len(counts) > level + 1:
                         depth_sum -= counts.pop()
-                        for stack in (starts, lists, factors, chains):
+                        for stack in (starts, lists, factors, repeated, chains):
                             stack.pop()
                     depth_sum -= counts[-1]
                     counts[-1], starts[-1] = 0, i
@@ -197,8 +207,26 @@ class _Scan:
         return len(self.tokens)
 
 
-def _macro_weights(tokens: Sequence[Token]) -> dict[str, tuple[int, int]]:
-    """For each macro that could grow: the tokens that a use becomes, and how often it repeats an argument; else empty."""
+class Weight(NamedTuple):
+    """What a use of a macro becomes.
+
+    Attributes:
+        size: its tokens.
+        repeats: how often it repeats its most repeated argument.
+        peak: the most that is open at once in it, as the parser nests: tokens of the runs of all levels, brackets more.
+        tail: tokens of the run that it ends with.
+        at_once: how often arguments stand in what is open at once.
+    """
+
+    size: int
+    repeats: int
+    peak: int
+    tail: int
+    at_once: int
+
+
+def _macro_weights(tokens: Sequence[Token]) -> dict[str, Weight]:
+    """For each macro that could grow what a use becomes; else empty."""
     bodies: dict[str, tuple[list[str], list[str] | None]] = {}
     for kind, _, _, text in tokens:
         if kind == "directive" and "define" in text:
@@ -215,11 +243,11 @@ def _macro_weights(tokens: Sequence[Token]) -> dict[str, tuple[int, int]]:
             bound = 1e12
     if bound < MAX_RUN / 2:
         return {}
-    found: dict[str, tuple[int, int]] = {}
+    found: dict[str, Weight] = {}
     for name in _inner_first(bodies):
         words, parameters = bodies[name]
         found[name] = _weigh(words, parameters or (), found)
-    return {name: weight for name, weight in found.items() if weight[0] > 1 or weight[1] > 1}
+    return {name: weight for name, weight in found.items() if weight.size > 1 or weight.repeats > 1}
 
 
 def _inner_first(bodies: dict[str, tuple[list[str], list[str] | None]]) -> Iterator[str]:
@@ -227,8 +255,8 @@ def _inner_first(bodies: dict[str, tuple[list[str], list[str] | None]]) -> Itera
     return post_order(bodies, lambda name: [word for word in reversed(bodies[name][0]) if word in bodies])
 
 
-def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, tuple[int, int]]) -> tuple[int, int]:
-    """Tokens of an expanded body, and how often it repeats its most repeated parameter."""
+def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, Weight]) -> Weight:
+    """What a body becomes, with what the macros in it become."""
     most = MAX_EXPANDED * 2
     size, uses = 0, dict.fromkeys(parameters, 0)
     factors = [1]
@@ -237,8 +265,45 @@ def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, tup
             uses[word] = min(uses[word] + factors[-1], most)
         if word == "(":
             before = words[i - 1] if i else ""
-            factors.append(min(factors[-1] * max(1, known[before][1] if before in known else 1), most))
+            factors.append(min(factors[-1] * max(1, known[before].repeats if before in known else 1), most))
         elif word == ")" and len(factors) > 1:
             factors.pop()
-        size = min(size + factors[-1] * (known[word][0] if word in known else 1), most)
-    return max(1, size), max([1, *uses.values()])
+        size = min(size + factors[-1] * (known[word].size if word in known else 1), most)
+    size, repeats = max(1, size), max([1, *uses.values()])
+    return Weight(size, repeats, *_open_at_once(words, uses, known, size, repeats))
+
+
+def _open_at_once(
+    words: Sequence[str], parameters: Collection[str], known: dict[str, Weight], size: int, repeats: int
+) -> tuple[int, int, int]:
+    """Peak and tail of a body, and how often arguments are open at once; all of it where its brackets do not match."""
+    most = MAX_EXPANDED * 2
+    unmatched = (min(size * _BRACKET, most),) * 2 + (repeats,)
+    levels, given, factors, brackets = [0], [0], [1], [""]
+    peak, most_given = 1, 1
+    for i, word in enumerate(words):
+        if word in _OPEN:
+            before = words[i - 1] if i else ""
+            levels.append(_BRACKET)
+            given.append(0)
+            brackets.append(word)
+            factors.append(min(factors[-1] * (known[before].at_once if word == "(" and before in known else 1), most))
+            if len(levels) > MAX_BRACKETS:
+                return unmatched
+        elif word in _CLOSE:
+            if len(levels) == 1:
+                return unmatched
+            for stack in (levels, factors, brackets):
+                stack.pop()
+            inner = given.pop()
+            given[-1] += inner if word != "}" else 0
+            levels[-1] += 1
+        elif word == ";" and brackets[-1] != "(":
+            levels[-1] = given[-1] = 0
+        else:
+            made = known.get(word)
+            given[-1] += factors[-1] * (word in parameters)
+            peak = max(peak, sum(levels) + factors[-1] * (made.peak if made is not None else 1))
+            levels[-1] += factors[-1] * (made.tail if made is not None else 1)
+        peak, most_given = max(peak, sum(levels)), max(most_given, sum(given))
+    return (min(peak, most), min(max(1, levels[0]), most), min(most_given, repeats)) if len(levels) == 1 else unmatched

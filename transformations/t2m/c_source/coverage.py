@@ -60,7 +60,9 @@ def calls(context: UnitContext) -> Coverage:
         elif name not in types:
             in_text += 1
             lost.append(ccode.UnresolvedCall(name=name, **context.source.place(start, end)))
-            message = f"the call of {name} is lost: the parser could not read its statement"
+            cut = any(first <= start < last for first, last in context.parsed.cut)
+            why = "its text is kept and not read" if cut else "the parser could not read its statement"
+            message = f"the call of {name} is lost: {why}"
             context.find("RS102", Severity.warning, message, start, end, "correct the statement, or migrate it by hand")
     return Coverage(in_text, in_model, lost)
 
@@ -110,10 +112,10 @@ def notes(context: UnitContext, includes: list[ccode.Include], conditionals: lis
         context.find(
             "RS104",
             Severity.warning,
-            "nested too deep, or declared over and over: kept as text from here on",
+            "nested too deep, declared over and over, or macros that become too much: kept as text from here on",
             start,
             end,
-            "split the expression or statement, or keep one of the declarations",
+            "split the expression, the statement or the macro, or keep one of the declarations",
         )
     if context.source.encoding != "UTF-8":
         context.find("RS105", Severity.info, f"the file is no UTF-8; it was read as {context.source.encoding}", 0, None)

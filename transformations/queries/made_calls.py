@@ -1,0 +1,88 @@
+"""The calls of the platform's functions that macros make where they are used, told by the macro in whose body they are written.
+
+The body of a macro is no syntax, so a pin in it is known as a range of text only; which numbers come there is read from the calls
+that the parser makes of the macro's uses, in the program's text or in bodies of further macros.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Sequence
+from functools import cached_property
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.value_flows import PinArgument
+
+_NAMES = re.compile(r"[A-Za-z_]\w*")
+_Place = tuple[str, int]
+"""Path of a unit and an offset in it."""
+
+
+class MadeCalls:
+    """The calls that the macros of a program make.
+
+    Args:
+        views: a view of each of its units.
+    """
+
+    def __init__(self, views: Sequence[CodeView]) -> None:
+        self._macros: dict[str, list[ccode.Macro]] = {}
+        self._uses: dict[str, list[tuple[int, ccode.MacroUse]]] = {}
+        self._calls: dict[str, list[tuple[CodeView, ccode.Call]]] = {}
+        self._reached: dict[_Place, frozenset[str]] = {}
+        self._unread = [str(lost.name) for view in views for lost in view.unit.unresolved]
+        for view in views:
+            for macro in view.unit.macros:
+                self._macros.setdefault(str(macro.name), []).append(macro)
+            self._uses[view.unit.path] = sorted(((int(u.startOffset), u) for u in view.unit.macroUses), key=lambda each: each[0])
+            for call in view.of_kind(ccode.Call):
+                if call.viaMacro:
+                    self._calls.setdefault(str(call.calleeName), []).append((view, call))
+
+    def of(self, argument: PinArgument) -> list[tuple[CodeView, ccode.Call]]:
+        """The calls that a pin in the body of a macro becomes, each with the view of its unit, in the program's order.
+
+        A call whose use is not known counts for every macro that calls the function.
+        """
+        names = {
+            str(m.name)
+            for macros in self._macros.values()
+            for m in macros
+            if m.startOffset <= argument.start < m.endOffset and m.eContainer() is argument.unit
+        }
+        found = []
+        for view, call in self._calls.get(argument.function, ()):
+            place = (view.unit.path, int(call.startOffset))
+            at = self._names_at(place)
+            if not at or not names.isdisjoint(at):
+                found.append((view, call))
+        return found
+
+    @cached_property
+    def used(self) -> frozenset[str]:
+        """The macros that the program uses, in text that could not be read too, and those of their bodies."""
+        names = {str(use.name) for uses in self._uses.values() for _, use in uses}
+        return self._with_bodies([*names, *self._unread])
+
+    def _names_at(self, place: _Place) -> frozenset[str]:
+        """The macros that are used at a place and in their arguments, and those of their bodies; none where none is known."""
+        if place not in self._reached:
+            uses = self._uses.get(place[0], [])
+            first = bisect_left(uses, place[1], key=lambda each: each[0])
+            end = max((int(use.endOffset) for start, use in uses[first : first + 1] if start == place[1]), default=place[1])
+            pending = [str(use.name) for _, use in uses[first : bisect_left(uses, end, key=lambda each: each[0])]]
+            self._reached[place] = self._with_bodies(pending)
+        return self._reached[place]
+
+    def _with_bodies(self, names: list[str]) -> frozenset[str]:
+        """Names of macros, and all that is named in their bodies and in those of the macros there."""
+        found: set[str] = set()
+        pending = list(names)
+        while pending:
+            name = pending.pop()
+            if name not in found:
+                found.add(name)
+                pending += [n for macro in self._macros.get(name, ()) for n in _NAMES.findall(str(macro.body or ""))]
+        return frozenset(found)
