@@ -17,6 +17,7 @@ from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan_adapters import closure
+from robosmi.transformations.queries.waiting_calls import unwired_needs
 from robosmi.validate import EVL, Fail
 
 ports = EVL()
@@ -26,6 +27,7 @@ by_words = EVL()
 """Those that ask the repository which kinds of components words mean."""
 
 bindings = ports.context(migration.PortBinding)
+uses = ports.context(migration.AdapterUse)
 worded_bindings = by_words.context(migration.PortBinding)
 connections = ports.context(migration.Connection)
 MANY = 3
@@ -183,6 +185,24 @@ def _is_given(b: migration.PortBinding, call: ccode.Call, position: int) -> bool
 def _timers(use: migration.AdapterUse) -> set[str]:
     """The timers that the adapter of a use takes, with all that it needs."""
     return {str(t) for piece in closure([use.adapter] if use.adapter is not None else []) for t in piece.timers}
+
+
+@uses.constraint(
+    id="RS730", severity=Severity.warning, guard=lambda u: u.adapter is not None,
+    advice="bind the port to the pin where such a part is wired, or take the calls out",
+)  # fmt: skip
+def WhatIsAskedIsWired(u: migration.AdapterUse) -> Any:
+    """A function does not ask a sensor for its way or its time that a person said is not wired."""
+    missing = [b for b in unwired_needs(plan_of(u), u)[0] if b.signal is migration.Signal.read]
+    if not missing or u.adapter is None:
+        return True
+    names = " and ".join(f"'{b.name}'" for b in missing)
+    known = f"; its adapter {'; '.join(str(limit) for limit in u.adapter.limits)}" if u.adapter.limits else ""
+    count = len(u.calls)
+    return Fail(
+        f"'{u.name}' ({count} call{'s' * (count != 1)}) needs what {names} tell{'s' * (len(missing) == 1)}, "
+        f"which {'is' if len(missing) == 1 else 'are'} not wired{known}"
+    )
 
 
 @worded_bindings.constraint(

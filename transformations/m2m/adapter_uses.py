@@ -118,6 +118,18 @@ def own_prototypes(views: Sequence[CodeView]) -> dict[str, ccode.Function]:
     return found
 
 
+def declared_in_lists(views: Sequence[CodeView]) -> set[int]:
+    """Identities of the functions whose declaration names others, too: `int f(int), g(int);`."""
+    found: set[int] = set()
+    for view in views:
+        starts: dict[int, list[int]] = {}
+        for declaration in view.unit.declarations:
+            if isinstance(declaration, (ccode.Function, ccode.Variable)):
+                starts.setdefault(int(declaration.startOffset), []).append(id(declaration))
+        found.update(one for together in starts.values() if len(together) > 1 for one in together)
+    return found
+
+
 def adapter(
     called: CalledFunction,
     function: platform.ApiFunction | None,

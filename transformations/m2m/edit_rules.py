@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.signature_text import nothing
@@ -217,7 +218,7 @@ def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list
     return [(place, place, "int ")]
 
 
-def _define_local(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+def _define_local(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """A declaration in a function of what is nowhere defined: it becomes a variable that lasts."""
     changes = _define_extern(element, choice, text)
     start = text.data.rfind(b"extern", 0, element.startOffset + len(b"extern"))
@@ -228,19 +229,44 @@ def _define_local(element: ccode.Located, choice: str, text: SourceText) -> list
     return changes
 
 
-def _define_extern(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    shared = is_header(text.unit)
+def _define_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    shared, constant = is_header(text.unit), _constant(element)
     found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
-    open_size = re.compile(rb"\[\s*\]").search(text.data, element.startOffset, element.endOffset)
-    made = [(found.start(), found.end(), "__attribute__((weak)) " if shared else "")] if found else []
-    return made + ([(open_size.end() - 1, open_size.end() - 1, "16")] if open_size else [])
+    kept = "extern " * constant + "__attribute__((weak)) " * shared  # a constant of C++ is its file's own but for extern
+    made = [(found.start(), found.end(), kept)] if found else []
+    return made + _sized(element, choice, text)
+
+
+def _constant(variable: ccode.Variable) -> bool:
+    """Whether a variable is a constant, which C++ wants a value for."""
+    use = variable.valueType
+    return use is not None and bool(use.constant) and not use.pointerDepth
+
+
+def _sized(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    """An array of which no size is known gets one, and a constant a value."""
+    found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
+    value = [(int(element.endOffset), int(element.endOffset), " = {0}")] if _constant(element) and choice else []
+    return [*([(found.end() - 1, found.end() - 1, "16")] if found else []), *value]
+
+
+def _define_behind(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    """Behind a declaration of several names the definitions of some of them."""
+    place = text.data.find(b";", element.endOffset) + 1
+    weak = "__attribute__((weak)) " if is_header(text.unit) else ""
+    value = " = {0}" * _constant(element)
+    made = "".join(f" {weak}__typeof__({name}) {name}{value};" for name in choice.split())
+    return [*_sized(element, "", text), *([(place, place, made)] if place else [])]
 
 
 _ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\))+\s*\Z")
 
 
 def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
-    """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written."""
+    """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written.
+
+    One of several names of a declaration is defined behind it, with the signature that is given.
+    """
     returned = element.returnType.spelling if element.returnType is not None else "int"
     lines = ["  // TODO: complete method", *(f"  (void){p.name};" for p in element.parameters if p.name)]
     result = nothing(returned)
@@ -248,6 +274,10 @@ def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     found = text.data.find(b";", element.endOffset - 1)
     end = found + 1 if found >= 0 else element.endOffset
     shared = is_header(text.unit)
+    if choice:
+        named = [f"  (void){name};" for name in parameter_names(choice) if name]
+        lines = ["  // TODO: complete method", *named, *([f"  return {result};"] if result else [])]
+        return [(end, end, "\n" + "inline " * shared + choice + " {\n" + "\n".join(lines) + "\n}")]
     made = [(element.startOffset, element.startOffset, "inline ")] if shared else []
     place = found if found >= 0 else end
     attributes = _ATTRIBUTES_BEHIND.search(text.data, element.startOffset, place)
@@ -307,6 +337,9 @@ RULES: dict[str, EditRule] = {
     "take-out": _out,
     "define-extern": _define_extern,
     "define-local": _define_local,
+    "define-in-list": _sized,
+    "define-behind": _define_behind,
+    "left-undefined": lambda element, choice, text: [],
     "adapter-in-place": _body,
     "adapter-declared": _out,
 }

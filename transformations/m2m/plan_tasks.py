@@ -154,8 +154,15 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
             fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does"
             + ("; or give the file that defines it, too" if adapter.function is None else ""),
             elements=[adapter, *adapter.calls],
-            **_place(adapter.calls[0] if adapter.calls else None),  # type: ignore[arg-type]
+            **_place(_declared(plan, adapter) or (adapter.calls[0] if adapter.calls else None)),  # type: ignore[arg-type]
         )
+
+
+def _declared(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> ccode.Function | None:
+    """Where the program declares a function whose body is to be written there."""
+    units = plan.program.units if plan.program is not None and beside_its_declaration(adapter) else ()
+    own = (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and d.name == adapter.name)
+    return next(own, None)
 
 
 def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:

@@ -20,7 +20,15 @@ from robosmi.transformations.knowledge.platform_model import COMPILER
 from robosmi.transformations.knowledge.target_names import TargetNames
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts
 from robosmi.transformations.m2m.adapter_choice import HELPERS, TYPES, VALUES, AdapterChoice, UnservedHeader, serve
-from robosmi.transformations.m2m.adapter_uses import adapter, called_functions, handed_on, hide_types, own_prototypes, own_types
+from robosmi.transformations.m2m.adapter_uses import (
+    adapter,
+    called_functions,
+    declared_in_lists,
+    handed_on,
+    hide_types,
+    own_prototypes,
+    own_types,
+)
 from robosmi.transformations.m2m.concurrency import concurrency
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.hoisting import hoist
@@ -37,6 +45,7 @@ from robosmi.transformations.m2m.placeholders import (
 from robosmi.transformations.m2m.renaming import RENAME, renamings
 from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import change_texts
+from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
@@ -265,14 +274,12 @@ def _change_unit_texts(
                 change(declared, "adapter-declared", declared.name, "the adapter of that name is declared with the others")
                 verdict = judged.trace.equivalents(declared)[0]
                 verdict.action, verdict.choice = migration.Action.drop, migration.Action.drop.name
+    in_lists = declared_in_lists(views)
     for name, prototype in prototypes.items():
         if name in adapted:
-            change(
-                prototype,
-                "adapter-in-place",
-                name,
-                "the program declares it and defines it nowhere: its body is to be written here",
-            )
+            word = target_signature(next(a for a in result.adapters if a.name == name)) if id(prototype) in in_lists else ""
+            reason = "the program declares it and defines it nowhere: its body is to be written here"
+            change(prototype, "adapter-in-place", word, reason)
             verdict = judged.trace.equivalents(prototype)[0]
             verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name
     for view in views:

@@ -7,7 +7,7 @@ files). Each rule finds declarations and says which rule of `edit_rules` changes
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.m2m.text_change import Change, Rule
@@ -96,28 +96,43 @@ def _elsewhere(unit: ccode.SourceUnit, variable: ccode.Variable) -> bool:
 
 
 def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Variables that the program declares and defines nowhere: their declaration becomes the definition."""
+    """Variables that the program declares and defines nowhere: their declaration becomes the definition.
+
+    Of several files that declare one, the first defines it. Where a declaration names others that are defined, the definitions
+    stand behind it.
+    """
     program = view.unit.program
-    defined = (
-        {
-            d.name
-            for u in program.units
-            for d in u.declarations
-            if isinstance(d, ccode.Variable) and d.storage.name != "externStorage"
-        }
-        if program is not None
-        else set()
-    )
-    seen: set[str] = set()
-    for declaration in view.of_kind(ccode.Variable):
-        if declaration.name in defined or declaration.name in seen:
-            continue
-        if declaration.storage.name == "externStorage" and not declaration.initialised and not declared_with_others(declaration):
-            local = not isinstance(declaration.eContainer(), ccode.SourceUnit)
-            if not local:
-                seen.add(declaration.name)
-            rule = "define-local" if local else "define-extern"
-            yield Change(declaration, rule, declaration.name, "the program defines it nowhere")
+    units = list(program.units) if program is not None else []
+    defined = {
+        d.name
+        for u in units
+        for d in u.declarations
+        if isinstance(d, ccode.Variable) and (d.storage.name != "externStorage" or d.initialised)
+    }
+    before = units[: units.index(view.unit)] if view.unit in units else []
+    before = [] if is_header(view.unit) else [u for u in before if not is_header(u)] + [u for u in units if is_header(u)]
+    seen = {d.name for u in before for d in u.declarations if isinstance(d, ccode.Variable)}
+    for variables in _declared_together(v for v in view.of_kind(ccode.Variable) if v.storage.name == "externStorage"):
+        local = not isinstance(variables[0].eContainer(), ccode.SourceUnit)
+        wanted = [v for v in variables if v.name not in defined and v.name not in seen and not v.initialised]
+        if not local:
+            seen |= {v.name for v in wanted}
+        whole = len(wanted) == len(variables)
+        rule = ("define-local" if whole else "left-undefined") if local else "define-extern" if whole else "define-behind"
+        for number, variable in enumerate(wanted):
+            first = " ".join(v.name for v in wanted) if rule == "define-behind" else variable.name
+            names = first if number == 0 else "" if rule == "define-behind" else variable.name
+            yield Change(variable, rule if number == 0 else "define-in-list", names, "the program defines it nowhere")
+
+
+def _declared_together(variables: Iterable[ccode.Variable]) -> list[list[ccode.Variable]]:
+    """Variables by the declaration that names them, in text order."""
+    found: dict[tuple[int, int], list[ccode.Variable]] = {}
+    for variable in variables:
+        around = variable.eContainer()
+        statement = isinstance(around, ccode.DeclarationStatement)
+        found.setdefault((id(around), -1 if statement else int(variable.startOffset)), []).append(variable)
+    return list(found.values())
 
 
 def common(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

@@ -226,7 +226,7 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
 
 def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
     """Where bodies are written."""
-    bodies = any(task.rule in ("RS501", "RS502") for task in work.write)
+    bodies = any(task.rule == "RS501" or (task.rule == "RS502" and "in adapters.h" in task.fix) for task in work.write)
     beside = any("in adapters.h" not in task.fix for task in work.write if task.rule == "RS501")
     own = f" (in the {called(plan)} for what it declares itself)" * beside
     unknown = any(isinstance(e, migration.AdapterUse) and e.function is None for task in work.write for e in task.elements)

@@ -49,13 +49,15 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
     """RS109: functions that are called and that neither the program nor the repository knows."""
     found = []
     for function in view.unknown():
+        place: ccode.Located = function.calls[0]
         if function.header:
             message = f"the function {function.name} is declared in {function.header} and defined in no file of the program"
         elif function.callee is not None and code.unit_of(function.callee) is not None:
             message = f"the program declares the function {function.name} as {function.signature}, and defines it in no file"
+            place = function.callee
         else:
             message = f"nothing is known of the function {function.name}: its signature is inferred as {function.signature}"
-        found.append(_finding(view, "RS109", Severity.warning, function.calls[0], message, "add the file that defines it"))
+        found.append(_finding(view, "RS109", Severity.warning, place, message, "add the file that defines it"))
     return found
 
 
@@ -63,12 +65,13 @@ def _finding(
     view: code.CodeView,
     rule: str,
     severity: Severity,
-    call: ccode.Call,
+    about: ccode.Located,
     message: str,
     fix: str | None = None,
     evidence: dict[str, Any] | None = None,
 ) -> Finding:
-    place = Location(str(view.unit.path), int(call.line), int(call.column), int(call.endLine), int(call.endColumn))
+    unit = code.unit_of(about) or view.unit
+    place = Location(str(unit.path), int(about.line), int(about.column), int(about.endLine), int(about.endColumn))
     return Finding(rule, severity, message, place, fix=fix, evidence=evidence or {})
 
 

@@ -149,14 +149,14 @@ class _Judge:
                 self.marks.setdefault(key, []).append(judged)
 
     def _said(self) -> Iterable[tuple[tuple[str, int, int], Judged]]:
-        """What findings and open ports say of places: (path, line, offset or -1), verdict."""
+        """What findings and open ports say of places: (path, line, offset), verdict; of one without offset minus its column."""
         for finding in self.plan.findings:
             if finding.path and finding.line and finding.severity is not migration.SeverityLevel.info:
                 broken = finding.severity is migration.SeverityLevel.error or finding.rule in _TO_DO
                 verdict = Judged(NEEDS_YOU if broken else CARE, str(finding.message), "small")
                 places = [e for e in finding.elements if isinstance(e, ccode.Located)]
                 if not places:
-                    yield (str(finding.path), int(finding.line), -1), verdict
+                    yield (str(finding.path), int(finding.line), -int(finding.column or 0)), verdict
                 for place in places:
                     yield (str(finding.path), int(place.line), int(place.startOffset)), verdict
         for binding in self.plan.portBindings:
@@ -179,6 +179,9 @@ class _Judge:
         reasons = [str(reason) for reason in disposition.reasons if reason]
         if disposition.action is _Action.rewrite and CARRIED_OVER.issuperset(disposition.rules):
             reasons.append("a port in it has another pin on the target")
+        use = self.uses.get(str(getattr(disposition.element, "name", ""))) if IN_PLACE in disposition.rules else None
+        if use is not None and use.status in (_Status.todo, _Status.unsupported):
+            return Judged(NEEDS_YOU, "; ".join(reasons), body_effort(use))
         verdict = _OF_ACTION.get(disposition.action, ADAPTED)
         if _UNKNOWN_HEADER in disposition.rules or not UNDEFINED.isdisjoint(disposition.rules):
             verdict = NEEDS_YOU
@@ -225,8 +228,10 @@ class _Judge:
         )
 
 
-UNDEFINED = frozenset({"define-extern", "define-local"})
-"""Rules by which the declaration of a variable that no file defines became its definition."""
+IN_PLACE = "adapter-in-place"
+"""The rule by which a function that the program declares and no file defines gets its body where it is declared."""
+UNDEFINED = frozenset({"define-extern", "define-local", "define-in-list", "define-behind", "left-undefined"})
+"""Rules by which the declaration of a variable that no file defines became its definition, or stayed what it is."""
 _TO_DO = frozenset({"RS312", "RS321"})
 """Rules of warnings that leave something to be written: C that C++ refuses, code that needs a core of its own."""
 
@@ -267,12 +272,13 @@ class _Spans:
                 self._of_unit.setdefault(str(unit.path), []).append(element)
 
     def around(self, path: str, line: int, offset: int) -> int | None:
-        """The identity of the construct; where no offset is known (-1), of the smallest one that the line is in."""
+        """The identity of the construct; where no offset is known, of the smallest one that the line and column are in."""
         inside = [e for e in self._of_unit.get(path, ()) if _covers(e, line, offset)]
         return id(min(inside, key=lambda e: e.endOffset - e.startOffset)) if inside else None
 
 
 def _covers(element: ccode.Located, line: int, offset: int) -> bool:
-    if offset < 0:
-        return bool(element.line <= line <= element.endLine)
+    if offset <= 0:
+        ends = element.endLine or element.line, element.endColumn or element.column + 1
+        return bool(element.line <= line <= ends[0]) and (not offset or (element.line, element.column) <= (line, -offset) < ends)
     return bool(element.startOffset <= offset < max(element.endOffset, element.startOffset + 1))

@@ -30,6 +30,19 @@ def open_conventions(plan: migration.MigrationPlan, use: migration.AdapterUse) -
     return Q(plan.portBindings).select(lambda b: b.open and b.conventionalPort is not None and id(b.conventionalPort) in ports)
 
 
+def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> tuple[list[migration.PortBinding], bool]:
+    """The ports of what the adapter of a use has to have by convention, such as encoders, that are not wired; and whether all are.
+
+    An adapter has to have the kind of component that its own piece names; others that it drives or reads it can do without.
+    """
+    role = str(use.adapter.componentRole) if use.adapter is not None else ""
+    pieces = closure([use.adapter]) if role else []
+    ports = {id(port) for piece in pieces for port in piece.ports if port.componentRole == role}
+    needed = [b for b in plan.portBindings if b.conventionalPort is not None and id(b.conventionalPort) in ports]
+    missing = [b for b in needed if not b.open and b.choice == NOT_WIRED]
+    return missing, bool(missing) and len(missing) == len(needed)
+
+
 class CallStates:
     """The states of a plan's calls.
 
@@ -59,7 +72,7 @@ class CallStates:
             or open_conventions(self.plan, use)
         ):
             return WAITS
-        if id(call) in self._unwired or (ports and all(map(_left_out, ports))):
+        if unwired_needs(self.plan, use)[1] or id(call) in self._unwired or (ports and all(map(_left_out, ports))):
             return NOT_WIRED_CALL
         return WITH_CARE if limits(use) else WORKS
 

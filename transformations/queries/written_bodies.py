@@ -104,7 +104,9 @@ def _line(starts: list[int], offset: int) -> int:
 
 
 def written(there: str, made: str, last: str = "") -> dict[str, Body]:
-    """The functions that a person has written: a placeholder in what is made, and more than that in what is there.
+    """The functions that a person has written: a placeholder in what is made, and none any more in what is there.
+
+    One without the words that it is to be written is written, if it does nothing, too.
 
     Args:
         there: the text that is there.
@@ -118,7 +120,7 @@ def written(there: str, made: str, last: str = "") -> dict[str, Body]:
         name: own[name]
         for name, body in bodies(made).items()
         if body.open and name in own and not own[name].open
-        and own[name].code not in (body.code, before[name].code if name in before else ())
+        and (name not in before or before[name].open or own[name].code != before[name].code)
     }  # fmt: skip
 
 

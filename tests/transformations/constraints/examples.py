@@ -163,6 +163,21 @@ def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
     return made
 
 
+def driven(encoder: str) -> migration.MigrationPlan:
+    """A plan with `drive_goto`, whose adapter has to have an encoder, and what is chosen for the port of it."""
+    made = a_plan(
+        portBindings=lambda p: [migration.PortBinding(name="left_encoder", sourcePin=14, choice=encoder, open=not encoder)]
+    )
+    assert made.target is not None
+    port = platform.ConventionalPort(constant="left", name="left_encoder", componentRole="encoder")
+    adapter = platform.Adapter(name="drive_goto", componentRole="encoder", ports=[port])
+    made.target.adapters.append(adapter)
+    made.portBindings[0].conventionalPort = port
+    made.portBindings[0].signal = migration.Signal.read
+    made.adapterUses.append(migration.AdapterUse(name="drive_goto", adapter=adapter, calls=[ccode.Call(calleeName="drive_goto")]))
+    return made
+
+
 def flowing(inside: bool) -> migration.MigrationPlan:
     """A plan with a call of an adapter that takes a pin, in a flow or in none."""
     made = a_plan()
@@ -299,6 +314,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
     "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
     "RS726": (lambda: dimmed("Timer1", "Timer2"), lambda: dimmed("Timer1", "Timer1")),
+    "RS730": (lambda: driven(""), lambda: driven("none")),
     "RS728": (lambda: flowing(True), lambda: flowing(False)),
     "RS729": (lambda: recorded("Servo"), lambda: recorded("DHT")),
     "RS724": (lambda: on_one_pin(1), lambda: on_one_pin(2)),

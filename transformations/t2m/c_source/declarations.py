@@ -82,7 +82,7 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
     open_ = context.token_at(stop) + 1
     close = context.matching(open_) if open_ < len(context.tokens) and context.tokens[open_][3] == "(" else -1
     end = context.tokens[close][2] if close >= 0 else node.end
-    signature = " ".join(context.source.text(spec.start, end).split())
+    signature = _signature_text(context, spec, stop, end)
     if name.startswith("~"):
         context.declarators.add(at + 1)
     if node.kind == cursor_kinds.CONSTRUCTOR:  # what a constructor initialises looks like calls
@@ -118,6 +118,23 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
     )
     context.register(node.cursor, element)
     return element
+
+
+def _signature_text(context: UnitContext, spec: types.Specifiers, stop: int, end: int) -> str:
+    """The text of a function's type and list; of one that is declared behind others without theirs.
+
+    Args:
+        context: of the unit.
+        spec: what stands before the declarators.
+        stop: offset of the name.
+        end: offset behind the list.
+    """
+    tokens, first = context.tokens, context.token_at(stop)
+    while first > spec.end and tokens[first - 1][3] in ("*", "const", "volatile", "("):
+        first -= 1
+    behind = first > spec.end and tokens[first - 1][3] == ","
+    text = f"{spec.text} {context.source.text(tokens[first][1], end)}" if behind else context.source.text(spec.start, end)
+    return " ".join(text.split())
 
 
 def _parameter(context: UnitContext, node: Node) -> ccode.Parameter:

@@ -130,7 +130,7 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   for: void drive_getTicks(int *left, int *right)
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_getAngle
-//#   role: encoder
+//#   role: servo
 //#   fidelity: within a tick; the right side counts down when the robot goes forward, as there
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
   drive_init();
