@@ -45,8 +45,7 @@ from robosmi.transformations.m2m.placeholders import (
 from robosmi.transformations.m2m.renaming import RENAME, renamings
 from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import change_texts
-from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.adapter_signature import target_types
+from robosmi.transformations.queries.adapter_signature import target_signature, target_types
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.main_function import Division, divide, main_of

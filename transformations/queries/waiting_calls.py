@@ -31,13 +31,14 @@ def open_conventions(plan: migration.MigrationPlan, use: migration.AdapterUse) -
 
 
 def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> tuple[list[migration.PortBinding], bool]:
-    """The ports of what the adapter of a use has to have by convention, such as encoders, that are not wired; and whether all are.
+    """The ports of what the adapter of a use has to have by convention, such as encoders, that are not wired; whether all are.
 
     An adapter has to have the kind of component that its own piece names; others that it drives or reads it can do without.
     """
-    role = str(use.adapter.componentRole) if use.adapter is not None else ""
-    pieces = closure([use.adapter]) if role else []
-    ports = {id(port) for piece in pieces for port in piece.ports if port.componentRole == role}
+    if use.adapter is None or not use.adapter.componentRole:
+        return [], False
+    role = use.adapter.componentRole
+    ports = {id(port) for piece in closure([use.adapter]) for port in piece.ports if port.componentRole == role}
     needed = [b for b in plan.portBindings if b.conventionalPort is not None and id(b.conventionalPort) in ports]
     missing = [b for b in needed if not b.open and b.choice == NOT_WIRED]
     return missing, bool(missing) and len(missing) == len(needed)
