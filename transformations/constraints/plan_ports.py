@@ -16,6 +16,7 @@ from robosmi.transformations.constraints.electrical_plan import terminal_functio
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.connector_names import told_names
+from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.waiting_calls import unwired_needs
 from robosmi.validate import EVL, Fail
@@ -198,7 +199,7 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> Any:
         return True
     names = " and ".join(f"'{b.name}'" for b in missing)
     known = f"; its adapter {'; '.join(str(limit) for limit in u.adapter.limits)}" if u.adapter.limits else ""
-    count = len(u.calls)
+    count = len(u.calls) + len(MacroCalls(plan_of(u)).of(u))
     return Fail(
         f"'{u.name}' ({count} call{'s' * (count != 1)}) needs what {names} tell{'s' * (len(missing) == 1)}, "
         f"which {'is' if len(missing) == 1 else 'are'} not wired{known}"

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.pin_uses import PinUse
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.ports import Port, ProgramPorts, give_numbers
@@ -73,14 +73,15 @@ def _calls(use: migration.AdapterUse, name: str, argument: int | None, views: Se
     numbered = _NUMBERED.search(name)
     if numbered is not None and argument is None:
         return
-    for call in use.calls:
+    for call in (*use.calls, *(made for view in views for made in view.made.get(str(use.name), ()))):
         if numbered is None or argument is None or int(numbered[1]) in _values(call, argument, views):
             yield call
 
 
 def _values(call: ccode.Call, argument: int, views: Sequence[CodeView]) -> set[int]:
     """The numbers that an argument may have; any where the text does not say it."""
-    view = next((v for v in views if any(c is call for c in v.calls)), views[0])
+    unit = unit_of(call)
+    view = next((v for v in views if v.unit is unit), views[0])
     arguments = list(call.arguments)
     known = [v.number for v in Values(view.program, view.unit).of(arguments[argument])] if argument < len(arguments) else [None]
     return set(range(32)) if None in known else {n for n in known if n is not None}

@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import SourceText
@@ -140,10 +141,12 @@ _OPEN = (migration.AdapterStatus.todo, migration.AdapterStatus.unsupported)
 
 
 def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
+    of_macros = MacroCalls(plan)
     for adapter in plan.adapterUses:
         if adapter.adapter is not None or adapter.status not in _OPEN:
             continue
-        count = len(adapter.calls)
+        calls = [*adapter.calls, *of_macros.of(adapter)]
+        count = len(calls)
         reason = adapter.reason if adapter.function is not None else "no file that was given defines it"
         why = f"; {reason}" if reason not in ("", NO_ADAPTER) else ""
         yield Task(
@@ -153,8 +156,8 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
             effort=body_effort(adapter),
             fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does"
             + ("; or give the file that defines it, too" if adapter.function is None else ""),
-            elements=[adapter, *adapter.calls],
-            **_place(_declared(plan, adapter) or (adapter.calls[0] if adapter.calls else None)),  # type: ignore[arg-type]
+            elements=[adapter, *calls],
+            **_place(_declared(plan, adapter) or (calls[0] if calls else None)),  # type: ignore[arg-type]
         )
 
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from robosmi.metamodels import hardware, migration
 from robosmi.report.notebook import bar, picture, quoted, table
 from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import call_sites, open_choices, ports_by_pin
 
 
@@ -51,7 +52,9 @@ def _parts(plan: migration.MigrationPlan) -> Iterator[str]:
     ]
     if libraries:
         yield table(("component", "library", "chosen by", "why"), libraries)
-    uses = [[quoted(u.signature), quoted(len(u.calls)), quoted(u.status.name)] for u in plan.adapterUses]
+    of_macros = MacroCalls(plan)
+    counts = {id(u): len(u.calls) + len(of_macros.of(u)) for u in plan.adapterUses}
+    uses = [[quoted(u.signature), quoted(counts[id(u)]), quoted(u.status.name)] for u in plan.adapterUses]
     if uses:
         yield f"<details><summary>{len(uses)} functions</summary>{table(('function', 'calls', 'status'), uses)}</details>"
 

@@ -14,6 +14,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.connector_names import told_names
+from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
@@ -33,6 +34,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     """
     judged = known.judged
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
+    of_macros = MacroCalls(plan)
     taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
     screen = first_screen(plan, sources, taken, known.needs)
     return {
@@ -53,7 +55,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "libraries": [_library(c) for c in plan.libraryChoices],
         "counts": _counts(judged),
         "groups": [*(_group(u, judged) for u in (plan.program.units if plan.program else [])), *_outside(judged)],
-        "adapters": [_adapter(a) for a in plan.adapterUses],
+        "adapters": [_adapter(a, of_macros) for a in plan.adapterUses],
         "limits": _limits(plan),
         "filled": any(a.adapter is not None or a.reason for a in plan.adapterUses),
     }
@@ -188,11 +190,11 @@ def _counts(judged: Sequence[Construct]) -> str:
     return f"{counts['total']} construct{'s' * (counts['total'] != 1)}: {summed or 'none'}."
 
 
-def _adapter(adapter: migration.AdapterUse) -> dict[str, Json]:
+def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, Json]:
     header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
     piece = adapter.adapter
     return {
-        "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls),
+        "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls) + len(of_macros.of(adapter)),
         "state": adapter.status.name, "kind": RELATIONS[piece.adapterKind.name] if piece is not None else "",
         "fidelity": piece.fidelity if piece is not None else "written by you" if adapter.written else adapter.reason,
     }  # fmt: skip

@@ -6,6 +6,7 @@ users' scripts; new ones may be added, none renamed.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from robosmi.data_text import Json
@@ -97,7 +98,7 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
         "types": [
             _type(d) for d in unit.declarations if isinstance(d, (ccode.Typedef, ccode.Record, ccode.Enumeration)) and d.name
         ],
-        "platform_calls": [_platform_call(f) for f in view.functions_of("platform")],
+        "platform_calls": [_platform_call(f) for f in (*view.functions_of("platform"), *_made_elsewhere(view, views))],
         "unknown_calls": [
             {"name": f.name, "count": len(f.calls), "lines": f.lines, "signature": f.signature} for f in view.unknown()
         ],
@@ -166,6 +167,13 @@ def _type(declaration: ccode.Declaration) -> dict[str, Json]:
     return {"name": str(declaration.name), "kind": kind, "line": int(declaration.line)}
 
 
+def _made_elsewhere(view: code.CodeView, views: list[code.CodeView]) -> list[code.CalledFunction]:
+    """The platform's functions that a unit calls only by macros of other units, such as a header of the program."""
+    known = {f.name: f for v in views for f in v.functions_of("platform") if f.in_macro}
+    names = [name for name in view.made if name in known and name not in view.called()]
+    return [replace(known[name], calls=[], made=view.made[name]) for name in sorted(names)]
+
+
 def _platform_call(function: code.CalledFunction) -> dict[str, Json]:
     return {
         "name": function.name,
@@ -176,6 +184,8 @@ def _platform_call(function: code.CalledFunction) -> dict[str, Json]:
         "signature_source": function.signature_source,
         "macro": function.entry is not None and function.entry.kind == "function_macro",
         "in_macro": function.in_macro,
+        "macro_count": len(function.made),
+        "macro_lines": sorted(int(call.line) for call in function.made),
     }
 
 

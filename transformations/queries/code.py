@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, TypeVar
 
 from robosmi.metamodels import ccode
@@ -36,6 +37,7 @@ class CalledFunction:
         signature: the paper's raw signature: from the header that was read, the repository, or inferred.
         signature_source: header, repository or inferred.
         in_macro: it is also named in the body of a macro of the program's own.
+        made: the calls that macros of the program make where they are used; of no unit's text, so that `calls` has none of them.
         callee: the model's function, None where it is named in macros only.
     """
 
@@ -46,6 +48,7 @@ class CalledFunction:
     signature: str = ""
     signature_source: str = "inferred"
     in_macro: bool = False
+    made: list[ccode.Call] = field(default_factory=list)
     callee: ccode.Function | None = None
 
     @property
@@ -133,10 +136,22 @@ class CodeView:
                 found.setdefault(name, CalledFunction(name, callee=callee)).calls.append(call)
             for name in self._called_in_macros():
                 found.setdefault(name, CalledFunction(name)).in_macro = True
+            for name, made in self.made.items():
+                if name in found:
+                    found[name].made = made
             for function in found.values():
                 self._describe(function)
             self._functions = dict(sorted(found.items()))
         return self._functions
+
+    @cached_property
+    def made(self) -> dict[str, list[ccode.Call]]:
+        """The calls that the program's macros make where they are used in the unit, by name of the function."""
+        found: dict[str, list[ccode.Call]] = {}
+        for call in self.of_kind(ccode.Call):
+            if call.viaMacro and call.calleeName:
+                found.setdefault(str(call.calleeName), []).append(call)
+        return found
 
     def _called_in_macros(self) -> Iterator[str]:
         own = _definitions(self.program)
@@ -268,9 +283,10 @@ def _merge(into: dict[str, CalledFunction], functions: Iterable[CalledFunction])
     for function in functions:
         known = into.get(function.name)
         if known is None:
-            into[function.name] = replace(function, calls=list(function.calls))  # the views keep theirs
+            into[function.name] = replace(function, calls=list(function.calls), made=list(function.made))  # the views keep theirs
         else:
             known.calls += function.calls
+            known.made += function.made
             known.in_macro = known.in_macro or function.in_macro
 
 

@@ -167,7 +167,7 @@ def _range(ends: list[Value], starts: list[Value]) -> list[Value]:
 
 
 def _convention_use(function: CalledFunction, convention: Convention, values: Values) -> PinUse | None:
-    for call in function.calls:
+    for call in (*function.calls, *function.made):
         if _holds(convention.when, call, values):
             return PinUse(
                 convention.pin, convention.what, "convention", function.name, convention.direction, int(call.line), call

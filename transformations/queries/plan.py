@@ -165,6 +165,7 @@ def library_json(choice: migration.LibraryChoice) -> dict[str, Json]:
 
 def plan_json(plan: migration.MigrationPlan) -> dict[str, Json]:
     """The contract's `plan`."""
+    of_macros = MacroCalls(plan)
     return {
         "name": plan.name,
         "target": plan.board.name if plan.board else None,
@@ -178,6 +179,7 @@ def plan_json(plan: migration.MigrationPlan) -> dict[str, Json]:
                 "signature": a.signature,
                 "header": header_name(a),
                 "calls": len(a.calls),
+                "macro_calls": len(of_macros.of(a)),
                 "status": a.status.name,
                 "kind": a.adapter.adapterKind.name if a.adapter is not None else None,
                 "fidelity": a.adapter.fidelity if a.adapter is not None else "",
