@@ -6,7 +6,7 @@ users' scripts; new ones may be added, none renamed.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import Any
 
 from robosmi.data_text import Json
@@ -83,6 +83,7 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
     explicit = set(view.includes)
     own_calls = {name: [c for c in calls if code.unit_of(c) is unit] for name, calls in user_calls.items()}
     own_calls.update({f.name: f.calls for f in view.header_macros()})
+    own_calls.update(_uses_of_header_macros(view))
     return {
         "path": str(unit.path),
         "includes": [_include(i, api) for i in unit.includes],
@@ -98,7 +99,7 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
         "types": [
             _type(d) for d in unit.declarations if isinstance(d, (ccode.Typedef, ccode.Record, ccode.Enumeration)) and d.name
         ],
-        "platform_calls": [_platform_call(f) for f in (*view.functions_of("platform"), *_made_elsewhere(view, views))],
+        "platform_calls": [_platform_call(f) for f in (*view.functions_of("platform"), *view.made_by_headers())],
         "unknown_calls": [
             {"name": f.name, "count": len(f.calls), "lines": f.lines, "signature": f.signature} for f in view.unknown()
         ],
@@ -167,11 +168,13 @@ def _type(declaration: ccode.Declaration) -> dict[str, Json]:
     return {"name": str(declaration.name), "kind": kind, "line": int(declaration.line)}
 
 
-def _made_elsewhere(view: code.CodeView, views: list[code.CodeView]) -> list[code.CalledFunction]:
-    """The platform's functions that a unit calls only by macros of other units, such as a header of the program."""
-    known = {f.name: f for v in views for f in v.functions_of("platform") if f.in_macro}
-    names = [name for name in view.made if name in known and name not in view.called()]
-    return [replace(known[name], calls=[], made=view.made[name]) for name in sorted(names)]
+def _uses_of_header_macros(view: code.CodeView) -> dict[str, Sequence[ccode.Located]]:
+    """The uses of macros with arguments that headers of the program define."""
+    found: dict[str, list[ccode.Located]] = {}
+    for use in view.unit.macroUses:
+        if use.functionLike and use.header and view.api.header_kind(str(use.header)) is None:
+            found.setdefault(str(use.name), []).append(use)
+    return {**found}
 
 
 def _platform_call(function: code.CalledFunction) -> dict[str, Json]:

@@ -153,6 +153,15 @@ class CodeView:
                 found.setdefault(str(call.calleeName), []).append(call)
         return found
 
+    def made_by_headers(self) -> list[CalledFunction]:
+        """The platform's functions that the unit calls only by macros which headers of the program define, by name."""
+        found = []
+        for name, made in sorted(self.made.items()):
+            if name not in self.called() and not self.defined(name):
+                self._describe(function := CalledFunction(name, in_macro=True, made=made))
+                found += [function] if function.entry is not None and self.api.kind_of(function.entry) == "platform" else []
+        return found
+
     def _called_in_macros(self) -> Iterator[str]:
         own = _definitions(self.program)
         for macro in self.own_macros.values():

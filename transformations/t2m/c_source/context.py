@@ -84,6 +84,7 @@ class UnitContext:
         self.covered: set[int] = set()
         self.declarators: set[int] = set()
         self.user_macros: dict[str, bool] = {}
+        self._own_in_headers: dict[str, bool] = {}
         self.findings: list[Finding] = []
         self.depth = 0
         self._expansion_starts: list[int] = []
@@ -151,6 +152,18 @@ class UnitContext:
         return self.source.data[expansion.end - 1 : expansion.end] == b")" and expansion.end - expansion.start > len(
             expansion.name
         )
+
+    def is_own(self, expansion: Expansion) -> bool:
+        """Whether the program defines the macro, in the file itself or in a header of its own."""
+        name = expansion.name
+        if name in self.user_macros:
+            return True
+        if name not in self._own_in_headers:
+            file, _ = clang.file_offset(self.lib.getCursorLocation(self.lib.getCursorReferenced(expansion.cursor)))
+            path = clang.file_name(file) if file is not None else ""
+            ours = bool(path) and not path.startswith((HEADERS + "/", VIRTUAL + "/"))
+            self._own_in_headers[name] = ours and self.api.header_kind(self.header_of_file(file)) is None
+        return self._own_in_headers[name]
 
     def arguments(self, expansion: Expansion) -> list[tuple[int, int]]:
         """The ranges of the arguments of a macro use, trimmed."""

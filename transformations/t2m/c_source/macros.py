@@ -33,7 +33,7 @@ def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expressi
     expansion = expansion_of(context, node)
     if expansion is None:
         return None
-    own = expansion.name in context.user_macros
+    own = context.is_own(expansion)
     if context.function_like(expansion):
         return None if own else macro_call(context, node, expansion, build)
     if own and _has_call(node):
@@ -64,7 +64,7 @@ def call_place(context: UnitContext, node: Node) -> tuple[dict[str, Any], str, b
     if not node.from_macro:
         return context.source.place(node.start, node.end), "", False
     for expansion in context.expansions_at(node.start):
-        if expansion.name in context.user_macros:
+        if context.is_own(expansion):
             context.covered.add(expansion.start)  # an alias: the text has a call by the macro's name
             end = max(expansion.end, node.end)
             return context.source.place(expansion.start, end), "", True
@@ -106,8 +106,8 @@ def uses(context: UnitContext) -> list[ccode.MacroUse]:
         if (expansion.start, expansion.end) in seen:
             continue
         seen.add((expansion.start, expansion.end))
-        own = expansion.name in context.user_macros
-        header = "" if own else headers.get(expansion.name)
+        own = context.is_own(expansion)
+        header = "" if expansion.name in context.user_macros else headers.get(expansion.name)
         if header is None:
             header = headers[expansion.name] = header_of(context, context.lib.getCursorReferenced(expansion.cursor)) or ""
         like = context.function_like(expansion)

@@ -79,7 +79,7 @@ def _expression_statement(context: UnitContext, node: Node) -> ccode.Statement:
 
 def _from_header_macro(context: UnitContext, node: Node) -> ccode.Statement | None:
     expansion = macros.expansion_of(context, node)
-    if expansion is None or expansion.name in context.user_macros or not context.function_like(expansion):
+    if expansion is None or context.is_own(expansion) or not context.function_like(expansion):
         return None
     place = _place(context, node)
     return ccode.ExpressionStatement(expression=macros.macro_call(context, node, expansion, expression), **place)
