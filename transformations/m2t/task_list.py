@@ -194,7 +194,8 @@ def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, 
     header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
     piece = adapter.adapter
     return {
-        "signature": adapter.signature, "header": header.name if header else "unknown", "calls": len(adapter.calls) + len(of_macros.of(adapter)),
+        "signature": adapter.signature, "header": header.name if header else "unknown",
+        "calls": len(adapter.calls) + len(of_macros.of(adapter)),
         "state": adapter.status.name, "kind": RELATIONS[piece.adapterKind.name] if piece is not None else "",
         "fidelity": piece.fidelity if piece is not None else "written by you" if adapter.written else adapter.reason,
     }  # fmt: skip

@@ -81,7 +81,9 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function)]
     variables = [d for d in unit.declarations if isinstance(d, ccode.Variable)]
     explicit = set(view.includes)
-    own_calls = {name: [c for c in calls if code.unit_of(c) is unit] for name, calls in user_calls.items()}
+    own_calls: dict[str, Sequence[ccode.Located]] = {
+        name: [c for c in calls if code.unit_of(c) is unit] for name, calls in user_calls.items()
+    }
     own_calls.update({f.name: f.calls for f in view.header_macros()})
     own_calls.update(_uses_of_header_macros(view))
     return {

@@ -57,6 +57,8 @@ class CallStates:
         self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
+        if not any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings):
+            self._waiting |= {id(c) for f in plan.portFlows if f.anything and not f.bindings for c in f.calls}
         self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
 
     def of(self, use: migration.AdapterUse, call: ccode.Call) -> str:
