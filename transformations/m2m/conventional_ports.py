@@ -14,7 +14,6 @@ from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.pin_uses import PinUse
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.ports import Port, ProgramPorts, give_numbers
-from robosmi.transformations.queries.values import Values
 
 _NUMBERED = re.compile(r"_(\d+)\Z")
 _DIRECTIONS = {platform.Direction.input: "in", platform.Direction.output: "out", platform.Direction.both: "both"}
@@ -83,5 +82,5 @@ def _values(call: ccode.Call, argument: int, views: Sequence[CodeView]) -> set[i
     unit = unit_of(call)
     view = next((v for v in views if v.unit is unit), views[0])
     arguments = list(call.arguments)
-    known = [v.number for v in Values(view.program, view.unit).of(arguments[argument])] if argument < len(arguments) else [None]
+    known = [v.number for v in view.values.of(arguments[argument])] if argument < len(arguments) else [None]
     return set(range(32)) if None in known else {n for n in known if n is not None}

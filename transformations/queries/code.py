@@ -18,6 +18,8 @@ from robosmi.model.strict import Element
 from robosmi.query import Q, all_contents
 from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.queries.reached_values import ReachedValues
+from robosmi.transformations.queries.values import Values
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
@@ -123,7 +125,21 @@ class CodeView:
 
     def defined(self, name: str) -> bool:
         """Whether the program itself defines a function or macro of that name."""
-        return name in self.own_macros or name in _definitions(self.program)
+        return name in self.own_macros or name in self._defined
+
+    @cached_property
+    def _defined(self) -> set[str]:
+        return _definitions(self.program)
+
+    @cached_property
+    def values(self) -> Values:
+        """The values that expressions of the unit have; what is once found is kept."""
+        return Values(self.program, self.unit)
+
+    @cached_property
+    def reached_values(self) -> ReachedValues:
+        """The values that expressions of the unit may have while the program runs."""
+        return ReachedValues(self.program, self.unit)
 
     def called(self) -> dict[str, CalledFunction]:
         """Every function that is called and not defined in the program, by name; computed callees are left out."""
@@ -163,7 +179,7 @@ class CodeView:
         return found
 
     def _called_in_macros(self) -> Iterator[str]:
-        own = _definitions(self.program)
+        own = self._defined
         for macro in self.own_macros.values():
             parameters = set(macro.parameters)
             for name in _CALLED.findall(_LITERALS.sub(" ", str(macro.body or ""))):

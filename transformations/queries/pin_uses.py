@@ -78,7 +78,7 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
         view: the unit.
         views: a view of each unit of the program, since any may set up what a convention is used for.
     """
-    values = Values(view.program, view.unit)
+    values = view.values
     called = {name for v in views for name in v.called()}
     found: dict[tuple[str, int | None, str, int], PinUse] = {}
     for function in view.functions_of("platform", "posix"):
@@ -103,7 +103,7 @@ def macro_uses_of(view: CodeView) -> list[PinUse]:
     Args:
         view: the unit.
     """
-    values = Values(view.program, view.unit)
+    values = view.values
     found: list[PinUse] = []
     for call in view.of_kind(ccode.Call):
         function = view.called().get(str(call.calleeName)) if call.viaMacro else None

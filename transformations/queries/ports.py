@@ -103,8 +103,8 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
         views: a view of each of its units.
         flows: its flows of port numbers.
     """
-    values = {view.unit.path: Values(view.program, view.unit) for view in views}
-    reached = {view.unit.path: ReachedValues(view.program, view.unit) for view in views}
+    values = {view.unit.path: view.values for view in views}
+    reached = {view.unit.path: view.reached_values for view in views}
     count = next((view.api.ports for view in views), 0)
     made = MadeCalls(views)
     through = [_flow_ports(flow, values, reached, count, made) for flow in flows]
