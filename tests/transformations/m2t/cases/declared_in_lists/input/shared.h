@@ -1,0 +1,2 @@
+extern int total, table[4], step;
+void work(void);
