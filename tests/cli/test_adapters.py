@@ -156,6 +156,14 @@ def test_a_placeholder_that_does_nothing_still_is_to_be_written(body: str, proje
     assert sites(migrated(project)) == (1, 2)
 
 
+@pytest.mark.parametrize("body", ["(void)Pin;\n  return 0;", "// nothing to measure on this robot\n  (void)Pin;\n  return 0;"])
+def test_a_body_that_does_nothing_on_purpose_counts_as_filled(body: str, project: Path) -> None:
+    migrated(project)
+    write_body(project, body=body)
+    assert sites(migrated(project)) == (2, 1)
+    assert "s3_ping" in run("adapters", "save", project / "out", "--as", "user").out
+
+
 def test_a_ticked_task_is_done_and_becomes_no_conflict(project: Path) -> None:
     migrated(project)
     path = project / "out" / "tilt" / "MIGRATION.md"

@@ -14,6 +14,9 @@ from robosmi.transformations.knowledge.lexer import Token, tokens
 
 TODO = "TODO: complete method"
 """What a body that is still to be written says in a comment."""
+_NOT_SUPPORTED = "not supported"
+_NOTHING = re.compile(r"\{ (?:\( void \) \w+ ; )*(?:return [^;]*; )?\}\Z")
+"""The code of a body that does nothing."""
 AS_BYTES = "surrogateescape"
 """How bytes that are no UTF-8 go through these texts."""
 _TASK = re.compile(r"- \[(?P<tick>[ xX])\] (?P<said>.*`(?P<rule>RS\d+)`.*)")
@@ -40,8 +43,8 @@ class Body(NamedTuple):
 
     @property
     def open(self) -> bool:
-        """Whether it still says that it is to be written."""
-        return TODO in self.text
+        """Whether it still says that it is to be written, or does nothing and says that this is not supported."""
+        return TODO in self.text or (_NOT_SUPPORTED in self.text.lower() and _NOTHING.search(" ".join(self.code)) is not None)
 
 
 def bodies(text: str) -> dict[str, Body]:

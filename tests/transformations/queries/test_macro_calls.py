@@ -6,13 +6,15 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.m2t.first_screen import works
-from robosmi.transformations.queries.plan import call_sites
+from robosmi.transformations.queries.plan import call_sites, plan_json
 from robosmi.transformations.queries.waiting_calls import CallStates
 from robosmi.transformations.queries.work import Work
 
 PROGRAM = Path(__file__).parent / "macro_calls" / "robot.c"
+DRIVE = PROGRAM.with_name("drive.c")
 NESTED = PROGRAM.with_name("nested.c")
 ALL = {"P7": "D2", "BUTTON": "D3", "P26": "D4"}
 
@@ -65,3 +67,34 @@ def test_macros_that_become_too_much_are_said_not_to_be_counted(tmp_path: Path) 
     assert work.to_json()["unread_calls"] == 1
     assert {"RS102", "RS104", "RS327"} <= {f.rule for f in plan.findings}
     assert plan_migration([program], bind={"P4": "D2"}).plan.portBindings[0].sourcePin == 4
+
+
+def test_analyse_and_migrate_count_the_same_calls() -> None:
+    units = analyse([DRIVE]).result["units"]
+    counted = {c["name"]: (c["count"], c["macro_count"], c["in_macro"]) for u in units for c in u["platform_calls"]}
+    assert counted == {
+        "drive_speed": (0, 2, True), "high": (0, 1, True), "low": (0, 1, True), "pause": (1, 1, False), "ping_cm": (0, 2, True),
+    }  # fmt: skip
+    assert units[0]["user_calls"] == [{"name": "LAMP", "count": 1, "lines": [11]}]
+    plan = plan_migration([DRIVE]).plan
+    assert call_sites(plan)["total"] == sum(count + made for count, made, _ in counted.values())
+    assert {a["name"]: (a["calls"], a["macro_calls"]) for a in plan_json(plan)["adapters"]} == {
+        name: (count, made) for name, (count, made, _) in counted.items()
+    }
+
+
+def test_a_drive_that_only_macros_use_has_its_servos() -> None:
+    plan = plan_migration([DRIVE]).plan
+    assert [b.name for b in plan.portBindings] == ["P8", "P5", "abdrive.left_servo", "abdrive.right_servo"]
+    counts = CallStates(plan).counts()
+    assert (counts["total"], counts["waits_for_port"]) == (8, 6)
+
+
+@pytest.mark.parametrize(
+    ("encoders", "not_wired", "warned"), [(("none", "none"), 2, 2), (("none", "D3"), 0, 2), (("D2", "D3"), 0, 0)]
+)
+def test_functions_that_need_encoders_are_not_ready_without_them(encoders: tuple[str, str], not_wired: int, warned: int) -> None:
+    bound = {"left_servo": "D9", "right_servo": "D10", "left_encoder": encoders[0], "right_encoder": encoders[1]}
+    plan = plan_migration([DRIVE.with_name("goto.c")], bind={f"abdrive.{name}": pin for name, pin in bound.items()}).plan
+    assert CallStates(plan).counts()["not_wired"] == not_wired
+    assert len([f for f in plan.findings if f.rule == "RS730"]) == warned

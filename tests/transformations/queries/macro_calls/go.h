@@ -1,0 +1,1 @@
+#define LAMP(n) do { high(n); pause(100); low(n); } while (0)
