@@ -165,13 +165,16 @@ def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
 
 def driven(encoder: str) -> migration.MigrationPlan:
     """A plan with `drive_goto`, whose adapter has to have an encoder, and what is chosen for the port of it."""
-    made = a_plan(
-        portBindings=lambda p: [migration.PortBinding(name="left_encoder", sourcePin=14, choice=encoder, open=not encoder)]
-    )
+    made = a_plan(portBindings=lambda p: [migration.PortBinding(name="left_encoder", sourcePin=14, choice=encoder, open=False)])
     assert made.target is not None
     port = platform.ConventionalPort(constant="left", name="left_encoder", componentRole="encoder")
     adapter = platform.Adapter(name="drive_goto", componentRole="encoder", ports=[port])
     made.target.adapters.append(adapter)
+    if encoder != "none":
+        assert made.board is not None
+        pin = platform.Pin(label=encoder, abilities=["digital"])
+        made.board.pins.append(pin)
+        made.portBindings[0].pin = pin
     made.portBindings[0].conventionalPort = port
     made.portBindings[0].signal = migration.Signal.read
     made.adapterUses.append(migration.AdapterUse(name="drive_goto", adapter=adapter, calls=[ccode.Call(calleeName="drive_goto")]))
@@ -314,7 +317,7 @@ EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS720": (lambda: beside_the_console("high"), lambda: beside_the_console("print")),
     "RS725": (lambda: ranged(migration.Signal.bus), lambda: ranged(migration.Signal.write, migration.Signal.read)),
     "RS726": (lambda: dimmed("Timer1", "Timer2"), lambda: dimmed("Timer1", "Timer1")),
-    "RS730": (lambda: driven(""), lambda: driven("none")),
+    "RS730": (lambda: driven("D4"), lambda: driven("none")),
     "RS728": (lambda: flowing(True), lambda: flowing(False)),
     "RS729": (lambda: recorded("Servo"), lambda: recorded("DHT")),
     "RS724": (lambda: on_one_pin(1), lambda: on_one_pin(2)),
