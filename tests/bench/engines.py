@@ -12,6 +12,8 @@ import os
 import sys
 import tempfile
 import tomllib
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import robosmi
@@ -22,6 +24,7 @@ from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.original_side import channel_events
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import bound_ports
+from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.comparison import NOT_EXERCISED, SAME, compare
 from robosmi.verify.scenario import read_scenario
 from robosmi.verify.simulation import simulate
@@ -63,7 +66,7 @@ def agree(name: str, folder: Path, budget: float) -> bool:
         )
         one, other = (channel_events(simulate(asked, engine), ports, target=True) for engine in ENGINES)
         for channel in one:
-            found = compare(channel, one[channel][0], other[channel][0], [], scenario.horizon_ms)
+            found = compare(channel, _uncounted(one[channel][0]), _uncounted(other[channel][0]), [], scenario.horizon_ms)
             events += found.events
             greatest = max(greatest, abs(found.greatest_dt_ms))
             if found.status not in (SAME, NOT_EXERCISED):
@@ -74,6 +77,11 @@ def agree(name: str, folder: Path, budget: float) -> bool:
     print(f"{name} | {' | '.join(said)} | {len(files)} scenarios, {seconds:g} s | {events} events of both engines, "
           f"at most {greatest:.2f} ms apart | {'; '.join(differences) or 'no difference'}", flush=True)  # fmt: skip
     return not differences and said[0] == said[1] and len(files) > 0
+
+
+def _uncounted(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
+    """Events without how many edges they have, which no verdict compares where the source's wave is a timer's."""
+    return [replace(event, pulses=0) for event in events]
 
 
 def main() -> int:
