@@ -16,10 +16,18 @@ from contextvars import ContextVar
 from typing import BinaryIO, NamedTuple
 
 _MB = 1024 * 1024
-_FLAGS = os.O_RDONLY
-for _name in ("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_BINARY"):  # not every system has all of them
-    _FLAGS |= getattr(os, _name, 0)
-_NO_LINK: int = getattr(os, "O_NOFOLLOW", 0)
+
+
+def flags(*names: str) -> int:
+    """The flags of `os.open` with these names, as one number; not every system has all of them."""
+    number: int = 0
+    for name in names:
+        number |= vars(os).get(name, 0)
+    return number
+
+
+_FLAGS = os.O_RDONLY | flags("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_BINARY")
+_NO_LINK = flags("O_NOFOLLOW")
 _ODD = {stat.S_IFIFO: "a named pipe", stat.S_IFCHR: "a device", stat.S_IFBLK: "a device", stat.S_IFSOCK: "a socket"}
 
 

@@ -47,7 +47,7 @@ def folders(kind: str, project: Path | None = None) -> Iterator[Path]:
     Raises:
         SourceError: the project has templates that nobody has trusted (see `trust`).
     """
-    return map(Path, _folders(kind, project))
+    return (Path(folder) for folder in _folders(kind, project))
 
 
 def _folders(kind: str, project: Path | None) -> Iterator[str]:

@@ -140,7 +140,11 @@ def _found(path: str | os.PathLike[str]) -> tuple[Path, str] | None:
     for at, part in enumerate(parts[:-2], 1):
         if part == OWN and (ending := RUNS.get(parts[at])) is not None and parts[-1].endswith(ending):
             folder = Path(*parts[:at])
-            return None if os.fspath(folder) in map(os.path.abspath, user_folders.named()) else (folder, "/".join(parts[at:]))
+            return (
+                None
+                if os.fspath(folder) in (os.path.abspath(one) for one in user_folders.named())
+                else (folder, "/".join(parts[at:]))
+            )
     return None
 
 

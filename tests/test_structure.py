@@ -31,6 +31,7 @@ FOUNDATION = (
     "diagnostics",
     "doing",
     "foreign_code",
+    "functions",
     "user_folders",
     "resources",
     "plugins",

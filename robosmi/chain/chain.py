@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     import networkx as nx  # longer to import than most chains take
 
     from robosmi.chain.languages import Choice  # all languages
+    from robosmi.functions import Function
 
 Names = str | Sequence[str]
 Paths = str | Path | Sequence[str | Path]
@@ -81,9 +82,7 @@ class Chain:
             step or f"load {name}", "load", None, (), makes=name, file=file, metamodel=metamodel, driver=driver, reads=reads
         )
 
-    def validate(
-        self, function: Callable[..., Any], *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = ""
-    ) -> None:
+    def validate(self, function: Function, *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = "") -> None:
         """Check constraints; later steps that use one of the models are done only if they hold.
 
         Args:
@@ -101,7 +100,7 @@ class Chain:
 
     def transform(
         self,
-        function: Callable[..., Any],
+        function: Function,
         *,
         models: Names,
         makes: str,
@@ -127,7 +126,7 @@ class Chain:
 
     def migrate(
         self,
-        function: Callable[..., Any],
+        function: Function,
         *,
         models: Names,
         makes: str,
@@ -148,7 +147,7 @@ class Chain:
 
     def generate(
         self,
-        function: Callable[..., Any],
+        function: Function,
         *,
         models: Names,
         folder: str | Path,
@@ -179,7 +178,7 @@ class Chain:
             self.steps.append(Step(f"given {name}", GIVEN, makes=name))
         self.defaults |= defaults
 
-    def call(self, function: Callable[..., Any], *, makes: str, step: str = "") -> None:
+    def call(self, function: Function, *, makes: str, step: str = "") -> None:
         """Make a value of others by a plain function.
 
         Args:
@@ -189,12 +188,12 @@ class Chain:
         """
         self.steps.append(self._call(function, makes, step or makes))
 
-    def _call(self, function: Callable[..., Any], makes: str, title: str) -> Step:
+    def _call(self, function: Function, makes: str, title: str) -> Step:
         code = inspect.getsourcefile(function) if self.folder is not None else None
         code_files = (Path(code).resolve(),) if code and Path(code).is_file() else ()
         return Step(title, CALL, function, tuple(inspect.signature(function).parameters), makes, code=code_files)
 
-    def replace(self, name: str, function: Callable[..., Any]) -> None:
+    def replace(self, name: str, function: Function) -> None:
         """Put another function in the place of a step of values; it makes the same value, of whatever values it asks for.
 
         Args:
@@ -215,7 +214,7 @@ class Chain:
             location=self.place, fix=f"use one of: {', '.join(known) or 'none is there'}",
         )  # fmt: skip
 
-    def _add(self, name: str, kind: str, function: Callable[..., Any] | None, models: Names, **options: Any) -> None:
+    def _add(self, name: str, kind: str, function: Function | None, models: Names, **options: Any) -> None:
         if self.folder is None:
             raise SourceError(
                 f"a step of kind '{kind}' reads or makes files, and the chain has no folder",

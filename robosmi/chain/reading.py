@@ -6,9 +6,8 @@ import hashlib
 import importlib
 import importlib.util
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi import inputs
 from robosmi.chain.chain import Chain
@@ -17,6 +16,10 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RuleError, SourceError, did_you_mean
 from robosmi.model.files import read_input
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 _KEYS: dict[str, dict[str, bool]] = {
     "load": {"file": True, "metamodel": False, "driver": False},
@@ -87,7 +90,7 @@ def _text(place: Location, number: int, key: str, value: Any) -> str:
     return value
 
 
-def function(target: str, folder: Path, place: Location) -> Callable[..., Any]:
+def function(target: str, folder: Path, place: Location) -> Function:
     """The function that a text names: `rules.py:pages` (relative to a folder) or `package.module:pages`.
 
     Raises:

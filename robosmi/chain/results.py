@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import types
 import typing
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
 
 
-def unlike(value: Any, function: Callable[..., Any]) -> str:
+def unlike(value: Any, function: Function) -> str:
     """What is expected instead of a value, or an empty text where the value is of the kind that the function returns.
 
     Args:

@@ -337,7 +337,7 @@ class ChainRun:
         if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
             from robosmi.query.erl import place_of
 
-            first = f"{step.instead_of.__module__}.{step.instead_of.__qualname__}"
+            first = f"{step.instead_of.__module__}.{getattr(step.instead_of, '__qualname__', '')}"
             raise RuleError(
                 f"the function in the place of the step '{step.name}' made {described(made)} for '{step.makes}'; "
                 f"expected is {expected}",

@@ -7,12 +7,15 @@ chain of plain functions costs no more than the functions.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Finding, Severity
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 KINDS = ("load", "validate", "transform", "migrate", "generate")
 """The kinds that read and make models and files."""
@@ -49,7 +52,7 @@ class Step:
 
     name: str
     kind: str
-    function: Callable[..., Any] | None = None
+    function: Function | None = None
     models: tuple[str, ...] = ()
     makes: str = ""
     file: Path | None = None
@@ -61,7 +64,7 @@ class Step:
     reads: tuple[Path, ...] = ()
     code: tuple[Path, ...] = ()
     greatest: Severity = Severity.warning
-    instead_of: Callable[..., Any] | None = None
+    instead_of: Function | None = None
 
     def given_models(self) -> tuple[str, ...]:
         """The names under which its function gets models: those that it reads, and the one that it fills."""

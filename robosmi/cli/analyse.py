@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import add_source_options, write_model
 from robosmi.cli.progress import progress
@@ -11,8 +12,11 @@ from robosmi.plugins import content
 from robosmi.project import project_of
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     add_source_options(parser)
     parser.add_argument("-o", dest="output", metavar="code.xmi", type=Path, help="store the code model as XMI")

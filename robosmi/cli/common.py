@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import argparse
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import StoppedError, UsageError
 from robosmi.model.files import ANOTHER_NAME, refuse_link
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def add_source_options(parser: argparse.ArgumentParser) -> None:
+
+def add_source_options(parser: Options) -> None:
     """The options that say how a program is read."""
     parser.add_argument("files", nargs="+", metavar="FILE", type=Path, help="source file(s) of one program")
     parser.add_argument("--source-platform", metavar="NAME", help="platform the program was written for")

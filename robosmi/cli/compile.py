@@ -10,10 +10,11 @@ from robosmi.cli.common import output_folder
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.options import Options
     from robosmi.verify.compile_report import CompileReport, StackBound
 
 
-def configure(parser: argparse.ArgumentParser) -> None:
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
     parser.add_argument("--board", metavar="NAME", help="another board than the one in the sketch's project file")

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("rules", nargs="*", metavar="RULE", help="id or name of a rule, as RS311; none lists all")
 
@@ -23,6 +27,6 @@ def run(arguments: argparse.Namespace) -> Report:
     for rule in asked:
         report.lines += [*([""] if report.lines else []), *terminal_page(known[rule])]
     if not asked:
-        width = max(map(len, known), default=0)
+        width = max((len(name) for name in known), default=0)
         report.lines = [f"{rule.id:{width}}  {rule.severities[0].name:7}  {rule.name}" for rule in known.values()]
     return report

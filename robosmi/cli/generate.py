@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import output_folder
 from robosmi.cli.migrate import filled
 from robosmi.plugins import content
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("plan", metavar="plan.xmi", type=Path, help="a stored plan, perhaps edited")
     parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")

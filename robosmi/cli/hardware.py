@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import check_replaced, write_model
 from robosmi.cli.progress import progress
@@ -12,8 +13,11 @@ from robosmi.plugins import content
 from robosmi.project import project_of
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("sketch", metavar="SKETCH", type=Path, help="the drawing, or a pin table (.csv, .toml)")
     parser.add_argument("-o", dest="output", metavar="hardware.xmi", type=Path, help="store the hardware model as XMI")

@@ -5,13 +5,17 @@ from __future__ import annotations
 import argparse
 from dataclasses import asdict
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.plugins import content
 from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     listing = actions.add_parser("list", help="show the choices")

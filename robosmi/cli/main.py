@@ -16,7 +16,7 @@ import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from robosmi.cli import sarif_file, streams
 from robosmi.cli.examples import EXAMPLES
@@ -36,6 +36,9 @@ from robosmi.errors import (
     did_you_mean,
 )
 from robosmi.quoting import json_text, terminal
+
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
 COMMANDS = {
     "analyse": "what a program uses of its platform",
@@ -112,7 +115,7 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=_Parser)
     for name in [command] if command is not None and command in COMMANDS else list(COMMANDS):
         summary = COMMANDS[name]
-        sub = commands.add_parser(
+        sub: Options = commands.add_parser(
             name, help=summary, description=summary[0].upper() + summary[1:] + ".", epilog=f"example: {EXAMPLES[name]}",
             formatter_class=_Help,
         )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli import landlock
 from robosmi.cli.root_folder import RootFolder
@@ -11,8 +12,11 @@ from robosmi.cli.streams import complain
 from robosmi.errors import MissingToolError, UsageError
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument(
         "--root", metavar="DIR", type=Path, required=True, help="the folder outside of which nothing is read or written"

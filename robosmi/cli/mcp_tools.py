@@ -156,7 +156,7 @@ class Tools:
             raise UsageError("no files are given", fix="name the sources of the program")
         folders = [word for path in include_dirs or () for word in ("-I", self._path(path))]
         macros = [f"-D{macro}" for macro in defines or ()]
-        return [*map(self._path, files), *_option("--source-platform", source_platform), *folders, *macros]
+        return [*(self._path(file) for file in files), *_option("--source-platform", source_platform), *folders, *macros]
 
     def _out_of(self, plan: str) -> str:
         """The output folder of a stored plan, two above it."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from robosmi.cli.asking import Answers, may_ask
 from robosmi.cli.common import add_source_options, output_folder, pairs
@@ -15,6 +15,9 @@ from robosmi.model.recovery import recover
 from robosmi.plugins import content
 from robosmi.project import Accepted, project_of
 from robosmi.report import Report
+
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
 
 class GeneratedReport(Protocol):
@@ -37,7 +40,7 @@ class GeneratedReport(Protocol):
         """Text for a terminal."""
 
 
-def configure(parser: argparse.ArgumentParser) -> None:
+def configure(parser: Options) -> None:
     """Add the command's options."""
     add_source_options(parser)
     parser.add_argument("--hardware", metavar="SKETCH", type=Path, help="drawing of the new hardware")

@@ -7,14 +7,18 @@ import os
 import sys
 import webbrowser
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import output_folder
 from robosmi.plugins import content
 from robosmi.report import Report
 from robosmi.report.page_server import PageServer
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
     parser.add_argument("--port", type=int, default=0, metavar="N", help="the port of the page; any that is free if not given")

@@ -5,13 +5,17 @@ from __future__ import annotations
 import argparse
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.plugins import content
 from robosmi.report import Report
 from robosmi.resources import user_data
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     add = actions.add_parser("import", help="read part definitions and give each a role")

@@ -5,14 +5,18 @@ from __future__ import annotations
 import argparse
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import pairs
 from robosmi.cli.streams import Shown
 from robosmi.errors import UsageError
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument(
         "model", metavar="MODEL", type=Path, help="model file of any technology, or folder with tables; it is called M"

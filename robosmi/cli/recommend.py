@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.errors import UsageError
 from robosmi.plugins import content
 from robosmi.project import project_of
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("sketch", metavar="SKETCH", nargs="?", type=Path, help="the drawing")
     parser.add_argument("--components", metavar="FILE.json", type=Path, help="components as JSON instead of a drawing")

@@ -5,14 +5,18 @@ from __future__ import annotations
 import argparse
 import secrets
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import check_replaced, output_folder
 from robosmi.model.files import write_atomic
 from robosmi.plugins import content
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
     parser.add_argument("-o", dest="path", required=True, metavar="FILE.html", type=Path, help="the file")

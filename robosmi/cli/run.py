@@ -6,11 +6,15 @@ import argparse
 import sys
 from contextlib import nullcontext, redirect_stdout
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
 
-def configure(parser: argparse.ArgumentParser) -> None:
+
+def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("chain", metavar="CHAIN.toml", type=Path, help="the chain")
     parser.add_argument("--dry-run", action="store_true", help="write nothing; show what would change")

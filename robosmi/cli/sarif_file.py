@@ -5,17 +5,22 @@ from __future__ import annotations
 import argparse
 import os
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import check_replaced
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import RobosmiError, StoppedError
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
+
 OPTION = "--sarif"
 
 
-def add_option(parser: argparse.ArgumentParser) -> None:
+def add_option(parser: Options) -> None:
     """Add the option to a command."""
     parser.add_argument(
         OPTION, metavar="FILE", type=Path, help="write findings and tasks in SARIF 2.1.0, too, for code scanning and editors"
@@ -24,7 +29,7 @@ def add_option(parser: argparse.ArgumentParser) -> None:
 
 def asked_for(words: Sequence[str]) -> Path | None:
     """The file that the words of a command line name, also where they are wrong otherwise."""
-    for word, following in zip(words, [*words[1:], ""], strict=False):
+    for word, following in pairwise([*words, ""]):
         if word == "--":
             return None
         if word == OPTION and following:

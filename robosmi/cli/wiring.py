@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi.cli.common import output_folder
 from robosmi.errors import UsageError
@@ -11,11 +12,14 @@ from robosmi.plugins import content, registry
 from robosmi.project import project_of
 from robosmi.report import Report
 
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
+
 FORM = "wiring form"
 """The registry's kind of forms."""
 
 
-def configure(parser: argparse.ArgumentParser) -> None:
+def configure(parser: Options) -> None:
     """Add the command's options."""
     forms = registry().names(FORM)
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")

@@ -8,7 +8,7 @@ function of `robosmi.quoting` marks. A template that declares nothing is untouch
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, Undefined, nodes
 from jinja2.exceptions import TemplateSyntaxError
@@ -21,6 +21,10 @@ from robosmi.generate.borders import VALUE, fault
 from robosmi.generate.languages import LANGUAGES, NOWHERE, QUOTING, Language
 from robosmi.query.values import as_string
 from robosmi.quoting import Quoted
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 NOTHING = "nothing"
 """What a template declares whose values are all made for it, and quoted where they are made."""
@@ -54,9 +58,9 @@ class Declaration(Extension):
         return []
 
 
-def filters() -> dict[str, Callable[..., Any]]:
+def filters() -> dict[str, Function]:
     """The filters of every template: `safe`, one function for each place by its name, and those that `quoted` puts in."""
-    found: dict[str, Callable[..., Any]] = {"safe": lambda value: Quoted(as_string(value))}
+    found: dict[str, Function] = {"safe": lambda value: Quoted(as_string(value))}
     for place, function in QUOTING.items():
         found[place] = _marked(place, function)
         found[_hidden(place)] = _printed(place, function)

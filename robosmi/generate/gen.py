@@ -29,11 +29,13 @@ from robosmi.generate.templates import Templates, Where
 from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.recovery import at_work
-from robosmi.query.erl import RuleBlocks, as_model, failed, place_of
+from robosmi.query.erl import RuleBlocks, as_model, called, failed, place_of
 from robosmi.query.own_operations import called_for
 
 if TYPE_CHECKING:
     from typing import Protocol, TypeVar
+
+    from robosmi.functions import Function
 
     Giving = TypeVar("Giving", bound=Callable[..., Mapping[str, Any] | None])
 
@@ -75,7 +77,7 @@ class Gen:
         *,
         keep: bool | str = False,
         values: Mapping[str, Any] | None = None,
-        filters: Mapping[str, Callable[..., Any]] | None = None,
+        filters: Mapping[str, Function] | None = None,
     ) -> None:
         self.folder = Path(folder)
         if self.folder.exists() and not self.folder.is_dir():
@@ -88,7 +90,7 @@ class Gen:
         self._record = Record(self.folder, RECORD if keep is True else keep) if keep else None
         self._staging = self._fresh()
 
-    def give(self, values: Mapping[str, Any] | None = None, filters: Mapping[str, Callable[..., Any]] | None = None) -> None:
+    def give(self, values: Mapping[str, Any] | None = None, filters: Mapping[str, Function] | None = None) -> None:
         """Give the templates further values and filters, before the first is rendered: for functions that add rules to a `Gen`.
 
         Args:
@@ -145,7 +147,7 @@ class Gen:
         """
 
         def decorate(function: Giving) -> Giving:
-            title = str(name or getattr(function, "__name__", "rule"))
+            title = name or called(function)
             if any(rule.name == title for rule in self.rules):
                 raise RuleError(f"two rules are called {title}", location=place_of(function), fix="give one another name")
             has_elements = kind is not None or domain is not None

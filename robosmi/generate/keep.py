@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
@@ -197,7 +198,7 @@ class _Merge:
                     )
                 )
                 block = [*_whole(mine), BASE, *_whole(stretch(base, chunk.base)), MIDDLE, *_whole(stretch(theirs, chunk.theirs))]
-                lines += [begin, *map(_Line, block), _Line(GENERATED, chunk.ours[1])]
+                lines += [begin, *(_Line(piece) for piece in block), _Line(GENERATED, chunk.ours[1])]
                 self.save_old = True
         return lines
 
@@ -255,7 +256,7 @@ def _open_conflict(text: str, *made: str) -> int | None:
 
 def _behind(parts: Parts) -> dict[str, str]:
     """Id of a region -> what stands behind its last marker in the same line."""
-    pairs = zip(parts.pieces, parts.pieces[1:], strict=False)
+    pairs = pairwise(parts.pieces)
     return {one.identity: next_.partition("\n")[0] for one, next_ in pairs if isinstance(one, Region) and isinstance(next_, str)}
 
 

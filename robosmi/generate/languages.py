@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, TypeVar
 
 from robosmi import quoting
 from robosmi.generate import data_places
@@ -44,11 +44,12 @@ QUOTING: dict[str, Callable[[str], str]] = {
 }
 """Place -> the function that quotes a text there; every template may call each as a filter, too."""
 
+State = TypeVar("State")
 NOWHERE = ""
 """The place of an expression that could not be quoted, such as the name of a tag."""
 
 
-class Language(NamedTuple):
+class Language:
     """A language of templates.
 
     Attributes:
@@ -59,11 +60,19 @@ class Language(NamedTuple):
         comment: the place of a region's id in its markers.
     """
 
-    start: Any
-    advance: Callable[[Any, str], Any]
-    place: Callable[[Any], str]
-    whole: bool = False
-    comment: str = "terminal"
+    def __init__(
+        self,
+        start: State,
+        advance: Callable[[State, str], State],
+        place: Callable[[State], str],
+        whole: bool = False,
+        comment: str = "terminal",
+    ) -> None:
+        self.start: Any = start
+        self.advance: Callable[[Any, str], Any] = advance
+        self.place: Callable[[Any], str] = place
+        self.whole = whole
+        self.comment = comment
 
 
 _C_OPENS = re.compile(

@@ -187,7 +187,7 @@ class Text(str):
         found: list[tuple[int, int, tuple[Any, ...]]] = []
         offset = part = first = 0
         for place, last in zip(self._marks[::2], self._marks[1::2], strict=True):
-            offset += sum(map(len, self._parts[part:place]))
+            offset += sum(len(text) for text in self._parts[part:place])
             elements = {id(element): element for element in self._seen[first:last]}
             found.append((offset, offset + len(self._parts[place]), tuple(elements.values())))
             part, first = place, last

@@ -11,13 +11,17 @@ import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from robosmi.errors import RuleError
 from robosmi.model.driver import Model
-from robosmi.query.erl import RuleType, place_of
+from robosmi.query.erl import RuleType, called, place_of
 
-Flag = bool | Callable[..., Any]
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
+
+Flag: TypeAlias = "bool | Function"
 Formatter = Callable[[str], str]
 
 
@@ -94,7 +98,7 @@ def value_of(given: Any, element: tuple[Any, ...]) -> Any:
     return given(*element) if callable(given) else given
 
 
-def variable_of(function: Callable[..., Any], has_elements: bool) -> str:
+def variable_of(function: Function, has_elements: bool) -> str:
     """The name of the function's parameter, "" where there are no elements.
 
     Raises:
@@ -104,7 +108,7 @@ def variable_of(function: Callable[..., Any], has_elements: bool) -> str:
     if len(names) != int(has_elements):
         wanted = "exactly one, the element" if has_elements else "none, since the rule has no type"
         raise RuleError(
-            f"the function of the rule {function.__name__} has {len(names)} parameters",
+            f"the function of the rule {called(function)} has {len(names)} parameters",
             location=place_of(function),
             fix=f"give it {wanted}",
         )

@@ -347,9 +347,9 @@ class Changes(Sequence[FileChange]):
     @overload
     def __getitem__(self, index: slice) -> list[FileChange]: ...
     def __getitem__(self, index: int | slice) -> FileChange | list[FileChange]:
-        if isinstance(index, slice):
-            return [file.change() for file in self._files[index]]
-        return self._files[index].change()
+        if isinstance(index, int):
+            return self._files[index].change()
+        return [file.change() for file in self._files[index]]
 
     def __len__(self) -> int:
         return len(self._files)

@@ -17,6 +17,7 @@ from pathlib import Path
 import jinja2
 from jinja2.bccache import Bucket
 
+from robosmi.inputs import flags
 from robosmi.user_folders import cache_dir
 
 _MODULES = [os.path.join(os.path.dirname(__file__), name) for name in ("contexts.py", "out.py", "output.py", "templates.py")]
@@ -37,7 +38,7 @@ class TemplateCache(jinja2.BytecodeCache):
     def load_bytecode(self, bucket: Bucket) -> None:
         """Fill in the code of a template, if it is there."""
         with suppress(OSError):
-            opened = os.open(self._place(bucket), os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0))
+            opened = os.open(self._place(bucket), os.O_RDONLY | flags("O_NOFOLLOW", "O_CLOEXEC"))
             with os.fdopen(opened, "rb") as file:
                 if _is_ours(os.fstat(opened)):
                     bucket.load_bytecode(file)

@@ -7,11 +7,11 @@ but a tag vanish; values print as in EOL. Which template is for which element an
 from __future__ import annotations
 
 import traceback
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from types import MethodType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import jinja2
 from jinja2.runtime import Context
@@ -31,6 +31,10 @@ from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.model.ecore import EObject
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 Where = str | Path | Sequence[str | Path] | Mapping[str, str] | None
 """Where templates come from: a folder, several, texts by name, or None for the project's and the built-in ones."""
@@ -114,7 +118,7 @@ class Templates:
         self,
         where: Where = None,
         values: Mapping[str, Any] | None = None,
-        filters: Mapping[str, Callable[..., Any]] | None = None,
+        filters: Mapping[str, Function] | None = None,
     ) -> None:
         self.comments = Comments()
         self._templates: dict[str, jinja2.Template] = {}
@@ -125,7 +129,7 @@ class Templates:
         if values or filters:
             self.give(values or {}, filters or {})
 
-    def give(self, values: Mapping[str, Any], filters: Mapping[str, Callable[..., Any]]) -> None:
+    def give(self, values: Mapping[str, Any], filters: Mapping[str, Function]) -> None:
         """Give all templates further values and filters, by name."""
         if self._shared:
             self._shared, self._environment = False, _environment(_loader(None))

@@ -204,8 +204,8 @@ def _runs(base: Sequence[str], other: Sequence[str]) -> Iterator[tuple[int, int,
 
 def _equal(base: Sequence[str], other: Sequence[str], places: range, in_other: range) -> int:
     """How many lines are equal one after the other."""
-    pairs = zip(places, in_other, strict=False)
-    return next((n for n, (i, j) in enumerate(pairs) if base[i] != other[j]), min(len(places), len(in_other)))
+    most = min(len(places), len(in_other))
+    return next((n for n in range(most) if base[places[n]] != other[in_other[n]]), most)
 
 
 def _rising(places: Mapping[int, int]) -> list[int]:

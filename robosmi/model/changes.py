@@ -9,8 +9,8 @@ it. Models that are no EMF models offer `recording()` of their own, or cannot be
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Iterator
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
 from robosmi.model.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue
 from robosmi.model.emf import EmfModel
@@ -28,6 +28,10 @@ from robosmi.model.pyecore_internals import (
     set_own_resource,
     value_in,
 )
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 _CHANGING: tuple[tuple[type, tuple[str, ...]], ...] = (
     (EValue, (ASSIGN,)),
@@ -75,7 +79,7 @@ class Recording:
                 setattr(cls, name, original)
         self._wrapped.clear()
 
-    def _wrapper(self, original: Callable[..., Any], only_given: bool) -> Callable[..., Any]:
+    def _wrapper(self, original: Function, only_given: bool) -> Function:
         def changing(holder: Any, /, *given: Any, **features: Any) -> Any:
             if threading.get_ident() == self._thread:
                 given = tuple(list(x) if isinstance(x, Iterator) else x for x in given)

@@ -164,7 +164,9 @@ def _mixins(folder: Path, module: str) -> dict[str, frozenset[str]]:
         tree = ast.parse(inputs.read_bytes(path, inputs.OUTPUT))
     except (SyntaxError, ValueError) as error:
         raise SourceError(
-            f"the file is no Python: {error}", location=Location(str(path), getattr(error, "lineno", None)), fix="correct it"
+            f"the file is no Python: {error}",
+            location=Location(str(path), error.lineno if isinstance(error, SyntaxError) else None),
+            fix="correct it",
         ) from error
     found = {}
     for node in tree.body:

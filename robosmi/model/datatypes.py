@@ -101,7 +101,7 @@ def _java(value: float, shortest: str) -> str:
         return "Infinity" if value > 0 else "-Infinity"
     decimal = Decimal(shortest)
     sign, digits, _ = decimal.as_tuple()
-    figures = "".join(map(str, digits)).rstrip("0") or "0"
+    figures = "".join(str(digit) for digit in digits).rstrip("0") or "0"
     power = decimal.adjusted()
     minus = "-" if sign else ""
     if value == 0 or -3 <= power < 7:
@@ -270,14 +270,14 @@ def real(value: T) -> T:
 def _key(datatype: EDataType) -> str:
     """The name under which a data type stands in the tables: its own if it is Ecore's, else that of its Java class."""
     package = datatype.ePackage
-    if package is None or getattr(package, "nsURI", None) == _ECORE:
+    if package is None or package.nsURI == _ECORE:
         return str(datatype.name)
-    return str(getattr(datatype, "instanceClassName", None) or "")
+    return str(datatype.instanceClassName or "")
 
 
 def literal_text(literal: EEnumLiteral) -> str:
     """The text of an enumeration's literal in a file; its name if it has no other."""
-    return str(getattr(literal, "literal", None) or literal.name)
+    return str(literal.literal or literal.name)
 
 
 def from_text(datatype: EDataType) -> FromText | None:

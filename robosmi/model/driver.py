@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias, TypeGuard
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import structure
-from robosmi.model.ecore import DynamicEObject, EClassifier, EEnumLiteral, EObject, Scalar
+from robosmi.model.ecore import DynamicEObject, EClass, EClassifier, EEnumLiteral, EObject, Scalar
 
 Node: TypeAlias = "EObject | ModelElement"
 """An element of any technology."""
@@ -27,8 +27,12 @@ Type: TypeAlias = "EClassifier | type"
 """A type of elements: a class of Ecore, or a Python class."""
 Kind: TypeAlias = "str | Type | TypeHandle"
 """How a type may be given: itself, its name, or by a model."""
-FeatureValue: TypeAlias = "Scalar | ModelElement | Iterable[Scalar | ModelElement]"
+FeatureValue: TypeAlias = "Item | Iterable[Item]"
 """What a feature may be given."""
+Item: TypeAlias = "Scalar | ModelElement"
+"""One value: an element of any technology, or a plain value."""
+Held: TypeAlias = "Item | Sequence[Item]"
+"""What a feature holds."""
 
 
 class UnknownTypeError(ModelError, AttributeError):
@@ -166,7 +170,7 @@ class Model(ABC):
         """The id of an element, which `element` takes; the same for the same content of the file."""
 
     @abstractmethod
-    def owns(self, element: Scalar | ModelElement) -> bool:
+    def owns(self, element: Item) -> bool:
         """Whether the element is in this model."""
 
     # Change
@@ -286,7 +290,7 @@ class TypeHandle:
         """The elements of exactly this type (EOL `T.allOfType`)."""
         return self.model._collected(self.model.all_of_type(self.kind))
 
-    def has(self, value: Scalar | ModelElement) -> bool:
+    def has(self, value: Item) -> bool:
         """Whether the value is an element of this model and of this type or a subtype."""
         return isinstance(value, class_of(self.kind)) and bool(self.model.owns(value))
 
@@ -294,7 +298,7 @@ class TypeHandle:
         """A new element of this type in the model; see `Model.create`."""
         return self.model.create(self.kind, **features)
 
-    def __instancecheck__(self, value: Scalar | ModelElement) -> bool:
+    def __instancecheck__(self, value: Item) -> bool:
         return isinstance(value, class_of(self.kind))
 
     def __getattr__(self, name: str) -> EEnumLiteral:
@@ -332,7 +336,7 @@ def type_of(element: Node) -> Type:
     return element.__class__ if isinstance(element, ModelElement) else element.eClass
 
 
-def class_of(kind: Any) -> type:
+def class_of(kind: Kind) -> type:
     """The Python class of a type.
 
     Raises:
@@ -342,8 +346,8 @@ def class_of(kind: Any) -> type:
         kind = kind.kind
     if isinstance(kind, type):
         return kind
-    if isinstance(found := getattr(kind, "python_class", None), type):
-        return found
+    if isinstance(kind, EClass):
+        return kind.python_class
     raise TypeError(f"{kind!r} is no type")
 
 
@@ -355,6 +359,20 @@ def name_of(kind: Type) -> str:
 def features_of(element: Node) -> list[str]:
     """The names of an element's features, in order."""
     return element._features() if isinstance(element, ModelElement) else structure.feature_names(element.eClass)
+
+
+def feature_value(element: Node, name: str) -> Held:
+    """What a feature of an element holds, by its name."""
+    value: Held = getattr(element, name)
+    return value
+
+
+def feature_values(element: Node, name: str) -> Sequence[Item]:
+    """What a feature of an element holds as several: nothing, the one value, or all of them."""
+    value = feature_value(element, name)
+    if value is None:
+        return ()
+    return value if isinstance(value, Sequence) and not isinstance(value, (str, bytes, ModelElement)) else (value,)
 
 
 def contents_of(element: Node) -> Sequence[DynamicNode]:
@@ -384,6 +402,6 @@ def label(element: Node) -> str:
     kind = name_of(type_of(element))
     known = set(features_of(element))
     for feature in LABELS:
-        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
+        if feature in known and isinstance(value := feature_value(element, feature), (str, int)) and value != "":
             return f"{kind} {value}"
     return kind

@@ -85,7 +85,7 @@ class Details:
                 made.serializable = False
         if isinstance(one, Class):
             generic = [self.generic(package, child) for child in node.tagged("eGenericSuperTypes")]
-            if any(map(_says_more, generic)):
+            if any(_says_more(one) for one in generic):
                 for supertype in generic:
                     _put(made, pyecore_ecore.EClass.eGenericSuperTypes, supertype)
 
@@ -106,7 +106,7 @@ class Details:
         made.lowerBound, made.upperBound, made.ordered, made.unique = one.lower, one.upper, one.ordered, one.unique
         if isinstance(one, Operation):
             generic = [self.generic(package, child) for child in node.tagged("eGenericExceptions")]
-            if any(map(_says_more, generic)):
+            if any(_says_more(one) for one in generic):
                 made.eGenericExceptions.extend(generic)
             else:
                 found = package.find(node, "eExceptions")

@@ -170,7 +170,7 @@ class EmfModel(TypedModel):
         everything = self._everything()
         found = self._extents.get((cls, exact))
         if found is None:
-            wanted = {cls} if exact else {c for c in set(map(type, everything)) if issubclass(c, cls)}
+            wanted = {cls} if exact else {c for c in {type(x) for x in everything} if issubclass(c, cls)}
             found = self._extents[cls, exact] = [x for x in everything if x.__class__ in wanted]
         return found
 

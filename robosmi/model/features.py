@@ -43,8 +43,7 @@ def declared_type(feature: EStructuralFeature) -> Any:
     """The EClass or EDataType of a feature; for a type parameter its bound, or EObject (EJavaObject for attributes)."""
     kind = real(declared_type_of(feature) if declared_type_of(feature) is not None else feature.eType)
     if kind is None:
-        generic = getattr(feature, "eGenericType", None)
-        kind = _erased(generic) if generic is not None else None
+        kind = _erased(feature.eGenericType)
     if kind is None:
         kind = ecore.EJavaObject if feature.is_attribute else ecore.EObject.eClass
     return kind if is_data_type(kind) else eclass_of(kind)
@@ -63,7 +62,7 @@ def _erased(generic: EGenericType | None) -> EClassifier | None:
 
 def has_type_parameter(feature: EStructuralFeature) -> bool:
     """Whether the feature's type is a type parameter."""
-    generic = getattr(feature, "eGenericType", None)
+    generic = feature.eGenericType
     return generic is not None and generic.eTypeParameter is not None
 
 
@@ -79,7 +78,7 @@ def id_attribute(eclass: EClass) -> EStructuralFeature | None:
 
 def is_abstract(eclass: EClass) -> bool:
     """Whether the class has no elements of its own; Ecore's EObject is not abstract, whatever pyecore says."""
-    return bool(eclass.abstract or getattr(eclass, "interface", False)) and eclass is not ecore.EObject.eClass
+    return bool(eclass.abstract or eclass.interface) and eclass is not ecore.EObject.eClass
 
 
 def is_off(element: EObject, name: str) -> bool:
@@ -106,11 +105,11 @@ def as_package(package: Package) -> EPackage:
 def subpackages(package: Package) -> list[EPackage]:
     """All packages below a package, given as EPackage or generated module."""
     found: list[EPackage] = []
-    pending = list(getattr(package, "eSubpackages", ()))
+    pending = list(as_package(package).eSubpackages)
     while pending:
         one = pending.pop(0)
         found.append(one)
-        pending.extend(getattr(one, "eSubpackages", ()))
+        pending.extend(as_package(one).eSubpackages)
     return found
 
 
@@ -128,4 +127,4 @@ def class_names(package: Package) -> list[str]:
 def is_of_ecore(classifier: EClassifier) -> bool:
     """Whether the classifier is one of Ecore's own."""
     package = classifier.ePackage
-    return package is None or getattr(package, "nsURI", None) == ecore.nsURI
+    return package is None or package.nsURI == ecore.nsURI

@@ -6,11 +6,12 @@ reader's and writer's.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 from urllib.parse import quote, unquote
 
 from robosmi.errors import ModelError, did_you_mean
+from robosmi.model.driver import feature_value
 from robosmi.model.ecore import EModelElement, ENamedElement, EObject
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import key_of, xmi_id_of
@@ -22,7 +23,7 @@ def own_id(element: EObject) -> str | None:
     if identity := xmi_id_of(element):
         return str(identity)
     for name in _id_attributes(element):
-        if (value := getattr(element, name)) is not None:
+        if (value := feature_value(element, name)) is not None:
             return str(value)
     return None
 
@@ -65,7 +66,7 @@ _SAFE = "!$&'()*+,;=@~-._:"
 
 def _named(container: EObject, name: str) -> Any:
     """The first element of a metamodel with that name in a container, or None; EMF's fragments say names there."""
-    return next((part for part in contents(container) if getattr(part, "name", None) == name), None)
+    return next((part for part in contents(container) if isinstance(part, ENamedElement) and part.name == name), None)
 
 
 def resolve(fragment: str, roots: Sequence[EObject]) -> Any:
@@ -99,8 +100,8 @@ def _step(element: EObject, step: str) -> Any:
             f"the step '{step}' of the fragment is no feature of {element.eClass.name}{did_you_mean(name, known)}",
             fix=f"use one of: {', '.join('@' + n for n in known)}",
         )
-    value = getattr(element, known[name])
+    value = feature_value(element, known[name])
     if not position:
         return value
-    many = not isinstance(value, str) and hasattr(value, "__len__")
-    return value[int(position)] if many and int(position) < len(value) else None
+    many = list(value) if isinstance(value, Iterable) and not isinstance(value, (str, bytes)) else []
+    return many[int(position)] if int(position) < len(many) else None

@@ -192,4 +192,4 @@ def find_literal(enumeration: EEnum, label: str) -> EEnumLiteral | None:
     """A literal of an EEnum by its name, else by its literal text, or None."""
     literals = list(enumeration.eLiterals)
     by_name = next((x for x in literals if x.name == label), None)
-    return by_name if by_name is not None else next((x for x in literals if getattr(x, "literal", None) == label), None)
+    return by_name if by_name is not None else next((x for x in literals if x.literal == label), None)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError
 from robosmi.model.driver import ReadOnlyError
@@ -18,6 +18,9 @@ from robosmi.model.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.features import all_features
 from robosmi.model.lean import BARE, REFUSAL, bare, prepare
 from robosmi.model.pyecore_internals import SET_FEATURES, GuardedValue, Slot, contain, fill_silently, hold, key_of, read, value_in
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
 
 
 def refused(element: EObject, name: str) -> ReadOnlyError:
@@ -40,7 +43,7 @@ class Promise(Slot):
 
     __slots__ = ("element", "feature", "hint", "make")
 
-    def __init__(self, element: EObject, feature: EStructuralFeature, make: Callable[..., Any], hint: Any = None) -> None:
+    def __init__(self, element: EObject, feature: EStructuralFeature, make: Function, hint: Any = None) -> None:
         self.element = element
         self.feature = feature
         self.make = make

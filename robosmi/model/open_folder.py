@@ -22,8 +22,8 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 
 _HELD = {os.open, os.mkdir, os.rename, os.unlink, os.stat, os.rmdir} <= os.supports_dir_fd and hasattr(os, "O_NOFOLLOW")
-_FOLDER: int = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
-_NEW: int = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
+_FOLDER = os.O_RDONLY | inputs.flags("O_DIRECTORY", "O_NOFOLLOW", "O_CLOEXEC")
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | inputs.flags("O_NOFOLLOW", "O_CLOEXEC")
 _KEPT = 4
 """How many folders below it are kept open at most: a process may have few open files."""
 _ODD = {stat.S_IFDIR: "a folder", stat.S_IFLNK: "a link"}

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from robosmi.model.driver import Model, features_of, is_element, name_of, type_of, walk
+from robosmi.model.driver import Model, Node, feature_value, feature_values, features_of, is_element, name_of, type_of, walk
 from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, EStructuralFeature
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.show import plain
@@ -66,7 +66,7 @@ def _path(classifier: EClassifier) -> str:
     return plantuml(".".join(reversed(names)))
 
 
-def _objects(elements: list[Any], limit: int) -> list[str]:
+def _objects(elements: list[Node], limit: int) -> list[str]:
     shown = elements[:limit]
     numbers = {id(element): f"o{number}" for number, element in enumerate(shown, 1)}
     lines: list[str] = []
@@ -75,10 +75,8 @@ def _objects(elements: list[Any], limit: int) -> list[str]:
         number = numbers[id(element)]
         lines.append(f'object ": {plantuml(name_of(type_of(element)))}" as {number} {{')
         for feature in features_of(element):
-            value = getattr(element, feature)
-            targets = (
-                [value] if is_element(value) else [x for x in value if is_element(x)] if isinstance(plain(value), list) else []
-            )
+            value = feature_value(element, feature)
+            targets = [x for x in feature_values(element, feature) if is_element(x)]
             if targets:
                 others = [x for x in targets if id(x) in numbers and not _is_part(element, feature, x)]
                 links += [f"{number} --> {numbers[id(x)]} : {plantuml(feature)}" for x in others]
@@ -94,9 +92,9 @@ def _objects(elements: list[Any], limit: int) -> list[str]:
     return lines + list(dict.fromkeys(links))
 
 
-def _is_part(element: EObject, name: str, target: Any) -> bool:
+def _is_part(element: Node, name: str, target: Node) -> bool:
     """Whether a feature shows only what contains what, which is drawn once for all."""
-    feature = element.eClass.findEStructuralFeature(name) if hasattr(element, "eClass") else None
+    feature = element.eClass.findEStructuralFeature(name) if isinstance(element, EObject) else None
     if feature is None:
         return target.eContainer() is element or element.eContainer() is target
     return bool(feature.containment or (feature.eOpposite is not None and feature.eOpposite.containment))

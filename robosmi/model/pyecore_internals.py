@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from operator import attrgetter, methodcaller
-from typing import Any, TypeGuard
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from pyecore.innerutils import InternalSet
 
@@ -34,6 +34,10 @@ from robosmi.model.ecore import (
     EValue,
     Listener,
 )
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 CONTAINER = "_container"
 """Field of an element: its container, or None."""
@@ -61,23 +65,29 @@ FIELDS = frozenset(
 ASSIGN = "_set"
 """Name of the method of a slot that assigns."""
 
-container_of: Callable[[EObject], DynamicEObject | None] = attrgetter(CONTAINER)
+
+def _reader(field: str) -> Callable[[EObject | EStructuralFeature], Any]:
+    """A function that reads a field, without a step in Python."""
+    return attrgetter(field)
+
+
+container_of: Callable[[EObject], DynamicEObject | None] = _reader(CONTAINER)
 """The container of an element, or None; `eContainer()` without the call."""
-containing_feature_of: Callable[[EObject], EReference | None] = attrgetter(CONTAINING_FEATURE)
+containing_feature_of: Callable[[EObject], EReference | None] = _reader(CONTAINING_FEATURE)
 """The feature of its container that holds an element, or None."""
-own_resource_of: Callable[[EObject], Any] = attrgetter(RESOURCE)
+own_resource_of: Callable[[EObject], Any] = _reader(RESOURCE)
 """The resource whose root an element is, or None; `eResource` is that of the outermost container."""
-xmi_id_of: Callable[[EObject], str | None] = attrgetter(IDENTITY)
+xmi_id_of: Callable[[EObject], str | None] = _reader(IDENTITY)
 """The xmi:id of an element, or None."""
-set_features_of: Callable[[EObject], Any] = attrgetter(SET_FEATURES)
+set_features_of: Callable[[EObject], Any] = _reader(SET_FEATURES)
 """The features of an element that were given a value, as the keys of a dictionary."""
-inverse_references_of: Callable[[EObject], set[tuple[DynamicEObject, EStructuralFeature]]] = attrgetter(INVERSE_REFERENCES)
+inverse_references_of: Callable[[EObject], set[tuple[DynamicEObject, EStructuralFeature]]] = _reader(INVERSE_REFERENCES)
 """The pairs of an element and its feature without opposite that refer to an element."""
-first_listeners_of: Callable[[EObject], list[Listener | EObject]] = attrgetter(FIRST_LISTENERS)
+first_listeners_of: Callable[[EObject], list[Listener | EObject]] = _reader(FIRST_LISTENERS)
 """Who is told of changes of an element first."""
-key_of: Callable[[EStructuralFeature], str] = attrgetter("_name")
+key_of: Callable[[EStructuralFeature], str] = _reader("_name")
 """The key of a feature's slot: the feature's name, or another one where that name is taken."""
-declared_type_of: Callable[[EStructuralFeature], EClassifier | None] = attrgetter("_eType")
+declared_type_of: Callable[[EStructuralFeature], EClassifier | None] = _reader("_eType")
 """The `eType` of a feature as it was declared, a proxy unresolved; None if it has a generic type."""
 value_in: Callable[[Any], Any] = attrgetter("_value")
 """The value that an `EValue` holds."""
@@ -164,14 +174,15 @@ def add_silently(collection: Any, value: Any) -> bool:
 def fill_silently(collection: Any, values: list[Any]) -> None:
     """Let a collection hold exactly these values, without check, opposite and notification."""
     if isinstance(collection, list):
-        list.__setitem__(collection, slice(None), values)
+        list.clear(collection)
+        list.extend(collection, values)
         return
     collection.items[:] = values
     collection.map.clear()
     collection.map.update((value, place) for place, value in enumerate(values))
 
 
-def quick_constructor(cls: Any) -> Callable[..., Any]:
+def quick_constructor(cls: Any) -> Function:
     """A function that makes what `cls(**arguments)` makes, in a fraction of the time; for EAttribute and EReference.
 
     pyecore's constructors assign some twelve features one by one, with a notification each, though nobody can listen yet. Here

@@ -24,7 +24,7 @@ class Watch:
         """Called by pyecore."""
         if not self.changed:
             feature = notification.feature
-            self.changed = feature is None or bool(getattr(feature, "containment", False))
+            self.changed = feature is None or (feature.is_reference and feature.containment)
 
 
 class Home(ListenedTo):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from robosmi.model.driver import Model, contents_of, features_of, is_element, label, name_of, type_of
+from robosmi.model.driver import Model, contents_of, feature_value, features_of, is_element, label, name_of, type_of
 from robosmi.model.ecore import EEnumLiteral
 from robosmi.model.html_table import html_table, tree_html
 from robosmi.quoting import html_attribute, terminal
@@ -52,7 +52,7 @@ def rows(source: Any, kind: Any = None) -> list[dict[str, Any]]:
     for element in elements:
         row = {"id": identity(element), "type": name_of(type_of(element))}
         for feature in features_of(element):
-            row[feature] = plain(getattr(element, feature))
+            row[feature] = plain(feature_value(element, feature))
         found.append(row)
     return found
 
@@ -97,7 +97,7 @@ def element_html(element: Any) -> str:
         name = f"{package.nsURI}#{eclass.name}"
         if name in registry().entries.get("view", {}):
             return str(registry().get("view", name)(element))
-    values = ((name, plain(getattr(element, name))) for name in features_of(element))
+    values = ((name, plain(feature_value(element, name))) for name in features_of(element))
     said = [x for x in values if x[1] not in (None, "", [])]
     table, inner = html_table(("feature", "value"), said), tree_html(contents_of(element), label, contents_of)
     return f"<p>{html_attribute(label(element))}</p>{table}{inner}"
@@ -119,6 +119,6 @@ def items_html(items: Sequence[Any], limit: int = 50) -> str:
     left = f"<p>... and {len(items) - limit} more</p>" if len(items) > limit else ""
     if not shown or not all(is_element(x) for x in shown):
         return html_table((f"{len(items)} items",), [[x] for x in shown]) + left
-    names = [n for n in features_of(shown[0]) if not isinstance(plain(getattr(shown[0], n)), list)]
+    names = [n for n in features_of(shown[0]) if not isinstance(plain(feature_value(shown[0], n)), list)]
     lines = [[label(x), *(plain(getattr(x, n, "")) for n in names)] for x in shown]
     return html_table((f"{len(items)} elements", *names), lines) + left

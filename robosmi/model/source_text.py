@@ -10,6 +10,7 @@ import json
 import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
 
 from robosmi.quoting import visible
 
@@ -62,7 +63,7 @@ def imports(modules: Mapping[str, Iterable[tuple[str, str]]], indent: str = "") 
     """
     lines: list[str] = []
     ordered = sorted((m for m in modules if modules[m]), key=_module_key)
-    for previous, module in zip(["", *ordered], ordered, strict=False):
+    for previous, module in pairwise(["", *ordered]):
         if previous and previous[0] != "." and module[0] == ".":
             lines.append("")
         pairs = set(modules[module])

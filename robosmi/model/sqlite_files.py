@@ -51,7 +51,7 @@ def writing(target: Path, schema: str, application: int, number: int) -> Iterato
         part.replace(target)
     except (sqlite3.OperationalError, OSError) as error:
         raise SourceError(
-            f"cannot write here: {getattr(error, 'strerror', None) or error}",
+            f"cannot write here: {(isinstance(error, OSError) and error.strerror) or error}",
             location=Location(str(target)),
             fix="check the folder's permissions and the space on the disk",
         ) from error

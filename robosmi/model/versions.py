@@ -14,6 +14,7 @@ from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
+from robosmi.model.driver import feature_values
 from robosmi.model.ecore import EObject
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
@@ -82,8 +83,7 @@ def _reference_into(root: EObject, replaced: list[Any]) -> Any:
     for element in walk(root):
         for feature in all_features(element.eClass):
             if feature.is_reference and not feature.containment and not feature.derived:
-                value = getattr(element, feature.name)
-                targets = list(value) if feature.many else [value] if value is not None else []
+                targets = [x for x in feature_values(element, feature.name) if isinstance(x, EObject)]
                 if any(root_of(target) is one for target in targets for one in replaced):
                     return element
     return None

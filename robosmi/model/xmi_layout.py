@@ -125,7 +125,7 @@ def _column(eclass: EClass, feature: EStructuralFeature) -> Column | None:
         column.declared = kind
         column.names_types = bool(kind.abstract and kind is not ecore.EObject.eClass) or features.has_type_parameter(feature)
         return column
-    if getattr(kind, "name", "") == datatypes.FEATURE_MAP:
+    if kind.name == datatypes.FEATURE_MAP:
         return Column(FEATURE_MAP, feature)
     if features.is_off(kind, "serializable"):
         return None

@@ -107,7 +107,7 @@ class ClassPlan:
                 self.bounds.append((entry.key, name, lower, upper))
 
     def _attribute(self, feature: EStructuralFeature, kind: Any) -> FeatureEntry:
-        if getattr(kind, "name", "") == datatypes.FEATURE_MAP:
+        if kind.name == datatypes.FEATURE_MAP:
             self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
             return FeatureEntry(REFUSED, feature, self.refused)
         if not is_stored(feature) or (feature.derived and feature.many):

@@ -333,7 +333,8 @@ class _Writer:
             elif column.is_unsettable:
                 return self.nothing(element, column, None, append, indent, later)
             return later
-        for target in map(real, targets):
+        for given in targets:
+            target = real(given)
             file, fragment = self.place(element, column, target)
             later = self.more(later, self.href(element, column, target, file, fragment, indent))
         return later

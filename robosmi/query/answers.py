@@ -12,7 +12,7 @@ from decimal import Decimal
 from typing import Any
 
 from robosmi.errors import ModelError, UsageError
-from robosmi.model.driver import Model, TypeHandle, features_of, is_element, name_of, type_of
+from robosmi.model.driver import Model, TypeHandle, feature_value, features_of, is_element, name_of, type_of
 from robosmi.model.ecore import EEnumLiteral
 from robosmi.query.collections import Lazy
 from robosmi.query.models import id_of
@@ -76,7 +76,7 @@ def element_json(element: Any) -> dict[str, Any]:
     shown: dict[str, Any] = {"type": name_of(type_of(element)), "id": identity}
     names = ("name", "a_name")
     if (feature := next((n for n in names if n in features_of(element)), None)) and isinstance(
-        name := getattr(element, feature), str
+        name := feature_value(element, feature), str
     ):
         shown["name"] = name
     return shown
@@ -99,7 +99,7 @@ def _line(value: Any) -> str:
     if isinstance(value, dict) and _is_element_form(value):
         return " ".join(str(value[key]) for key in ("type", "id", "name") if value.get(key) is not None)
     if isinstance(value, list):
-        return f"[{', '.join(map(_line, value))}]"
+        return f"[{', '.join(_line(x) for x in value)}]"
     if isinstance(value, dict):
         return f"{{{', '.join(f'{k}: {_line(v)}' for k, v in value.items())}}}"
     return as_string(value) if not isinstance(value, str) else value

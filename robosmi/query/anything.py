@@ -13,6 +13,7 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import Any, TypeVar
 
+from robosmi.model.driver import feature_values
 from robosmi.model.structure import root_of
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
 from robosmi.query.extents import all_contents, contents
@@ -314,8 +315,7 @@ def e_cross_references(element: Any) -> Q[Any]:
     found: list[Any] = []
     for feature in element.eClass.eAllReferences():
         if not (feature.containment or feature.derived or (feature.eOpposite is not None and feature.eOpposite.containment)):
-            value = getattr(element, feature.name)
-            found += list(value) if feature.many else [value] if value is not None else []
+            found += feature_values(element, feature.name)
     return Q(found)
 
 

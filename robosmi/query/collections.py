@@ -97,7 +97,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
     @overload
     def __getitem__(self, index: slice) -> Self: ...
     def __getitem__(self, index: int | slice) -> T | Self:
-        return self._same(self._items[index]) if isinstance(index, slice) else self._items[index]
+        return self._items[index] if isinstance(index, int) else self._same(self._items[index])
 
     def __getattr__(self, name: str) -> Q[Any]:
         if name[0] == "_":  # protocols of Python, not properties

@@ -5,10 +5,11 @@ For type checkers alone; import it under `TYPE_CHECKING`. What a decorator notes
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Protocol, TypeVar
+from typing import Protocol, TypeVar
 
-Function = TypeVar("Function", bound=Callable[..., Any])
+from robosmi.functions import Function as AnyFunction
+
+Function = TypeVar("Function", bound=AnyFunction)
 
 
 class Decorator(Protocol):

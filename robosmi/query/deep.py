@@ -10,10 +10,13 @@ from __future__ import annotations
 
 import contextvars
 import threading
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import UsageError
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
 
 LEVELS = 80
 """Levels of nesting in one thread; a level is about six frames of ours and what the user's functions add."""
@@ -21,7 +24,7 @@ _STACK_BYTES = 2 << 20
 _starting = threading.Lock()
 
 
-def in_thread(function: Callable[..., Any], *arguments: Any) -> Any:
+def in_thread(function: Function, *arguments: Any) -> Any:
     """What the function gives, called on a fresh stack; what it raises is raised here.
 
     Raises:

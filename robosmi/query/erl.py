@@ -11,7 +11,8 @@ import inspect
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
-from typing import Any, TypeVar
+from types import CodeType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from robosmi import foreign_code
 from robosmi.diagnostics import Location
@@ -24,15 +25,23 @@ from robosmi.query.run import Run, current_run
 from robosmi.query.types import EolType, resolve, type_named
 from robosmi.query.values import as_string
 
-F = TypeVar("F", bound=Callable[..., Any])
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+    from robosmi.model.driver import DynamicNode, Item, Kind, Node, Type
+    from robosmi.model.ecore import EObject
 
 
-def as_model(given: Any) -> Model:
+F = TypeVar("F", bound="Function")
+RuleKind: TypeAlias = "Kind | EolType"
+"""How the type that a rule is about may be given."""
+
+
+def as_model(given: Model | EObject | Sequence[EObject]) -> Model:
     """A model: the one given, or one around root elements."""
     return given if isinstance(given, Model) else ModelView(given)
 
 
-def run_over(models: Sequence[Model]) -> AbstractContextManager[Any]:
+def run_over(models: Sequence[Model]) -> AbstractContextManager[Run | None]:
     """The query run of a module's run: the open one if it knows the models, else one of its own (types by name, `ext`)."""
     known = current_run().models
     return nullcontext() if models and all(m in known for m in models) else Run(*models)
@@ -45,19 +54,21 @@ def technology(model: Model) -> Model:
     return model
 
 
-def owner_of(element: Any, models: Iterable[Model]) -> Model | None:
+def owner_of(element: Item, models: Iterable[Model]) -> Model | None:
     """The model that holds the element, or None."""
     return next((m for m in models if m.owns(element)), None)
 
 
-def place_in_model(element: Any, models: Iterable[Model]) -> str | None:
+def place_in_model(element: Item, models: Iterable[Model]) -> str | None:
     """An element as reports name it, `M!Book //@items.0`; None for no element, the text of a value that is no element."""
     if element is None:
         return None
+    if not is_element(element):
+        return as_string(element)
     model = owner_of(element, models)
     if model is not None:
         return f"{model.name}!{name_of(model.type_of(element))} {model.id_of(element)}"
-    return f"{name_of(type_of(element))} (not in a resource)" if is_element(element) else as_string(element)
+    return f"{name_of(type_of(element))} (not in a resource)"
 
 
 class RuleType:
@@ -72,7 +83,7 @@ class RuleType:
         UsageError: it is no type.
     """
 
-    def __init__(self, given: Any, models: Sequence[Model]) -> None:
+    def __init__(self, given: RuleKind, models: Sequence[Model]) -> None:
         self.name = type_name(given)
         self.primitive: EolType | None = None
         self.models: Sequence[Model] = models
@@ -91,7 +102,7 @@ class RuleType:
         if self.primitive is None:
             self.cls = class_of(self.kind)
 
-    def instances(self, exact: bool) -> list[Any]:
+    def instances(self, exact: bool) -> list[Node]:
         """All elements of the type and its subtypes, or of exactly the type; a primitive type has none to enumerate."""
         if self.primitive is not None:
             return []
@@ -100,13 +111,13 @@ class RuleType:
             return list(model.all_of_type(self.kind) if exact else model.all_of_kind(self.kind))
         return [x for m in self.models for x in (m.all_of_type(self.kind) if exact else m.all_of_kind(self.kind))]
 
-    def has(self, value: Any, exact: bool = False) -> bool:
+    def has(self, value: Item, exact: bool = False) -> bool:
         """Whether the value is of the type or a subtype, or of exactly the type."""
         if self.primitive is not None:
             return bool(self.primitive.is_type(value) if exact else self.primitive.is_kind(value))
         return value.__class__ is self.cls if exact else isinstance(value, self.cls)
 
-    def maker(self, default: Model | None) -> Callable[[], Any]:
+    def maker(self, default: Model | None) -> Callable[[], DynamicNode]:
         """A function that makes an element of the type, in its model if it was given as that model's, else in the default one."""
         model = self.models[0] if len(self.models) == 1 else default
         if model is None:
@@ -117,7 +128,7 @@ class RuleType:
         return lambda: model.create(kind)
 
 
-def _named(name: str, models: Sequence[Model]) -> tuple[Any, list[Model]] | None:
+def _named(name: str, models: Sequence[Model]) -> tuple[Type, list[Model]] | None:
     wanted, _, plain = name.rpartition("!")
     for model in models:
         if wanted in ("", model.name) and (kind := model.find_type(plain)) is not None:
@@ -129,7 +140,7 @@ def _named(name: str, models: Sequence[Model]) -> tuple[Any, list[Model]] | None
     return None
 
 
-def type_name(given: Any) -> str:
+def type_name(given: RuleKind) -> str:
     """A type as reports name it: a name as it was written, else its simple name."""
     if isinstance(given, str):
         return given
@@ -139,7 +150,7 @@ def type_name(given: Any) -> str:
         return repr(given)
 
 
-class RuleBlocks(list[Callable[[], Any]]):
+class RuleBlocks(list[Callable[[], None]]):
     """The pre or post blocks of a module in order; also a decorator that adds one."""
 
     def __call__(self, block: F) -> F:
@@ -166,10 +177,10 @@ class RuleBlocks(list[Callable[[], Any]]):
 def failed(
     error: BaseException,
     what: str,
-    function: Callable[..., Any],
-    element: Any = None,
+    function: Function,
+    element: Item = None,
     models: Iterable[Model] = (),
-    owner: Callable[..., Any] | None = None,
+    owner: Function | None = None,
 ) -> RobosmiError:
     """The error of a rule that raises: which one, for which element, at which line, why.
 
@@ -196,7 +207,7 @@ def failed(
         return RuleError(said, location=found[1], fix=foreign_code.END)
     said = f"{what} fails{about}: {type(error).__name__}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
-    if is_own(str(getattr(inspect.unwrap(owner or function), "__module__", ""))) and not world:
+    if is_own(_module_of(owner or function)) and not world:
         return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
     if (inside := _raised_inside(error)) is not None:
         fix = f"look at what this line gives to robosmi, where it was raised ({inside}); if that is right, it is a bug to report"
@@ -216,24 +227,39 @@ def _raised_inside(error: BaseException) -> str | None:
     return f"{module}:{step.tb_lineno}" if step is not None and is_own(module) else None
 
 
-def _shown(element: Any, models: Iterable[Model]) -> str:
+def _shown(element: Item, models: Iterable[Model]) -> str:
     text = repr(element)
     try:
         model = owner_of(element, models)
-        return f"{text} at {model.id_of(element)} of {model.name}" if model is not None else text
+        return f"{text} at {model.id_of(element)} of {model.name}" if model is not None and is_element(element) else text
     except Exception:  # a model that is half changed may not know the place
         return text
 
 
-def place_of(function: Callable[..., Any]) -> Location | None:
+def code_of(function: Function) -> CodeType | None:
+    """The code of a function below its decorators; None for what has no Python source."""
+    code: CodeType | None = getattr(inspect.unwrap(function), "__code__", None)
+    return code
+
+
+def _module_of(function: Function) -> str:
+    return str(getattr(inspect.unwrap(function), "__module__", ""))
+
+
+def called(function: Function | str) -> str:
+    """The name of a rule, given by it or as its function."""
+    return function if isinstance(function, str) else str(getattr(function, "__name__", function))
+
+
+def place_of(function: Function) -> Location | None:
     """Where a function is defined; None for what has no Python source."""
-    code = getattr(inspect.unwrap(function), "__code__", None)
+    code = code_of(function)
     return Location(_relative(code.co_filename), code.co_firstlineno) if code is not None else None
 
 
-def _place(error: BaseException, function: Callable[..., Any]) -> Location | None:
+def _place(error: BaseException, function: Function) -> Location | None:
     """The line of the function's file where the error left it."""
-    code = getattr(inspect.unwrap(function), "__code__", None)
+    code = code_of(function)
     found, step = place_of(function), error.__traceback__
     while step is not None:
         if code is not None and step.tb_frame.f_code.co_filename == code.co_filename:
@@ -249,7 +275,7 @@ def _relative(path: str) -> str:
         return path
 
 
-def arity(function: Callable[..., Any]) -> int:
+def arity(function: Function) -> int:
     """How many parameters without a default a function takes; 0 where that cannot be known."""
     try:
         parameters = inspect.signature(function).parameters.values()
@@ -259,7 +285,7 @@ def arity(function: Callable[..., Any]) -> int:
     return sum(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
 
 
-def told(given: Any, element: Any) -> Any:
+def told(given: Any, element: Item) -> Any:
     """What is said about an element: a value, or what a function gives, called with the element if it takes one."""
     if not callable(given):
         return given

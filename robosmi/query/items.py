@@ -73,11 +73,11 @@ class Items(Generic[T]):
 
     def includes_all(self, values: Iterable[Any]) -> bool:
         """Whether all the values are items."""
-        return {key(v) for v in several(values)} <= set(map(key, self._items))
+        return {key(v) for v in several(values)} <= {key(x) for x in self._items}
 
     def excludes_all(self, values: Iterable[Any]) -> bool:
         """Whether none of the values is an item."""
-        return set(map(key, self._items)).isdisjoint(key(v) for v in several(values))
+        return {key(x) for x in self._items}.isdisjoint(key(v) for v in several(values))
 
     def index_of(self, value: Any) -> int:
         """The index of the first item that is the value, or -1."""
@@ -168,7 +168,7 @@ class Items(Generic[T]):
 
     def concat(self, separator: str = "") -> str:
         """The items as texts in one text."""
-        return separator.join(map(as_string, self._items))
+        return separator.join(as_string(x) for x in self._items)
 
     def create_collection(self) -> Self:
         """An empty collection of the same kind."""

@@ -6,12 +6,14 @@ Source: EolModelElementType, IModel and ModelElementTypeOperations of Epsilon.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.model.driver import Model, TypeHandle, name_of, unknown_type
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
 
 
 def _of_model(kind: Any) -> tuple[Model, Any]:
@@ -65,7 +67,7 @@ def _contents(model: Model) -> Q[Any]:
     return Q(model.all_contents())
 
 
-TYPES: dict[str, Callable[..., Any]] = {
+TYPES: dict[str, Function] = {
     "all": all_of_kind,
     "all_instances": all_of_kind,
     "all_of_kind": all_of_kind,
@@ -76,7 +78,7 @@ TYPES: dict[str, Callable[..., Any]] = {
 }
 """Operations of types."""
 
-MODELS: dict[str, Callable[..., Any]] = {
+MODELS: dict[str, Function] = {
     "all_contents": _contents,
     "all_instances": lambda model: _contents(model),
     "get_all_of_kind": lambda model, kind: Q(model.all_of_kind(kind)),
@@ -92,7 +94,7 @@ MODELS: dict[str, Callable[..., Any]] = {
 }
 """Operations of models."""
 
-LITERALS: dict[str, Callable[..., Any]] = {
+LITERALS: dict[str, Function] = {
     "get_name": lambda literal: literal.name,
     "get_value": lambda literal: literal.value,
     "get_literal": lambda literal: getattr(literal, "literal", None) or literal.name,

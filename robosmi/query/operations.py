@@ -7,8 +7,7 @@ Here a name finds its operation; which built-in operations there are is `built_i
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.model.driver import Model, TypeHandle, is_element
@@ -23,7 +22,11 @@ from robosmi.query.run import current_run
 from robosmi.query.values import collection_kind, equal
 from robosmi.query.words import snake
 
-Table = dict[str, Callable[..., Any]]
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
+
+Table: TypeAlias = "dict[str, Function]"
 
 TABLES: dict[str, Table] = {
     kind: {}
@@ -59,7 +62,7 @@ def _kinds(target: Any) -> tuple[str, ...]:
     return ("Element", "Any") if is_element(target) else ("Any",)
 
 
-def _built_in(target: Any, name: str) -> Callable[..., Any] | None:
+def _built_in(target: Any, name: str) -> Function | None:
     closed = current_run().closed
     if name in closed or (closed and name in CHANGING and isinstance(target, (ECollection, HeldByFeature))):
         raise UsageError(f"an expression may not use the operation '{name}'", fix="see docs/reference/eol.md for what reads")
@@ -113,7 +116,7 @@ def call_built_in(target: Any, name: str, *arguments: Any, **options: Any) -> An
     return _guarded(function, plain, (receiver, *arguments), options)
 
 
-def _guarded(function: Callable[..., Any], name: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
+def _guarded(function: Function, name: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
     try:
         inspect.signature(function).bind(*arguments, **options)
     except TypeError as error:

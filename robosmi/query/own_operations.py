@@ -13,7 +13,7 @@ import sys
 from collections.abc import Callable
 from functools import wraps
 from types import FrameType, ModuleType
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.query import types
 from robosmi.query.problems import describe, unknown_operation
@@ -21,7 +21,11 @@ from robosmi.query.run import current_run
 from robosmi.query.values import key
 from robosmi.query.words import snake
 
-F = TypeVar("F", bound=Callable[..., Any])
+if TYPE_CHECKING:
+    from robosmi.functions import Definition, Function
+
+
+F = TypeVar("F", bound="Definition")
 R = TypeVar("R")
 Scope = dict[str, Any]
 """The global names of a Python module."""
@@ -36,7 +40,7 @@ _known: set[str] = set()
 class OwnOperation:
     """An operation of one's own: its context type, its function, whether it is cached."""
 
-    def __init__(self, context: Any, function: Callable[..., Any], cached: bool) -> None:
+    def __init__(self, context: Any, function: Function, cached: bool) -> None:
         self.context = context
         self.function = function
         self.cached = cached
@@ -49,7 +53,7 @@ class OwnOperation:
         if not self.cached:
             return self.function(target, *arguments)
         notes = current_run().notes_of(target)
-        place = (self, tuple(map(key, arguments)))
+        place = (self, tuple(key(x) for x in arguments))
         if place not in notes:
             notes[place] = self.function(target, *arguments)
         return notes[place]
@@ -103,7 +107,7 @@ def cached(function: F) -> F:
     return function
 
 
-def called_for(function: Callable[..., Any], body: Callable[..., R], *arguments: Any) -> R:
+def called_for(function: Function, body: Callable[..., R], *arguments: Any) -> R:
     """Call code that is in no Python module (a template), so that it sees what the module of a function sees.
 
     Args:
@@ -111,11 +115,17 @@ def called_for(function: Callable[..., Any], body: Callable[..., R], *arguments:
         body: what is called.
         arguments: its arguments.
     """
-    scope = getattr(inspect.unwrap(function), "__globals__", None)  # noqa: F841, which `_calling` reads off this frame
+    scope = globals_of(function)  # noqa: F841, which `_calling` reads off this frame
     return body(*arguments)
 
 
-def own_operation(target: Any, name: str, arguments: int) -> Callable[..., Any] | None:
+def globals_of(function: Function) -> Scope | None:
+    """The global names of the module of a function below its decorators; None for what has no Python source."""
+    found: Scope | None = getattr(inspect.unwrap(function), "__globals__", None)
+    return found
+
+
+def own_operation(target: Any, name: str, arguments: int) -> Function | None:
     """The operation that the calling module sees for a target, or None.
 
     Args:

@@ -38,7 +38,7 @@ def sorted_by(items: list[T], body: Callable[[T], Any]) -> list[T]:
         if len(values) < len(items):
             raise  # of the body, not of a comparison
         made = None
-    classes = set(map(type, values))
+    classes = {type(x) for x in values}
     if made is not None and (classes <= _NUMBERS or classes in ({str}, {bool})):
         return made
     by_value = cmp_to_key(_compare)

@@ -115,7 +115,7 @@ def is_substring_of(text: str, other: str | None) -> bool:
 
 def trim(text: str) -> str:
     """The text without white space and control characters at its ends."""
-    return text.strip("".join(map(chr, range(33))))
+    return text.strip("".join(chr(code) for code in range(33)))
 
 
 def strip(text: str) -> str:

@@ -32,7 +32,7 @@ class Totals(Generic[T]):
 
         A sum of Integers wraps around at 32 bits, as in the engine; Python's `sum(q)` is exact.
         """
-        items: Any = self._items if set(map(type, self._items)) <= _NUMBERS else list(self._numbers())
+        items: Any = self._items if {type(x) for x in self._items} <= _NUMBERS else list(self._numbers())
         return _fitting(builtins.sum(items), items)
 
     def product(self) -> Any:
@@ -57,7 +57,9 @@ def _number(value: Any) -> Any:
 
 def _fitting(value: Any, items: Iterable[Any]) -> Any:
     """An exact result as the engine holds it: Integers have 32 bits, and 64 as soon as a Long takes part."""
-    if isinstance(value, float) or (INT_MIN <= value <= INT_MAX and value.__class__ is int and Long not in set(map(type, items))):
+    if isinstance(value, float) or (
+        INT_MIN <= value <= INT_MAX and value.__class__ is int and Long not in {type(x) for x in items}
+    ):
         return value
     long = any(x.__class__ is Long or not INT_MIN <= x <= INT_MAX for x in items)
     return Long((value + 2**63) % 2**64 - 2**63) if long else (value + 2**31) % 2**32 - 2**31

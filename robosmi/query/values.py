@@ -89,7 +89,7 @@ def key(value: Any) -> Any:
         if isinstance(value, ECollection):
             kind = "Sequence"  # EMF's lists are equal to Sequences, whatever their kind
         kind = getattr(cls, "_eol_equals", kind)
-        keys = map(key, value)
+        keys = (key(x) for x in value)
         return (kind, frozenset(keys) if kind.endswith("Set") else tuple(keys))
     if isinstance(value, dict) or hasattr(cls, "_eol_map"):
         return (getattr(cls, "_eol_map", "Map"), frozenset((key(k), key(v)) for k, v in value.items()))
@@ -106,7 +106,7 @@ _NUMERIC = frozenset({int, float, bool, Long})
 def unique(items: Iterable[Any]) -> list[Any]:
     """Each item once, in the order first seen, by `key`."""
     found = list(items)
-    classes = set(map(type, found))
+    classes = {type(x) for x in found}
     if len(classes & _NUMERIC) < 2 and not any(compares_itself(cls) for cls in classes):
         try:
             return list(dict.fromkeys(found))  # the same answer, ten times faster
@@ -150,7 +150,7 @@ def equal(left: Any, right: Any) -> bool:
         return bool(left == right)
     kind = collection_kind(left)
     if kind == "Bag" and collection_kind(right) == "Bag":
-        return Counter(map(key, left)) == Counter(map(key, right))
+        return Counter(key(x) for x in left) == Counter(key(x) for x in right)
     return bool(key(left) == key(right))
 
 
@@ -174,7 +174,7 @@ def as_string(value: Any) -> str:
     kind = collection_kind(value)
     if kind is not None:
         items = list(value)
-        return f"{kind} {{{', '.join(map(_quoted, items))}}}"
+        return f"{kind} {{{', '.join(_quoted(x) for x in items)}}}"
     if isinstance(value, dict) or hasattr(cls, "_eol_map"):
         entries = (f"{_quoted(k)}->{_quoted(v)}" for k, v in value.items())
         return f"{getattr(cls, '_eol_map', 'Map')} {{{', '.join(entries)}}}"
@@ -196,7 +196,7 @@ def _real(value: float) -> str:
     if value == 0 or 1e-3 <= abs(value) < 1e7:
         return repr(value)
     sign, digits, exponent = Decimal(repr(value)).normalize().as_tuple()
-    rest = "".join(map(str, digits[1:])) or "0"
+    rest = "".join(str(digit) for digit in digits[1:]) or "0"
     return f"{'-' if sign else ''}{digits[0]}.{rest}E{len(digits) - 1 + int(exponent)}"
 
 

@@ -59,7 +59,7 @@ def c_string(text: str) -> str:
     >>> c_string('say "hi"\n??/'), c_string("\x1b1")
     ('say \\"hi\\"\\n?\\?/', '\\0331')
     """
-    return re.sub(r"\?(?=\?)|^(?=\?)", lambda found: f"{found[0]}\\", "".join(map(_string_letter, text)))
+    return re.sub(r"\?(?=\?)|^(?=\?)", lambda found: f"{found[0]}\\", "".join(_string_letter(letter) for letter in text))
 
 
 def _string_letter(letter: str) -> str:

@@ -96,4 +96,4 @@ def _unseen_as_escapes(text: str, *, lines: bool = False, long: str = "") -> str
             return f"\\u{code:04x}"
         return f"\\{long}{code:08x}" if long else json.dumps(letter)[1:-1]
 
-    return text if visible(text) == text else "".join(map(escape, text))
+    return text if visible(text) == text else "".join(escape(letter) for letter in text)

@@ -72,4 +72,4 @@ def terminal(text: str) -> str:
 
 def terminal_lines(text: str) -> str:
     """As `terminal`, for a text whose line feeds are meant."""
-    return "\n".join(map(visible, text.split("\n")))
+    return "\n".join(visible(line) for line in text.split("\n"))

@@ -185,5 +185,5 @@ class EvidenceFinder:
         found = []
         for name in names:
             telling = [pieces for chunk in chunks(name) if (pieces := parts(chunk))[0] not in self.stop]
-            found.append([(pieces, max(map(self.rarity, pieces))) for pieces in telling])
+            found.append([(pieces, max(self.rarity(piece) for piece in pieces)) for pieces in telling])
         return found

@@ -123,7 +123,7 @@ class LibraryIndex:
             # immutable: no locks, no look for a journal. Python's sqlite3 serialises the calls of several threads
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
         except (OSError, sqlite3.Error) as error:
-            raise self._damaged(getattr(error, "strerror", None) or str(error)) from error
+            raise self._damaged((isinstance(error, OSError) and error.strerror) or str(error)) from error
         try:
             if self._one("PRAGMA application_id") != (APPLICATION,) or self._one("PRAGMA user_version") != (FORMAT,):
                 raise self._damaged(f"it is not an index of libraries of format {FORMAT}")

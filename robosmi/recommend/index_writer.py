@@ -114,7 +114,7 @@ def _fill_facts(db: sqlite3.Connection, fields: Sequence[tuple[dict[str, int], .
 
 
 def _gaps(numbers: Sequence[int]) -> list[int]:
-    return [number - before for before, number in zip([0, *numbers], numbers, strict=False)]
+    return [number - before for before, number in pairwise([0, *numbers])]
 
 
 def _pack(numbers: Sequence[int], wide: int = 1) -> bytes:

@@ -33,7 +33,7 @@ def findings_html(findings: Sequence[Finding]) -> str:
     for finding in sorted(findings, key=lambda f: -f.severity):
         level = f'<b style="color:{_COLOURS[finding.severity]}">{finding.severity.name}</b>'
         place = str(finding.location) if finding.location is not None else ""
-        rows.append([level, *map(quoted, (finding.rule, place, finding.message, finding.fix or ""))])
+        rows.append([level, *(quoted(text) for text in (finding.rule, place, finding.message, finding.fix or ""))])
     return f"<p>{quoted(head)}</p>{table(('level', 'rule', 'place', 'message', 'what to do'), rows) if rows else ''}"
 
 

@@ -66,7 +66,9 @@ class PageServer(ThreadingHTTPServer):
             super().__init__((HOST, port), _Handler)
         except (OSError, OverflowError) as error:
             fix = "give another --port, or none for any that is free"
-            raise UsageError(f"port {port} cannot be used: {getattr(error, 'strerror', None) or error}", fix=fix) from error
+            raise UsageError(
+                f"port {port} cannot be used: {(isinstance(error, OSError) and error.strerror) or error}", fix=fix
+            ) from error
 
     @property
     def url(self) -> str:

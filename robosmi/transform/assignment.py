@@ -8,27 +8,28 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import features_of
+from robosmi.model.driver import FeatureValue, Node, feature_value, features_of
+from robosmi.model.ecore import EObject
 from robosmi.query.values import collection_kind
 
 
-def is_many(target: Any, name: str) -> bool:
+def is_many(target: Node, name: str) -> bool:
     """Whether a feature of an element takes many values.
 
     Raises:
         ModelError: there is no such feature.
     """
-    if (eclass := getattr(target, "eClass", None)) is not None:
-        feature = eclass.findEStructuralFeature(name)
+    if isinstance(target, EObject):
+        feature = target.eClass.findEStructuralFeature(name)
         if feature is not None:
             return bool(feature.many)
     elif name in features_of(target):
-        return collection_kind(getattr(target, name)) is not None
+        return collection_kind(feature_value(target, name)) is not None
     known = features_of(target)
     raise ModelError(f"{target!r} has no feature '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
 
 
-def assign(target: Any, name: str, value: Any, given: Any = None) -> None:
+def assign(target: Node, name: str, value: Any, given: FeatureValue = None) -> None:
     """Set a feature; None leaves a many-valued one as it is.
 
     Args:

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from robosmi.model.driver import class_of
-from robosmi.model.ecore import EEnum, EEnumLiteral, EObject
+from robosmi.model.driver import Item, class_of, feature_value
+from robosmi.model.ecore import EClassifier, EEnum, EEnumLiteral, EObject, EStructuralFeature
 from robosmi.model.features import all_features
 from robosmi.query.values import collection_kind
 
@@ -39,12 +39,17 @@ class ConservativeCopy:
         warn: takes warnings.
     """
 
-    def __init__(self, equivalent: Callable[[Any], Any], literal: Callable[[str, str], Any], warn: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        equivalent: Callable[[EObject], EObject | None],
+        literal: Callable[[str, str], EEnumLiteral | None],
+        warn: Callable[[str], None],
+    ) -> None:
         self._equivalent = equivalent
         self._literal = literal
         self._warn = warn
 
-    def copy(self, original: Any, migrated: Any, ignored: Iterable[str]) -> None:
+    def copy(self, original: EObject, migrated: EObject, ignored: Iterable[str]) -> None:
         """Copy all features that both elements' classes have, but the ignored ones, in the order of the original class."""
         new = {f.name: f for f in all_features(migrated.eClass)}
         skipped = set(ignored)
@@ -52,7 +57,7 @@ class ConservativeCopy:
             wanted = new.get(feature.name)
             if wanted is None or feature.name in skipped or feature.derived or wanted.derived or not wanted.changeable:
                 continue
-            value = self._fitting(self._copied(feature, getattr(original, feature.name)), feature, wanted)
+            value = self._fitting(self._copied(feature, feature_value(original, feature.name)), feature, wanted)
             if value is NONE:
                 continue
             if wanted.many:
@@ -62,7 +67,7 @@ class ConservativeCopy:
             else:
                 setattr(migrated, wanted.name, value)
 
-    def _copied(self, feature: Any, value: Any) -> Any:
+    def _copied(self, feature: EStructuralFeature, value: Any) -> Any:
         if feature.many:
             return [c for c in (self.value(v) for v in value) if c is not None]
         return self.value(value)
@@ -70,14 +75,14 @@ class ConservativeCopy:
     def value(self, value: Any) -> Any:
         """One value as the new model has it: equivalents of elements, literals of the same name, others as they are."""
         if isinstance(value, EEnumLiteral):
-            enumeration: Any = value.eContainer()
-            literal = self._literal(enumeration.name, value.name)
+            enumeration = value.eContainer()
+            literal = self._literal(enumeration.name, value.name) if isinstance(enumeration, EEnum) else None
             if literal is None:
                 self._warn(f"Could not find in migrated metamodel an enumeration value equivalent to: {value.name}")
             return literal
         return self._equivalent(value) if isinstance(value, EObject) else value
 
-    def _fitting(self, value: Any, feature: Any, wanted: Any) -> Any:
+    def _fitting(self, value: Any, feature: EStructuralFeature, wanted: EStructuralFeature) -> Any:
         """The value as the new feature takes it, or NONE."""
         if feature.many:
             upper = wanted.upperBound if wanted.upperBound >= 0 else len(value)
@@ -89,7 +94,7 @@ class ConservativeCopy:
         return [value] if wanted.many else value
 
 
-def _is_instance(value: Any, feature: Any, wanted: Any) -> bool:
+def _is_instance(value: Item, feature: EStructuralFeature, wanted: EStructuralFeature) -> bool:
     """Whether a value of one feature is an instance of another one's type, as Java's classes have it."""
     kind = wanted.eType
     if isinstance(kind, EEnum):
@@ -101,12 +106,12 @@ def _is_instance(value: Any, feature: Any, wanted: Any) -> bool:
     return _java_class(kind) in (_java_class(feature.eType), "java.lang.Object")
 
 
-def _java_class(datatype: Any) -> str:
-    name = getattr(datatype, "instanceClassName", None) or _OF_ECORE.get(datatype.name, "java.lang.Object")
+def _java_class(datatype: EClassifier) -> str:
+    name = datatype.instanceClassName or _OF_ECORE.get(datatype.name, "java.lang.Object")
     return _BOXED.get(name, name)
 
 
-def restore_order(original: Any, migrated: Any, equivalent: Callable[[Any], Any]) -> None:
+def restore_order(original: EObject, migrated: EObject, equivalent: Callable[[EObject], EObject | None]) -> None:
     """Give the many-valued references of an element the order of the original, where copying their opposites changed it."""
     for feature in all_features(migrated.eClass):
         if not (feature.is_reference and feature.many and feature.eOpposite and not feature.derived):

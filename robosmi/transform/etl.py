@@ -13,7 +13,7 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.collections import Q
-from robosmi.query.erl import RuleBlocks, as_model, run_over
+from robosmi.query.erl import RuleBlocks, as_model, called, run_over
 from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
 from robosmi.transform.rule import Rule, bind, declare
@@ -21,6 +21,7 @@ from robosmi.transform.schedule import Demand, Match, Schedule
 from robosmi.transform.trace import Trace
 
 if TYPE_CHECKING:
+    from robosmi.functions import Function
     from robosmi.query.decorating import Decorator
 
 P = ParamSpec("P")
@@ -94,7 +95,7 @@ class ETL:
         greedy: bool = False,
         abstract: bool = False,
         primary: bool = False,
-        init: Mapping[str, Callable[..., Any]] | None = None,
+        init: Mapping[str, Function] | None = None,
     ) -> Decorator: ...
     def rule(self, transform: Any = None, /, to: Any = None, *, name: str | None = None, **options: Any) -> Any:
         """Add a rule: `@t.rule` with the types as annotations, or `@t.rule(L.Book, to=[G.Node], lazy=True)`.
@@ -163,7 +164,7 @@ class ETL:
 
     def _names(self, rules: Sequence[Any]) -> list[str]:
         running = self._schedule()
-        given = [r if isinstance(r, str) else getattr(r, "__name__", str(r)) for r in rules]
+        given = [called(rule) for rule in rules]
         for name in given:
             said = f"equivalents of the rule '{name}' were asked for, which is no rule{did_you_mean(name, running.by_name)}"
             if name not in running.by_name and said not in self.warnings:
@@ -209,7 +210,7 @@ class ETL:
         for member in source:
             found = running.equivalents(member, names) if member is not None else None
             if found is not None:
-                distinct.setdefault(tuple(map(id, found)), Q(found))
+                distinct.setdefault(tuple(id(x) for x in found), Q(found))
         return Q(distinct.values())
 
     def set(self, target: Any, /, **features: Any) -> None:

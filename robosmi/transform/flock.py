@@ -6,12 +6,13 @@ either metamodel may lack them, or as types of the models. The copy itself is `c
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
+from robosmi.model.ecore import EClass, EEnum, EEnumLiteral, EObject
 from robosmi.model.emf import EmfModel
 from robosmi.model.features import eclass_of
 from robosmi.model.pyecore_internals import set_xmi_id, xmi_id_of
@@ -23,6 +24,8 @@ from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
 
 if TYPE_CHECKING:
+    from robosmi.functions import Function as AnyFunction
+    from robosmi.model.driver import FeatureValue, Kind, Model, Node, Type
     from robosmi.query.decorating import Decorator, Function
 
 
@@ -44,7 +47,7 @@ class Mapping:
     original: str
     package: bool = False
     evolved: str | None = None
-    when: Callable[[Any], Any] | None = None
+    when: AnyFunction | None = None
     strict: bool = False
     cascade: bool = False
 
@@ -63,9 +66,9 @@ class MigrateRule:
 
     original: str
     ignoring: tuple[str, ...] = ()
-    when: Callable[[Any], Any] | None = None
+    when: AnyFunction | None = None
     strict: bool = False
-    body: Callable[[Any, Any], Any] | None = None
+    body: AnyFunction | None = None
 
 
 class Flock:
@@ -88,7 +91,9 @@ class Flock:
         UsageError: one of the models is none of EMF.
     """
 
-    def __init__(self, original: Any, migrated: Any, *, keep_order: bool = False, lenient: bool = False) -> None:
+    def __init__(
+        self, original: Model | EObject, migrated: Model | EObject, *, keep_order: bool = False, lenient: bool = False
+    ) -> None:
         self.original = _emf(original)
         self.migrated = _emf(migrated)
         self.keep_order = keep_order
@@ -98,30 +103,28 @@ class Flock:
         self.warnings: list[str] = []
         self._mappings: list[Mapping] = []
         self._rules: list[MigrateRule] = []
-        self._equivalents: dict[int, tuple[Any, Any]] = {}
+        self._equivalents: dict[int, tuple[EObject, EObject | None]] = {}
 
-    def retype(self, original: Any, evolved: Any, *, when: Callable[[Any], Any] | None = None, strict: bool = False) -> None:
+    def retype(self, original: Kind, evolved: Kind, *, when: AnyFunction | None = None, strict: bool = False) -> None:
         """Elements of a type become elements of another (Flock `retype A to B when: ...`); the first mapping that fits counts."""
         old, new = _name(original), _name(evolved)
         self._mappings.append(Mapping(f"retype {old} to {new}", old, evolved=new, when=when, strict=strict))
 
-    def retype_package(self, original: str, evolved: str, *, when: Callable[[Any], Any] | None = None) -> None:
+    def retype_package(self, original: str, evolved: str, *, when: AnyFunction | None = None) -> None:
         """Elements of a package become elements of the same type name in another (Flock `retype package a to b`)."""
         self._mappings.append(Mapping(f"retype package {original} to {evolved}", original, True, evolved, when))
 
-    def delete(
-        self, original: Any, *, when: Callable[[Any], Any] | None = None, cascade: bool = False, strict: bool = False
-    ) -> None:
+    def delete(self, original: Kind, *, when: AnyFunction | None = None, cascade: bool = False, strict: bool = False) -> None:
         """Elements of a type are not migrated (Flock `delete A`); what they contain becomes roots, with `cascade` it goes too."""
         old = _name(original)
         self._mappings.append(Mapping(f"delete {old}", old, when=when, strict=strict, cascade=cascade))
 
-    def delete_package(self, original: str, *, when: Callable[[Any], Any] | None = None) -> None:
+    def delete_package(self, original: str, *, when: AnyFunction | None = None) -> None:
         """Elements of a package are not migrated (Flock `delete package a`)."""
         self._mappings.append(Mapping(f"delete package {original}", original, True, when=when))
 
     def migrate(
-        self, original: Any, *, ignoring: Iterable[str] = (), when: Callable[[Any], Any] | None = None, strict: bool = False
+        self, original: Kind, *, ignoring: Iterable[str] = (), when: AnyFunction | None = None, strict: bool = False
     ) -> Decorator:
         """A rule: `@f.migrate("Book") def _(original, migrated): ...`; without a function it only ignores features.
 
@@ -150,7 +153,7 @@ class Flock:
             return Q([e for e in (self._equivalent(x) for x in original) if e is not None])
         return self._copy.value(original) if original is not None else None
 
-    def set(self, target: Any, /, **features: Any) -> None:
+    def set(self, target: Node, /, **features: FeatureValue) -> None:
         """Set features to the equivalents of values (Flock `migrated.feature ::= original.feature`).
 
         Raises:
@@ -159,7 +162,7 @@ class Flock:
         for name, value in features.items():
             assign(target, name, self.equivalent(value), value)
 
-    def _equivalent(self, original: Any) -> Any:
+    def _equivalent(self, original: EObject) -> EObject | None:
         found = self._equivalents.get(id(original))
         return found[1] if found is not None else None if self.original.owns(original) else original
 
@@ -167,9 +170,9 @@ class Flock:
     def _copy(self) -> ConservativeCopy:
         return ConservativeCopy(self._equivalent, self._literal, self.warnings.append)
 
-    def _literal(self, enumeration: str, literal: str) -> Any:
+    def _literal(self, enumeration: str, literal: str) -> EEnumLiteral | None:
         found = self.migrated.metamodel.find(enumeration)
-        return next((x for x in getattr(found, "eLiterals", ()) if x.name == literal), None)
+        return next((x for x in found.eLiterals if x.name == literal), None) if isinstance(found, EEnum) else None
 
     def run(self) -> EmfModel:
         """Migrate: pre blocks, targets, conservative copy, rules, post blocks.
@@ -201,9 +204,9 @@ class Flock:
                 set_xmi_id(migrated, xmi_id_of(original))
                 copy.copy(original, migrated, [name for rule in fitting for name in rule.ignoring])
         if self.keep_order:
-            for original, migrated in list(self._equivalents.values()):
-                if migrated is not None:
-                    restore_order(original, migrated, self._equivalent)
+            for old, new in list(self._equivalents.values()):
+                if new is not None:
+                    restore_order(old, new, self._equivalent)
         for original, fitting in zip(elements, rules, strict=True):
             self._apply(original, fitting)
 
@@ -233,7 +236,7 @@ class Flock:
                         f"{what}: the original type has no feature '{name}' to ignore", name, known,
                     )  # fmt: skip
 
-    def _check_type(self, what: str, name: str) -> Any:
+    def _check_type(self, what: str, name: str) -> EClass | None:
         kind = self.original.find_type(name)
         if kind is None:
             self._unknown(
@@ -275,7 +278,7 @@ class Flock:
         kind = self.migrated.find_type(name)
         return kind is not None and not kind.abstract and not kind.interface
 
-    def _target(self, original: Any) -> Any:
+    def _target(self, original: EObject) -> EObject | None:
         """The new element for an original one, or None."""
         mapping = next((m for m in self._mappings if self._fits(m, original)), None)
         if mapping is None:
@@ -286,8 +289,8 @@ class Flock:
             name = f"{mapping.evolved}::{original.eClass.name}" if mapping.package else mapping.evolved
         return self.migrated.create(name) if self._instantiable(name) else None
 
-    def _fits(self, mapping: Mapping, original: Any) -> bool:
-        element = original
+    def _fits(self, mapping: Mapping, original: EObject) -> bool:
+        element: EObject | None = original
         while element is not None:
             typed = _path(element.eClass)[0] == mapping.original if mapping.package else self._is(element, mapping)
             if typed and self._when(mapping.what, mapping.when, element):
@@ -295,14 +298,14 @@ class Flock:
             element = element.eContainer() if mapping.cascade else None
         return False
 
-    def _is(self, element: Any, construct: Mapping | MigrateRule) -> bool:
+    def _is(self, element: EObject, construct: Mapping | MigrateRule) -> bool:
         kind = self.original.find_type(construct.original)
         if kind is None:
             return False
         cls = class_of(kind)
         return element.__class__ is cls if construct.strict else isinstance(element, cls)
 
-    def _when(self, what: str, guard: Callable[[Any], Any] | None, element: Any) -> bool:
+    def _when(self, what: str, guard: AnyFunction | None, element: EObject) -> bool:
         if guard is None:
             return True
         try:
@@ -310,10 +313,10 @@ class Flock:
         except (Exception, SystemExit) as error:
             raise failed(error, f"the guard of '{what}'", guard, element, [self.original]) from error
 
-    def _fitting_rules(self, original: Any) -> list[MigrateRule]:
+    def _fitting_rules(self, original: EObject) -> list[MigrateRule]:
         return [r for r in self._rules if self._is(original, r) and self._when(f"migrate {r.original}", r.when, original)]
 
-    def _apply(self, original: Any, rules: list[MigrateRule]) -> None:
+    def _apply(self, original: EObject, rules: list[MigrateRule]) -> None:
         migrated = self._equivalents[id(original)][1]
         for rule in rules:
             if migrated is None:
@@ -328,20 +331,20 @@ class Flock:
                     raise failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original]) from error
 
 
-def _emf(given: Any) -> EmfModel:
+def _emf(given: Model | EObject) -> EmfModel:
     model = technology(as_model(given))
     if not isinstance(model, EmfModel):
         raise UsageError(f"{model!r} is no EMF model", fix="migrate models whose metamodel is an .ecore")
     return model
 
 
-def _name(kind: Any) -> str:
+def _name(kind: Kind) -> str:
     if isinstance(kind, str):
         return kind
     return "::".join(_path(kind.kind if isinstance(kind, TypeHandle) else kind))
 
 
-def _path(kind: Any) -> list[str]:
+def _path(kind: Type) -> list[str]:
     """The names of the packages of a class from the outermost, and its own."""
     eclass = eclass_of(kind)
     parts, package = [str(eclass.name)], eclass.ePackage

@@ -12,13 +12,18 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
-from types import FunctionType
-from typing import Any
+from types import CodeType, FunctionType
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
 from robosmi.model.ordering import post_order
-from robosmi.query.erl import RuleType, arity, failed, place_of, type_name
+from robosmi.query.erl import RuleType, arity, called, failed, place_of, type_name
+
+if TYPE_CHECKING:
+    from robosmi.functions import Definition, Function
+    from robosmi.model.driver import DynamicNode, Item, Node
+    from robosmi.query.erl import RuleKind
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,24 +46,24 @@ class Rule:
     """
 
     name: str
-    body: Callable[..., Any]
-    source: Any
-    targets: Sequence[Any]
+    body: Definition
+    source: RuleKind
+    targets: Sequence[RuleKind]
     names: Sequence[str]
-    guard: Callable[[Any], Any] | None = None
-    extends: Sequence[Any] = ()
+    guard: Function | None = None
+    extends: Sequence[Function | str] = ()
     lazy: bool = False
     greedy: bool = False
     abstract: bool = False
     primary: bool = False
-    init: Mapping[str, Callable[..., Any]] | None = None
+    init: Mapping[str, Function] | None = None
 
     def wrong(self, message: str, fix: str) -> RuleError:
         """An error about the rule itself."""
         return RuleError(f"the rule {self.name} {message}", location=place_of(self.body), fix=fix)
 
 
-def declare(body: Callable[..., Any], transform: Any, to: Any, name: str | None, **options: Any) -> Rule:
+def declare(body: Definition, transform: Any, to: Any, name: str | None, **options: Any) -> Rule:
     """A rule from its function and the options of its decorator.
 
     Raises:
@@ -74,7 +79,7 @@ def declare(body: Callable[..., Any], transform: Any, to: Any, name: str | None,
     title = name or body.__name__
 
     def wrong(message: str, fix: str) -> RuleError:
-        return Rule(title, body, None, [], names).wrong(message, fix)
+        return Rule(title, body, "", [], names).wrong(message, fix)
 
     if not parameters:
         raise wrong("takes no source", "give its function a parameter for the source and one for each target")
@@ -97,7 +102,7 @@ def declare(body: Callable[..., Any], transform: Any, to: Any, name: str | None,
     return Rule(title, body, source, targets, names, extends=extends, **options)
 
 
-def _parameters(body: Callable[..., Any]) -> list[str]:
+def _parameters(body: Definition) -> list[str]:
     """The names of the parameters that have no default; of a plain function without `inspect`, which takes long."""
     if isinstance(body, FunctionType) and not hasattr(body, "__wrapped__") and not body.__code__.co_flags & _MORE:
         code = body.__code__
@@ -106,10 +111,15 @@ def _parameters(body: Callable[..., Any]) -> list[str]:
 
 
 _MORE = inspect.CO_VARARGS | inspect.CO_VARKEYWORDS
-_compiled = cache(compile)
 
 
-def _annotation(body: Callable[..., Any], parameter: str) -> Any:
+@cache
+def _compiled(annotation: str) -> CodeType:
+    code: CodeType = compile(annotation, "<annotation>", "eval")
+    return code
+
+
+def _annotation(body: Definition, parameter: str) -> Any:
     function = inspect.unwrap(body) if hasattr(body, "__wrapped__") else body
     kind = getattr(function, "__annotations__", {}).get(parameter)
     if kind is None or kind is Any or kind == "Any":
@@ -117,12 +127,12 @@ def _annotation(body: Callable[..., Any], parameter: str) -> Any:
     if not isinstance(kind, str):
         return kind
     try:  # what `from __future__ import annotations` left as text
-        return eval(_compiled(kind, "<annotation>", "eval"), body.__globals__, _nonlocals(body))
+        return eval(_compiled(kind), body.__globals__, _nonlocals(body))
     except (NameError, AttributeError, SyntaxError):
         return _AsWritten(kind)
 
 
-def _nonlocals(body: Callable[..., Any]) -> dict[str, Any]:
+def _nonlocals(body: Definition) -> dict[str, Any]:
     """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and takes long)."""
     found = {}
     for name, cell in zip(body.__code__.co_freevars, body.__closure__ or (), strict=True):
@@ -145,7 +155,7 @@ class BoundRule:
         "width",
     )  # fmt: skip
 
-    def __init__(self, rule: Rule, models: list[Model], makers: dict[Any, Callable[[], Any]]) -> None:
+    def __init__(self, rule: Rule, models: list[Model], makers: dict[RuleKind, Callable[[], DynamicNode]]) -> None:
         self.rule = rule
         self.models = models
         self.name = rule.name
@@ -163,10 +173,10 @@ class BoundRule:
         self.init = [(rule.init or {}).get(n) for n in rule.names]
         self.own_bases: list[BoundRule] = []
         self.chain: list[BoundRule] = [self]
-        self.done: set[Any] = set()
-        self.rejected: set[Any] = set()
+        self.done: set[Item] = set()
+        self.rejected: set[Item] = set()
 
-    def _resolved(self, given: Any) -> Any:
+    def _resolved(self, given: RuleKind) -> RuleKind:
         if not isinstance(given, _AsWritten):
             return given
         if found := re.fullmatch(r"(\w+)[.!](\w+)", given):
@@ -177,7 +187,7 @@ class BoundRule:
         name, cls = type_name(self.kind.kind), self.kind.cls
         return [m for m in models if (found := m.find_type(name)) is not None and class_of(found) is cls]
 
-    def _maker(self, name: str, given: Any) -> Callable[[], Any]:
+    def _maker(self, name: str, given: RuleKind) -> Callable[[], DynamicNode]:
         kind = RuleType(self._resolved(given), list(reversed(self.models)))
         if kind.primitive is not None:
             raise self.rule.wrong(f"cannot make '{name}': {kind.name} is no type of a model", "give a type of a model")
@@ -186,7 +196,7 @@ class BoundRule:
         kind.models = [m for m in kind.models if (t := m.find_type(kind.name)) is not None and class_of(t) is kind.cls][:1]
         return kind.maker(None)
 
-    def applies(self, source: Any, exact: bool, check_type: bool = True) -> bool:
+    def applies(self, source: Item, exact: bool, check_type: bool = True) -> bool:
         """Whether the rule is for a source: its type, its guard and those of the rules it extends; a refusal is remembered.
 
         Raises:
@@ -213,7 +223,7 @@ class BoundRule:
             self.rejected.add(source)
         return satisfied
 
-    def targets_for(self, source: Any) -> list[Any]:
+    def targets_for(self, source: Item) -> list[Node]:
         """New targets for a source, or the objects that initial values give.
 
         Raises:
@@ -232,7 +242,7 @@ class BoundRule:
                 raise failed(error, f"a target of the rule {self.name}", init or self.body, source, self.models) from error
         return made
 
-    def run(self, source: Any, targets: list[Any]) -> None:
+    def run(self, source: Item, targets: list[Node]) -> None:
         """The bodies of the rules it extends, then its own.
 
         Raises:
@@ -257,7 +267,7 @@ def bind(rules: Sequence[Rule], models: list[Model]) -> list[BoundRule]:
         UnknownTypeError: a type is in none of the models.
     """
     bound: dict[str, BoundRule] = {}
-    makers: dict[Any, Callable[[], Any]] = {}  # type -> what makes an element of it; most rules of a module make the same
+    makers: dict[RuleKind, Callable[[], DynamicNode]] = {}  # most rules of a module make the same
     for rule in rules:
         if rule.name in bound:
             raise rule.wrong("is there twice", "give one of them another name: rule(name=...)")
@@ -265,7 +275,7 @@ def bind(rules: Sequence[Rule], models: list[Model]) -> list[BoundRule]:
     names = {id(rule.body): rule.name for rule in rules}
     for one in bound.values():
         for given in one.rule.extends:
-            name = names.get(id(given), getattr(given, "__name__", str(given)))
+            name = names.get(id(given), called(given))
             if name not in bound:
                 raise one.rule.wrong(
                     f"extends '{name}', which is no rule{did_you_mean(name, bound)}", f"use one of: {', '.join(bound)}"

@@ -9,11 +9,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.query.deep import LEVELS, in_thread
 from robosmi.transform.rule import BoundRule
 from robosmi.transform.trace import Link, Trace
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Item, Node
 
 
 class Schedule(ABC):
@@ -39,14 +42,14 @@ class Schedule(ABC):
         """
 
     @abstractmethod
-    def equivalents(self, source: Any, names: Sequence[str]) -> list[Any] | None:
+    def equivalents(self, source: Item, names: Sequence[str]) -> list[Any] | None:
         """The targets of a source, of the named rules or of all.
 
         Raises:
             RuleError: a rule that runs for it raises.
         """
 
-    def _run_nested(self, rule: BoundRule, source: Any, targets: list[Any]) -> None:
+    def _run_nested(self, rule: BoundRule, source: Item, targets: list[Node]) -> None:
         """Run a rule inside another; chains of them may be as long as the model."""
         self._nested += 1
         try:
@@ -66,8 +69,8 @@ class Match(Schedule):
 
     def __init__(self, rules: Sequence[BoundRule], trace: Trace) -> None:
         super().__init__(rules, trace)
-        self._flat: dict[Any, list[Any]] | None = None
-        self._asked: set[Any] = set()
+        self._flat: dict[Item, list[Node]] | None = None
+        self._asked: set[Item] = set()
 
     def run(self) -> None:
         """Transform the models.
@@ -89,7 +92,7 @@ class Match(Schedule):
             if (source := link.sources[0]) not in rule.done:
                 rule.run(source, link.targets)
 
-    def equivalents(self, source: Any, names: Sequence[str]) -> list[Any] | None:
+    def equivalents(self, source: Item, names: Sequence[str]) -> list[Any] | None:
         """The targets of a source in the order of the rules, primary ones in front; None if there are none, or not yet.
 
         Raises:
@@ -111,8 +114,8 @@ class Match(Schedule):
         return flat
 
 
-def _flattened(links: list[Link], rules: dict[str, BoundRule]) -> list[Any]:
-    flat: list[Any] = []
+def _flattened(links: list[Link], rules: dict[str, BoundRule]) -> list[Node]:
+    flat: list[Node] = []
     for link in links:
         flat = [*link.targets, *flat] if rules[link.rule].rule.primary else [*flat, *link.targets]
     return flat
@@ -133,7 +136,7 @@ class Demand(Schedule):
                 if rule.applies(source, exact, check_type=False):
                     self._transform(rule, source)
 
-    def _transform(self, rule: BoundRule, source: Any) -> list[Any]:
+    def _transform(self, rule: BoundRule, source: Item) -> list[Node]:
         if source in rule.done:
             return [t for link in self.trace.links_from(source) if link.rule == rule.name for t in link.targets]
         rule.done.add(source)
@@ -142,14 +145,14 @@ class Demand(Schedule):
         self._run_nested(rule, source, targets)
         return targets
 
-    def equivalents(self, source: Any, names: Sequence[str]) -> list[Any] | None:
+    def equivalents(self, source: Item, names: Sequence[str]) -> list[Any] | None:
         """The targets of a source; rules that apply run first, all of them or the named ones. Empty if there are none.
 
         Raises:
             RuleError: a rule raises.
         """
         fitting = [r for r in self.rules if not r.rule.abstract and r.applies(source, exact=not r.rule.greedy)]
-        targets: list[Any] = []
+        targets: list[Node] = []
         for rule in fitting:
             if not names or rule.name in names:
                 made = self._transform(rule, source)

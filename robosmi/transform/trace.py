@@ -5,7 +5,7 @@ Looking up costs the same however long the trace is. Links of generated text are
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.driver import is_element
@@ -14,6 +14,7 @@ from robosmi.query.values import key
 
 if TYPE_CHECKING:
     from robosmi.metamodels import trace
+    from robosmi.model.driver import Item, Node
 
 _BY_VALUE = (int, float, bool)
 
@@ -42,7 +43,7 @@ class Link:
         return self.sources[0] if self.sources else None
 
     def __repr__(self) -> str:
-        return f"<{self.rule}: {', '.join(map(repr, self.sources))} -> {', '.join(map(repr, self.targets))}>"
+        return f"<{self.rule}: {', '.join(repr(x) for x in self.sources)} -> {', '.join(repr(x) for x in self.targets)}>"
 
 
 class Trace:
@@ -58,11 +59,11 @@ class Trace:
     def __init__(self, step: str = "") -> None:
         self.step = step
         self.links: list[Link] = []
-        self._by_source: dict[Any, list[Link]] = {}
+        self._by_source: dict[Hashable, list[Link]] = {}
         self._by_target: dict[int, list[Link]] = {}
         self._indexed = 0
 
-    def add(self, rule: str, source: Any, targets: list[Any]) -> Link:
+    def add(self, rule: str, source: Item, targets: list[Any]) -> Link:
         """Record that a rule made the targets from the one source."""
         made = Link(rule, (source,), targets, self.step)
         self.links.append(made)
@@ -75,7 +76,7 @@ class Trace:
             row.append(made)
         return made
 
-    def link(self, rule: str, step: str, sources: Iterable[Any], targets: Iterable[Any]) -> None:
+    def link(self, rule: str, step: str, sources: Iterable[Item], targets: Iterable[Node]) -> None:
         """Record that a rule made the targets from several sources.
 
         Args:
@@ -94,11 +95,11 @@ class Trace:
         for link in other.links:
             self.link(link.rule, link.step, link.sources, link.targets)
 
-    def links_from(self, source: Any) -> list[Link]:
+    def links_from(self, source: Item) -> list[Link]:
         """The links of a source, in order; do not change the list."""
         return self._by_source.get(key(source) if source.__class__ in _BY_VALUE else source, [])
 
-    def links_to(self, target: Any) -> list[Link]:
+    def links_to(self, target: Node) -> list[Link]:
         """The links that made a target, in order; do not change the list."""
         for link in self.links[self._indexed :]:
             for made in link.targets:
@@ -106,11 +107,11 @@ class Trace:
         self._indexed = len(self.links)
         return self._by_target.get(id(target), [])
 
-    def equivalents(self, source: Any) -> list[Any]:
+    def equivalents(self, source: Item) -> list[Any]:
         """Everything that was made from a source, in the order it was made."""
         return [target for link in self.links_from(source) for target in link.targets]
 
-    def origins(self, target: Any) -> list[Any]:
+    def origins(self, target: Node) -> list[Any]:
         """Everything that a target was made from."""
         return [source for link in self.links_to(target) for source in link.sources]
 

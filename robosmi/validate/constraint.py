@@ -13,6 +13,7 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.query.erl import type_name
 
 if TYPE_CHECKING:
+    from robosmi.functions import Function
     from robosmi.model.driver import TypeHandle
     from robosmi.query.decorating import Decorator
 
@@ -33,7 +34,7 @@ class Fix:
     """
 
     title: str | Callable[..., str]
-    do: Callable[..., Any]
+    do: Function
     guard: Any = True
 
 
@@ -82,11 +83,11 @@ class Constraint:
     """
 
     name: str
-    check: Callable[..., Any]
+    check: Function
     context: Context[Any]
     critique: bool = False
     info: bool = False
-    guard: Callable[..., Any] | None = None
+    guard: Function | None = None
     lazy: bool = False
     message: str | Callable[..., str] | None = None
     fixes: Sequence[Fix] = ()

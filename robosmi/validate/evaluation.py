@@ -13,7 +13,7 @@ from typing import Any
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.query.deep import LEVELS, in_thread
-from robosmi.query.erl import RuleType, failed, told
+from robosmi.query.erl import RuleType, called, code_of, failed, told
 from robosmi.validate.constraint import Constraint, Context, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
@@ -149,7 +149,7 @@ class Evaluation:
 
     def _failed(self, error: BaseException, state: _State, element: Any) -> Exception:
         constraint, raised = state.constraint, error.__traceback__ and error.__traceback__.tb_next
-        guard = getattr(constraint.guard, "__code__", None)
+        guard = code_of(constraint.guard) if constraint.guard is not None else None
         frames = []
         while raised is not None:
             frames.append(raised.tb_frame.f_code)
@@ -229,7 +229,7 @@ class Evaluation:
     def _state_named(self, name: Any, element: Any) -> _State:
         if callable(name):
             named = [s for states in self._named.values() for s in states if s.constraint.check is name]
-            name = getattr(name, "__name__", repr(name))
+            name = called(name)
         else:
             named = self._named.get(name, [])
         for state in named:

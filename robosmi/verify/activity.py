@@ -175,7 +175,11 @@ def _is_frames(pulses: Sequence[Pulse]) -> bool:
     """Whether pulses are frames of a servo, by their widths and their distance; the last one may be cut off."""
     periods = [after.begin - before.begin for before, after in pairwise(pulses)]
     whole = pulses[:-1] if len(pulses) > 2 and pulses[-1].end - pulses[-1].begin < _SERVO_WIDTH_US[0] else pulses
-    return bool(periods) and all(map(_is_servo_pulse, whole)) and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]
+    return (
+        bool(periods)
+        and all(_is_servo_pulse(pulse) for pulse in whole)
+        and _SERVO_PERIOD_US[0] <= median(periods) <= _SERVO_PERIOD_US[1]
+    )
 
 
 def _part(steady: bool, pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:

@@ -180,7 +180,7 @@ class Build:
         archive = into / name
         if not failed:
             data = self.toolchain.archive
-            arguments = fill(data.texts("arguments"), {"archive": str(archive)}, {"objects": map(str, objects)})
+            arguments = fill(data.texts("arguments"), {"archive": str(archive)}, {"objects": [str(path) for path in objects]})
             done = self.installed.run(self.toolchain.tool(data).key, arguments)
             failed, said = done.returncode != 0, said + done.stderr
         if failed:

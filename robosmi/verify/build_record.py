@@ -63,7 +63,7 @@ def record_at(path: Path) -> BuildRecord | None:
         if data["schema"] != SCHEMA:
             raise ValueError(f"its schema is '{data['schema']}'")
         return BuildRecord(
-            str(data["board"]), bool(data["fits"]), tuple(map(str, data["stand_ins"])),
+            str(data["board"]), bool(data["fits"]), tuple(str(name) for name in data["stand_ins"]),
             {str(name): str(digest) for name, digest in data["sources"].items()}, str(data["program"]),
             {str(name): int(size) for name, size in data.get("sizes", {}).items()},
             {str(name): str(digest) for name, digest in data.get("outside", {}).items()},

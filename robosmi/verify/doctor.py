@@ -105,7 +105,7 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
         result += _uploaders(load_toolchains(project), project)
         result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
     optional = (_optional(name, *facts) for name, facts in OPTIONAL.items())
-    return [*result, *map(_engine, engine_names()), *optional, *_plugins()]
+    return [*result, *(_engine(name) for name in engine_names()), *optional, *_plugins()]
 
 
 def own_boards(project: Path | None = None) -> list[Finding]:

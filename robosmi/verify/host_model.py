@@ -114,7 +114,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         channels=tuple(f"{channel}{number}" for number in range(table.number("channels"))),
         compiler=table.table("compiler"),
         same=frozenset(table.table("compiler").texts("same")),
-        devices=tuple(map(_device, table.tables("devices", needed=False))),
+        devices=tuple(_device(each) for each in table.tables("devices", needed=False)),
     )
 
 

@@ -113,7 +113,9 @@ class _Build:
         for _ in self._map(jobs):
             pass
         joined, named = self.folder / "joined.o", self.folder / "program.o"
-        self._run("linker", "-r", "-m", self.model.compiler.text("linker_machine"), "-o", str(joined), *map(str, objects))
+        self._run(
+            "linker", "-r", "-m", self.model.compiler.text("linker_machine"), "-o", str(joined), *(str(path) for path in objects)
+        )
         names = self._names(joined)
         if "main" not in names.defined:
             raise VerificationError("the program has no function main", fix="name the file that has it, too")
@@ -153,7 +155,7 @@ class _Build:
                 self._rename(path, path, names)
                 self._run("rename", *weak, str(path))
         library = folder / name
-        self._run("archiver", "rcs", str(library), *map(str, objects))
+        self._run("archiver", "rcs", str(library), *(str(path) for path in objects))
         return library
 
     def _find_tools(self) -> None:
@@ -212,7 +214,7 @@ class _Build:
         return target
 
     def _link(self, binary: Path, *parts: Path) -> None:
-        command = [self.tools["command"], *map(str, parts), *self._flags("link"), "-o", str(binary)]
+        command = [self.tools["command"], *(str(part) for part in parts), *self._flags("link"), "-o", str(binary)]
         done = self._start(command)
         if done.returncode != 0:
             raise InternalError(f"the program cannot be linked with the host model: {done.stderr.strip()[-500:]}")

@@ -77,12 +77,14 @@ def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
         raise SourceError(
             f"the default profile '{default.value}' is not among the profiles",
             location=Location(str(path), default.line),
-            fix=f"name one of: {', '.join(map(str, profiles)) or 'there is none'}",
+            fix=f"name one of: {', '.join(str(name) for name in profiles) or 'there is none'}",
         )
     board = by_path.get((keys["profiles"], profile, keys["board"])) if profile is not None else None
     board = board or by_path.get((keys["default_board"],))
     libraries = [e.value for e in entries if profile is not None and e.path[:3] == (keys["profiles"], profile, keys["libraries"])]
-    return ProjectFile(path, board.value if board else None, board.line if board else None, dict(map(_library, libraries)))
+    return ProjectFile(
+        path, board.value if board else None, board.line if board else None, dict(_library(each) for each in libraries)
+    )
 
 
 def search_project_file(path: Path, board: re.Pattern[str]) -> ProjectFile:

@@ -12,6 +12,8 @@ from contextlib import suppress
 from glob import glob
 from pathlib import Path
 
+from robosmi.inputs import flags
+
 _POLL_S = 0.05
 
 
@@ -30,7 +32,7 @@ def probe(port: str) -> None:
     Raises:
         OSError: the port is not there, may not be used or is in use.
     """
-    os.close(os.open(port, os.O_RDWR | getattr(os, "O_NOCTTY", 0) | getattr(os, "O_NONBLOCK", 0)))
+    os.close(os.open(port, os.O_RDWR | flags("O_NOCTTY", "O_NONBLOCK")))
 
 
 def touch(port: str, baud: int) -> None:

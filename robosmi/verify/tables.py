@@ -8,19 +8,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, TypeVar
 
 from robosmi import inputs, resources
 from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 
+T = TypeVar("T")
 KIND = "platform_repo"
 """The kind of data (see `robosmi.resources`) that toolchains, boards and stand-ins are."""
 
 
-class DataTable(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class DataTable:
     """One table of a TOML file of the repository.
 
     Attributes:
@@ -50,7 +53,7 @@ class DataTable(NamedTuple):
         fix = "mend the entry, or remove the file if it is your own"
         return PlatformDataError(f"'{self.prefix}{key}' {problem}", location=Location(str(self.path)), fix=fix)
 
-    def _get(self, key: str, kind: type | tuple[type, ...], called: str) -> Any:
+    def _get(self, key: str, kind: type[T] | tuple[type[T], ...], called: str) -> T:
         if key not in self.values:
             raise self.error(key, f"is missing{did_you_mean(key, self.values)}")
         value = self.values[key]

@@ -100,7 +100,7 @@ def end_session(process: subprocess.Popen[str]) -> None:
 def find_tool(entry: ToolEntry, toolchain: Toolchain) -> str | None:
     """The path of a program: on PATH, else in one of the toolchain's own places."""
     path = os.environ.get("PATH", os.defpath)
-    for folders in (path, *map(str, places(toolchain.tool_places))):
+    for folders in (path, *(str(place) for place in places(toolchain.tool_places))):
         if folders and (found := shutil.which(entry.command, path=folders)):
             return found
     return None

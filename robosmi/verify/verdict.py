@@ -247,7 +247,7 @@ class Verdict:
             elif functions:
                 lines.append(f"    functions of that channel: {', '.join(functions)}")
             if self.calls.around:
-                lines.append(f"    called around it: {', '.join(map(str, self.calls.around))}")
+                lines.append(f"    called around it: {', '.join(str(call) for call in self.calls.around)}")
             if self.calls.made is not None or functions:
                 lines.append("    (which of these the cause is, if it is one of them, cannot be seen from outside)")
             lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]

@@ -92,7 +92,7 @@ def test_what_is_no_element_of_emf_is_left_out_of_the_model() -> None:
 
 def test_traces_of_steps_become_one() -> None:
     whole = Trace()
-    one, two = object(), object()
+    one, two = trace.TextTrace(path="one"), trace.TextTrace(path="two")
     whole.link("first", "a", [one], [two])
     part = Trace("b")
     part.add("second", two, [one])
