@@ -16,7 +16,7 @@ class Function(Protocol):
         """Call it."""
 
 
-class Definition(Function, Protocol):
+class NamedFunction(Function, Protocol):
     """A function that is written with `def` or `lambda`: it has a name, code and a module."""
 
     __name__: str

@@ -12,7 +12,7 @@ import threading
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue
+from robosmi.model.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue, Scalar
 from robosmi.model.emf import EmfModel
 from robosmi.model.pyecore_internals import (
     ASSIGN,
@@ -105,7 +105,7 @@ class Recording:
                     self._keep_element(one)
         self._keep_element(holder.owner)
 
-    def _keep_element(self, element: EObject) -> None:
+    def _keep_element(self, element: Scalar) -> None:
         if not isinstance(element, EObject) or id(element) in self._elements or not is_element(element):
             return
         self._elements[id(element)] = (

@@ -9,7 +9,7 @@ elements that already live elsewhere take pyecore's way. Nothing here is called 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.model import ecore, lean
 from robosmi.model.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
@@ -24,6 +24,10 @@ from robosmi.model.pyecore_internals import (
     key_of,
     own_resource_of,
 )
+
+if TYPE_CHECKING:
+    from robosmi.model.ecore import Slots
+
 
 Entry = tuple[Any, str, Any, Any, Any]
 """How one feature is set: the class of the values that are stored without a holder (or None); the key of the feature's slot; the
@@ -168,7 +172,7 @@ def _plan(cls: type) -> Plan:
 
 
 def _put_attributes(
-    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, kind: Any, values: Iterable[Any]
+    element: EObject, slots: Slots, name: str, feature: EStructuralFeature, kind: Any, values: Iterable[Any]
 ) -> bool:
     found = list(values) if values.__class__ is not str else None
     if found == []:
@@ -180,7 +184,7 @@ def _put_attributes(
     return True
 
 
-def _put_literal(element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, kind: Any, value: Any) -> bool:
+def _put_literal(element: EObject, slots: Slots, name: str, feature: EStructuralFeature, kind: Any, value: Any) -> bool:
     if value.__class__ is not EEnumLiteral or container_of(value) is not kind:
         return False
     slots[name] = value
@@ -206,9 +210,7 @@ def _adopt(element: EObject, feature: EStructuralFeature, known: _Known, value: 
     return True
 
 
-def _put_reference(
-    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, value: Any
-) -> bool:
+def _put_reference(element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, value: Any) -> bool:
     if not _adopt(element, feature, known, value, (element, feature)):
         return False
     slots[name] = holder(known.holder, element, feature, value)
@@ -216,7 +218,7 @@ def _put_reference(
 
 
 def _put_many(
-    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
+    element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
 ) -> bool:
     if values.__class__ is list and not values:
         return True
@@ -235,7 +237,7 @@ def _put_many(
 
 
 def _put_parts(
-    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
+    element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
 ) -> bool:
     """Containment of many with a single-valued opposite: the parts know their container under its name."""
     many = slots[name] = collection(element, feature)
@@ -258,9 +260,7 @@ def _put_parts(
     return True
 
 
-def _put_one_of_many(
-    element: EObject, slots: dict[str, Any], name: str, feature: EStructuralFeature, known: _Known, value: Any
-) -> bool:
+def _put_one_of_many(element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, value: Any) -> bool:
     """A single reference whose opposite collects many: the element joins the collection of what it refers to."""
     if value.__class__ not in known.classes and not known.takes(value):
         return False
@@ -275,7 +275,7 @@ def _put_one_of_many(
     return True
 
 
-def _set(slots: dict[str, Any], feature: EStructuralFeature) -> None:
+def _set(slots: Slots, feature: EStructuralFeature) -> None:
     """Note that a feature was set, where it is not read off the slots when somebody asks."""
     if SET_FEATURES in slots:
         slots[SET_FEATURES][feature] = None

@@ -361,20 +361,6 @@ def features_of(element: Node) -> list[str]:
     return element._features() if isinstance(element, ModelElement) else structure.feature_names(element.eClass)
 
 
-def feature_value(element: Node, name: str) -> Held:
-    """What a feature of an element holds, by its name."""
-    value: Held = getattr(element, name)
-    return value
-
-
-def feature_values(element: Node, name: str) -> Sequence[Item]:
-    """What a feature of an element holds as several: nothing, the one value, or all of them."""
-    value = feature_value(element, name)
-    if value is None:
-        return ()
-    return value if isinstance(value, Sequence) and not isinstance(value, (str, bytes, ModelElement)) else (value,)
-
-
 def contents_of(element: Node) -> Sequence[DynamicNode]:
     """What an element contains directly."""
     return element._contents() if isinstance(element, ModelElement) else structure.contents(element)
@@ -402,6 +388,6 @@ def label(element: Node) -> str:
     kind = name_of(type_of(element))
     known = set(features_of(element))
     for feature in LABELS:
-        if feature in known and isinstance(value := feature_value(element, feature), (str, int)) and value != "":
+        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
             return f"{kind} {value}"
     return kind

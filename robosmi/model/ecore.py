@@ -47,9 +47,15 @@ class Resource(Protocol):
 if TYPE_CHECKING:
     T = TypeVar("T")
 
+    class Slots(dict[str, Any]):
+        """The fields of an element by key; what lies in the slot of a feature, only that feature says."""
+
+        def get(self, key: str, default: Any = None, /) -> Any: ...
+
     class EObject:
         """A model element of any class."""
 
+        __dict__: Slots
         eClass: ClassVar[EClass]
         listeners: list[Listener]
         dyn_inst: EObject

@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import quote, unquote
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import feature_value
+from robosmi.model.by_name import feature_value
 from robosmi.model.ecore import EModelElement, ENamedElement, EObject
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import key_of, xmi_id_of

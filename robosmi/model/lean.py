@@ -9,12 +9,21 @@ work on them. Only the XMI reader and writer, `construct`, `on_demand` and `stri
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.model import datatypes
-from robosmi.model.ecore import EAttribute, ECollection, EDataType, EEnum, EEnumLiteral, EObject, EStructuralFeature, EValue
+from robosmi.model.ecore import (
+    EAttribute,
+    ECollection,
+    EDataType,
+    EEnum,
+    EEnumLiteral,
+    EObject,
+    EStructuralFeature,
+    EValue,
+)
 from robosmi.model.feature_values import FeatureCollection, FeatureOrderedSet, kind_of
 from robosmi.model.pyecore_internals import (
     CONTAINER,
@@ -34,8 +43,11 @@ from robosmi.model.pyecore_internals import (
 )
 from robosmi.model.structure import resource_of
 
+if TYPE_CHECKING:
+    from robosmi.model.ecore import PyEcoreValue, Value
 
-def _holder_class(name: str, is_ref: bool, is_cont: bool) -> Any:
+
+def _holder_class(name: str, is_ref: bool, is_cont: bool) -> type[EValue]:
     shared = {
         "is_ref": is_ref,
         "is_cont": is_cont,
@@ -58,11 +70,11 @@ _NOTHING: Any = object()
 
 REFUSAL = "_refusal"
 """Key in the `__dict__` of a read-only element: a function of it and a feature's name that makes the error of a change."""
-BARE = frozenset([int, str, bool, float, EEnumLiteral])
+BARE: frozenset[type[int | str | float | EEnumLiteral]] = frozenset([int, str, bool, float, EEnumLiteral])
 """Classes of the values that lie bare in an element, by their exact class."""
 
 
-def _value_of(self: Any, instance: EObject, owner: type | None = None) -> Any:
+def _value_of(self: EAttribute, instance: EObject, owner: type | None = None) -> Any:
     if instance is None:
         return self
     value = instance.__dict__.get(key_of(self), _NOTHING)
@@ -73,7 +85,7 @@ def _value_of(self: Any, instance: EObject, owner: type | None = None) -> Any:
     return EAttribute.__get__(self, instance, owner)
 
 
-def _change(self: Any, instance: EObject, value: Any) -> None:
+def _change(self: EAttribute, instance: EObject, value: Any) -> None:
     slots = instance.__dict__
     if REFUSAL in slots:
         raise slots[REFUSAL](instance, key_of(self))
@@ -100,7 +112,7 @@ def features_fixed(cls: type) -> bool:
     return getattr(cls, "_fixed_features", False)
 
 
-def holder(cls: Any, owner: EObject, feature: EStructuralFeature, value: Any) -> Any:
+def holder(cls: type[EValue], owner: EObject, feature: EStructuralFeature, value: Value) -> EValue:
     """A holder of one of the classes above."""
     made = _new(cls)
     made.owner = owner
@@ -137,7 +149,7 @@ def collection(owner: EObject, feature: EStructuralFeature) -> Any:
     return made
 
 
-def holders_of(element: EObject) -> list[Any]:
+def holders_of(element: EObject) -> list[PyEcoreValue]:
     """All holders and collections of an element, those made by a mere look included."""
     return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
 
@@ -150,7 +162,7 @@ def plain_value(slot: Any) -> Any:
 class _Made:
     """A container that is made when it is first asked for, and then is an ordinary attribute."""
 
-    def __init__(self, name: str, make: Any) -> None:
+    def __init__(self, name: str, make: Callable[[EObject], Any]) -> None:
         self.name = name
         self.make = make
 
@@ -187,7 +199,7 @@ def _back_links(element: EObject) -> Any:
     return found
 
 
-def note_link(target: Any, link: tuple[Any, Any]) -> None:
+def note_link(target: EObject, link: tuple[EObject, EStructuralFeature]) -> None:
     """Let an element know who refers to it by a reference without opposite.
 
     Args:
@@ -234,7 +246,7 @@ def is_prepared(cls: type) -> bool:
     return INVERSE_REFERENCES in cls.__dict__
 
 
-def prepare(cls: Any) -> None:
+def prepare(cls: type) -> None:
     """Make a class ready for compact elements: what pyecore would put into each is found in the class."""
     if is_prepared(cls):
         return
@@ -257,8 +269,8 @@ def repair_default(feature: EStructuralFeature, datatype: EDataType) -> None:
             feature.default_value = wanted
 
 
-def _literal_of(enum: EEnum) -> Any:
-    def find(text: str) -> Any:
+def _literal_of(enum: EEnum) -> Callable[[str], EEnumLiteral | None]:
+    def find(text: str) -> EEnumLiteral | None:
         return next((x for x in enum.eLiterals if text in (datatypes.literal_text(x), x.name)), None)
 
     return find

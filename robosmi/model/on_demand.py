@@ -17,7 +17,17 @@ from robosmi.model.ecore import EList, EObject, EReference, EStructuralFeature, 
 from robosmi.model.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.features import all_features
 from robosmi.model.lean import BARE, REFUSAL, bare, prepare
-from robosmi.model.pyecore_internals import SET_FEATURES, GuardedValue, Slot, contain, fill_silently, hold, key_of, read, value_in
+from robosmi.model.pyecore_internals import (
+    SET_FEATURES,
+    GuardedValue,
+    Slot,
+    contain,
+    fill_silently,
+    hold,
+    key_of,
+    read,
+    target_in,
+)
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -208,12 +218,12 @@ def _parts(slot: Any, feature: EStructuralFeature) -> list[Any]:
     """The elements that a slot of containment contains already."""
     if isinstance(slot, Promise):
         return []
-    return list(slot) if feature.many else [] if value_in(slot) is None else [value_in(slot)]
+    return list(slot) if feature.many else [] if target_in(slot) is None else [target_in(slot)]
 
 
 def _promised(element: EObject, feature: EStructuralFeature, slot: Any) -> list[Any] | None:
     """Turn a slot with stand-ins into a promise; the elements in it that are built already, or None if there was no stand-in."""
-    parts = list(slot) if feature.many else [value_in(slot)]
+    parts: list[Any] = list(slot) if feature.many else [target_in(slot)]
     if not any(part is not None and "_make" in part.__dict__ for part in parts):
         return None
     if not feature.many:

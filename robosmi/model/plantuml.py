@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from robosmi.model.driver import Model, Node, feature_value, feature_values, features_of, is_element, name_of, type_of, walk
+from robosmi.model.by_name import feature_value, feature_values
+from robosmi.model.driver import Model, Node, features_of, is_element, name_of, type_of, walk
 from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, EStructuralFeature
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.show import plain

@@ -16,7 +16,7 @@ The facts, in the order of this module:
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from operator import attrgetter, methodcaller
 from typing import TYPE_CHECKING, Any, TypeGuard
 
@@ -33,6 +33,8 @@ from robosmi.model.ecore import (
     EStructuralFeature,
     EValue,
     Listener,
+    Scalar,
+    Value,
 )
 
 if TYPE_CHECKING:
@@ -66,7 +68,7 @@ ASSIGN = "_set"
 """Name of the method of a slot that assigns."""
 
 
-def _reader(field: str) -> Callable[[EObject | EStructuralFeature], Any]:
+def _reader(field: str) -> Callable[[Any], Any]:
     """A function that reads a field, without a step in Python."""
     return attrgetter(field)
 
@@ -81,7 +83,7 @@ xmi_id_of: Callable[[EObject], str | None] = _reader(IDENTITY)
 """The xmi:id of an element, or None."""
 set_features_of: Callable[[EObject], Any] = _reader(SET_FEATURES)
 """The features of an element that were given a value, as the keys of a dictionary."""
-inverse_references_of: Callable[[EObject], set[tuple[DynamicEObject, EStructuralFeature]]] = _reader(INVERSE_REFERENCES)
+inverse_references_of: Callable[[EObject], set[tuple[EObject, EStructuralFeature]]] = _reader(INVERSE_REFERENCES)
 """The pairs of an element and its feature without opposite that refer to an element."""
 first_listeners_of: Callable[[EObject], list[Listener | EObject]] = _reader(FIRST_LISTENERS)
 """Who is told of changes of an element first."""
@@ -89,11 +91,13 @@ key_of: Callable[[EStructuralFeature], str] = _reader("_name")
 """The key of a feature's slot: the feature's name, or another one where that name is taken."""
 declared_type_of: Callable[[EStructuralFeature], EClassifier | None] = _reader("_eType")
 """The `eType` of a feature as it was declared, a proxy unresolved; None if it has a generic type."""
-value_in: Callable[[Any], Any] = attrgetter("_value")
+value_in: Callable[[EValue], Scalar] = _reader("_value")
 """The value that an `EValue` holds."""
-read = methodcaller("_get")
+target_in: Callable[[EValue], EObject | None] = _reader("_value")
+"""The element that an `EValue` of a reference holds."""
+read: Callable[[Any], Any] = methodcaller("_get")
 """The value of a slot, or the collection in it."""
-proxied = attrgetter("_wrapped")
+proxied: Callable[[EObject], Any] = _reader("_wrapped")
 """What a resolved proxy stands for."""
 proxy_place = attrgetter("_proxy_path", "_proxy_resource")
 """The URI of a proxy, and the resource that resolves it."""
@@ -107,7 +111,7 @@ def is_element(value: Any) -> TypeGuard[Any]:
     return hasattr(value, SET_FEATURES)
 
 
-def is_value(slot: Any) -> bool:
+def is_value(slot: Any) -> TypeGuard[EValue]:
     """Whether a slot holds one value, and no collection."""
     return hasattr(slot, "_value")
 
@@ -117,9 +121,10 @@ def is_static(cls: type) -> bool:
     return bool(getattr(cls, IS_STATIC, False))
 
 
-def hold(holder: Any, value: Any) -> None:
+def hold(holder: EValue, value: Value) -> None:
     """Put a value into an `EValue`, without a check and a notification."""
-    holder._value = value
+    held: Any = holder
+    held._value = value
 
 
 def contain(element: Any, container: EObject, feature: EStructuralFeature) -> None:
@@ -155,7 +160,7 @@ def empty_ordered_set(collection: Any) -> None:
     collection.map = {}
 
 
-def add_silently(collection: Any, value: Any) -> bool:
+def add_silently(collection: Any, value: Scalar) -> bool:
     """Add a value at the end of a collection, without check, opposite and notification.
 
     Returns:
@@ -171,7 +176,7 @@ def add_silently(collection: Any, value: Any) -> bool:
     return True
 
 
-def fill_silently(collection: Any, values: list[Any]) -> None:
+def fill_silently(collection: Any, values: Sequence[Scalar]) -> None:
     """Let a collection hold exactly these values, without check, opposite and notification."""
     if isinstance(collection, list):
         list.clear(collection)

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from robosmi.model.driver import Model, contents_of, feature_value, features_of, is_element, label, name_of, type_of
+from robosmi.model.by_name import feature_value
+from robosmi.model.driver import Model, contents_of, features_of, is_element, label, name_of, type_of
 from robosmi.model.ecore import EEnumLiteral
 from robosmi.model.html_table import html_table, tree_html
 from robosmi.quoting import html_attribute, terminal

@@ -14,7 +14,7 @@ from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
-from robosmi.model.driver import feature_values
+from robosmi.model.by_name import feature_values
 from robosmi.model.ecore import EObject
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import did_you_mean
-from robosmi.model.ecore import EObject
+from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in, class_names
 from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
@@ -30,6 +30,10 @@ from robosmi.model.xmi_plan import (
     FeatureEntry,
     Plans,
 )
+
+if TYPE_CHECKING:
+    from robosmi.model.ecore import Slots
+
 
 XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
 """The namespaces that XMI itself has had."""
@@ -60,7 +64,7 @@ class Builder:
         raise NotImplementedError
 
     def contain(
-        self, element: EObject, slots: dict[str, Any], entry: FeatureEntry, child: EObject, child_slots: dict[str, Any]
+        self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, child: DynamicEObject, child_slots: Slots
     ) -> None:
         """Put a child into a feature that takes one."""
         feature = entry.feature
@@ -147,7 +151,7 @@ class Builder:
         return None
 
     def rare_attribute(
-        self, child: EObject, slots: dict[str, Any], plan: ClassPlan, entry: FeatureEntry, name: str, text: str
+        self, child: DynamicEObject, slots: Slots, plan: ClassPlan, entry: FeatureEntry, name: str, text: str
     ) -> None:
         """Attributes other than single values and references."""
         if entry.kind == XMI_ID:
@@ -161,12 +165,12 @@ class Builder:
         elif entry.kind != IGNORED:
             self.here(f"{plan.name}.{name} contains elements: it cannot be an attribute")
 
-    def identify(self, text: str, child: EObject) -> None:
+    def identify(self, text: str, child: DynamicEObject) -> None:
         """Note an element's id."""
         if self.document.ids.setdefault(text, child) is not child:
             self.here(f"the id '{text}' is used twice")
 
-    def add_value(self, element: EObject, slots: dict[str, Any], owner: str, entry: FeatureEntry, text: str | None) -> None:
+    def add_value(self, element: DynamicEObject, slots: Slots, owner: str, entry: FeatureEntry, text: str | None) -> None:
         """Set a value, or add one to many; None is xsi:nil."""
         try:
             value = text if text is None or entry.convert is None else entry.convert(text)
@@ -186,7 +190,7 @@ class Builder:
         if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
 
-    def part_elsewhere(self, element: EObject, entry: FeatureEntry, link: str) -> None:
+    def part_elsewhere(self, element: DynamicEObject, entry: FeatureEntry, link: str) -> None:
         """Note a contained element that lies in another file."""
         if element is None or entry.kind not in (CHILD, CHILDREN):
             self.here("a root cannot lie in another file")

@@ -8,14 +8,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TypeAlias
 
+from robosmi.model.ecore import DynamicEObject, EObject, Package
 from robosmi.model.xmi_plan import ClassPlan, FeatureEntry
 
 NO_MODEL = "give a model in XMI"
 """What to do about a file that is no model."""
 Problem = Callable[[int, str], None]
-PackageOf = Callable[[str], Any]
+PackageOf: TypeAlias = "Callable[[str], Package | None]"
 """Namespace URI -> EPackage or generated module, or None."""
 
 
@@ -51,8 +52,8 @@ class Document:
     """
 
     path: Path
-    roots: list[Any] = field(default_factory=list)
-    ids: dict[str, Any] = field(default_factory=dict)
-    references: list[tuple[Any, FeatureEntry, str, int, bool]] = field(default_factory=list)
-    parts: list[tuple[Any, FeatureEntry, str, int, int]] = field(default_factory=list)
-    counted: list[tuple[Any, ClassPlan, int]] = field(default_factory=list)
+    roots: list[DynamicEObject] = field(default_factory=list)
+    ids: dict[str, DynamicEObject] = field(default_factory=dict)
+    references: list[tuple[EObject, FeatureEntry, str, int, bool]] = field(default_factory=list)
+    parts: list[tuple[EObject, FeatureEntry, str, int, int]] = field(default_factory=list)
+    counted: list[tuple[EObject, ClassPlan, int]] = field(default_factory=list)

@@ -6,7 +6,9 @@ file. What EMF does not write (transient features, containers, types that cannot
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Sequence
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from robosmi.errors import ModelError
 from robosmi.model import datatypes, ecore, features
@@ -15,11 +17,21 @@ from robosmi.model.feature_values import is_stored
 from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
 
+if TYPE_CHECKING:
+    from robosmi.model.ecore import Slots
+
+
 _KEPT = 1 << 10  # texts of values of one feature
 FEATURE_MAP, VALUE, VALUES, LINKS, CHILDREN = range(5)
 """How a feature is written: not at all if it is empty, an attribute, elements with text, references, contained elements."""
 
 _PLAIN = {"EInt": int, "ELong": int, "EString": str, "EIntegerObject": int, "ELongObject": int}
+
+Root: TypeAlias = "EObject | ModuleType | Sequence[EObject | ModuleType]"
+"""What a file of models is written from: a root element or several; a generated package stands for its EPackage."""
+Append: TypeAlias = "Callable[[str], None]"
+Piece: TypeAlias = "str | tuple[str, str, EObject]"
+"""What is written inside of an element: a text, or an element with the beginning of its start tag and its tag."""
 
 
 class Column:
@@ -105,7 +117,7 @@ class Layout:
         # start tags have a file's own prefixes; the texts of values are the same in all files
         self.columns: list[Column] = [column.copy() if column.kind == CHILDREN else column for column in known[1]]
 
-    def columns_in(self, slots: dict[str, Any]) -> list[Shaped]:
+    def columns_in(self, slots: Slots) -> list[Shaped]:
         """The columns of an element that has these slots."""
         found = [(c.kind, c.key, c.plain, c.rendered, c) for c in self.columns if c.key in slots]
         if len(self.shapes) < 1 << 10:

@@ -8,21 +8,22 @@ files is the caller's part.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias
 from urllib.parse import unquote
 
 from robosmi.model import ecore, lean
-from robosmi.model.ecore import EObject
+from robosmi.model.ecore import DynamicEObject, ENamedElement, EObject, Package
 from robosmi.model.features import as_package
 from robosmi.model.lean import ContainedValue, ReferenceValue, collection, holder
-from robosmi.model.pyecore_internals import add_silently, contain, container_of, fill_silently, is_value, key_of, value_in
+from robosmi.model.pyecore_internals import add_silently, contain, container_of, fill_silently, is_value, key_of, target_in
 from robosmi.model.xmi_document import Document
 from robosmi.model.xmi_places import shown
 from robosmi.model.xmi_plan import FeatureEntry
 
 Problem = Callable[[Document, int, str], None]
-Open = Callable[[Document, str, int], Any]
+Where: TypeAlias = "Document | Package"
+Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
 """Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
 
 _KEYS = re.compile(r"@([^\[]+)\[(.*)\]")
@@ -41,8 +42,8 @@ class XmiLinker:
     def __init__(self, open_file: Open, problem: Problem) -> None:
         self.open_file = open_file
         self.problem = problem
-        self._found: dict[int, dict[str, Any]] = {}
-        self._two_sided: list[tuple[Document, int, Any, FeatureEntry, list[Any]]] = []
+        self._found: dict[int, dict[str, DynamicEObject]] = {}
+        self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
 
     def link(self, document: Document) -> None:
         """Resolve the references of a document; `finish` must follow when all documents are linked."""
@@ -64,7 +65,7 @@ class XmiLinker:
                     continue
                 self._set(document, line, owner, entry, target)
                 continue
-            targets = []
+            targets: list[EObject] = []
             for link in [text] if whole else self._several(document, text):
                 target = found.get(link)
                 if target is None and (target := self.target(document, link, line, owner, entry)) is None:
@@ -90,9 +91,9 @@ class XmiLinker:
 
     # --- URIs
 
-    def target(self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry) -> Any:
+    def target(self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry) -> DynamicEObject | None:
         """The element that a URI leads to, or None with the problem noted."""
-        found: Any = None
+        found: DynamicEObject | None = None
         if link in document.ids:
             found = document.ids[link]
         elif "#" in link and not link.startswith("#"):
@@ -111,10 +112,10 @@ class XmiLinker:
 
     # --- values
 
-    def _set(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, target: Any) -> None:
+    def _set(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, target: EObject) -> None:
         slots = owner.__dict__
         slot = slots.get(entry.key)
-        if slot is not None and value_in(slot) is not None and value_in(slot) is not target:
+        if slot is not None and target_in(slot) is not None and target_in(slot) is not target:
             self._wrong(document, line, owner, entry, "takes one element, not two")
             return
         slots[entry.key] = holder(ReferenceValue, owner, entry.feature, target)
@@ -123,7 +124,7 @@ class XmiLinker:
         else:
             self._two_sided.append((document, line, owner, entry, [target]))
 
-    def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[Any]) -> None:
+    def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[EObject]) -> None:
         slots = owner.__dict__
         many = slots.get(entry.key)
         if many is None:
@@ -138,6 +139,8 @@ class XmiLinker:
         """Make both sides of all opposites agree."""
         for document, line, owner, entry, targets in self._two_sided:
             back = entry.back
+            if back is None:
+                continue
             key = key_of(back)
             for target in targets:
                 slot = target.__dict__.get(key)
@@ -145,10 +148,10 @@ class XmiLinker:
                     if slot is None:
                         slot = target.__dict__[key] = collection(target, back)
                     add_silently(slot, owner)
-                elif slot is None or value_in(slot) is None:
+                elif slot is None or target_in(slot) is None:
                     target.__dict__[key] = holder(ReferenceValue, target, back, owner)
-                elif value_in(slot) is not owner:
-                    other = shown(value_in(slot))
+                elif target_in(slot) is not owner:
+                    other = shown(target_in(slot))
                     self._wrong(
                         document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
                     )
@@ -202,7 +205,7 @@ def _without_types(parts: list[str]) -> list[str]:
 # --- fragments
 
 
-def resolve(where: Any, fragment: str) -> Any:
+def resolve(where: Where | EObject, fragment: str) -> Any:
     """The element at an EMF fragment of a document, a package or a model with one root, or None.
 
     Fragments are ids (`_x1`), paths (`//@units.0/@body`, `/1/@units.0`) or, in metamodels, names (`//Class/feature`).
@@ -212,12 +215,12 @@ def resolve(where: Any, fragment: str) -> Any:
             return where.ids[fragment]
         if not fragment.startswith("/"):
             return where.ids.get(unquote(fragment))
-        roots = where.roots
+        roots: Sequence[EObject] = where.roots
     else:
         roots = [where if isinstance(where, ecore.EObject) else as_package(where)]
     first, *steps = fragment[1:].split("/")
     if first.startswith("?") and isinstance(where, Document):
-        element = where.ids.get(first[1:])
+        element: EObject | None = where.ids.get(first[1:])
     elif first and not (first.isascii() and first.isdecimal()):
         return None
     else:
@@ -230,7 +233,7 @@ def resolve(where: Any, fragment: str) -> Any:
     return element
 
 
-def _step(element: EObject, step: str) -> Any:
+def _step(element: EObject, step: str) -> EObject | None:
     if step[:1] != "@":
         return _by_name(element, step) if isinstance(element, ecore.EModelElement) else None
     name, _, index = step[1:].partition(".")
@@ -238,26 +241,28 @@ def _step(element: EObject, step: str) -> Any:
     if slot is not None and not isinstance(slot, lean.AttributeValue) and index.isascii() and index.isdecimal():
         try:
             items = slot if isinstance(slot, list) else slot.items
-            return items[int(index)]
+            found: DynamicEObject = items[int(index)]
+            return found
         except (AttributeError, IndexError):
             return None
     if slot is None and (keys := _KEYS.fullmatch(step)):
         return _by_keys(element, keys[1], dict(_KEY.findall(keys[2])))
-    value = value_in(slot) if not index and is_value(slot) else None
+    value = target_in(slot) if not index and is_value(slot) else None
     return value if isinstance(value, ecore.EObject) else None
 
 
-def _by_keys(element: EObject, name: str, wanted: dict[str, str]) -> Any:
+def _by_keys(element: EObject, name: str, wanted: dict[str, str]) -> DynamicEObject | None:
     """The element of a collection whose key attributes have these texts (`@items[name='a']`)."""
+    one: DynamicEObject
     for one in element.__dict__.get(name, ()):
         if wanted and all(str(getattr(one, key, None)) == unquote(text) for key, text in wanted.items()):
             return one
     return None
 
 
-def _by_name(element: EObject, name: str) -> Any:
+def _by_name(element: EObject, name: str) -> EObject | None:
     """The part of a metamodel element with that name."""
-    parts: list[Any] = []
+    parts: list[ENamedElement] = []
     for feature in ("eClassifiers", "eSubpackages", "eStructuralFeatures", "eOperations", "eLiterals", "eParameters"):
         parts.extend(getattr(element, feature, ()))
     texts = (name, unquote(name))

@@ -10,11 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
 from robosmi.errors import did_you_mean
-from robosmi.model.ecore import EObject
+from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in
 from robosmi.model.lean import AttributeValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, key_of
@@ -36,6 +36,10 @@ from robosmi.model.xmi_plan import (
     Plans,
 )
 from robosmi.model.xml_characters import may_hold_escapes, restored
+
+if TYPE_CHECKING:
+    from robosmi.model.ecore import Slots
+
 
 _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z][A-Za-z0-9._-]*)["']""")
 
@@ -194,7 +198,7 @@ class _Parser(Builder):
         return start, end
 
     def other_child(
-        self, element: EObject, slots: Any, entries: dict[str, FeatureEntry], tag: str, attributes: dict[str, str]
+        self, element: DynamicEObject, slots: Slots, entries: dict[str, FeatureEntry], tag: str, attributes: dict[str, str]
     ) -> tuple[ClassPlan | None, Any]:
         """A root, a value or reference in an element of its own, or a name that is no feature.
 
@@ -231,7 +235,7 @@ class _Parser(Builder):
             self.text_of(element, slots, entry, attributes)
         return None, None
 
-    def text_of(self, element: EObject, slots: Any, entry: FeatureEntry, attributes: dict[str, str]) -> None:
+    def text_of(self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, attributes: dict[str, str]) -> None:
         """Take the text up to the end of the current element as a value or a reference."""
         line = self.expat.CurrentLineNumber
         owner = type(element).__name__

@@ -6,10 +6,9 @@ follows plans blindly, so all questions about a metamodel (what is unsupported, 
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.model import datatypes, ecore, features, lean
-from robosmi.model.ecore import EClass, EStructuralFeature
+from robosmi.model.datatypes import FromText
+from robosmi.model.ecore import EClass, EDataType, EReference, EStructuralFeature
 from robosmi.model.feature_values import is_stored
 from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
@@ -43,18 +42,19 @@ class FeatureEntry:
 
     def __init__(self, kind: int, feature: EStructuralFeature | None = None, message: str = "") -> None:
         self.kind = kind
-        self.feature: Any = feature
+        if feature is not None:
+            self.feature = feature
         self.key: str = key_of(feature) if feature is not None else ""
         self.many = feature is not None and feature.many
-        self.convert: Any = None
+        self.convert: FromText | None = None
         self.is_id = False
-        self.declared: Any = None
+        self.declared: EClass = ecore.EObject.eClass
         self.plan: ClassPlan | None = None
-        self.accepted: set[Any] = set()
-        self.back: Any = None
+        self.accepted: set[type | ClassPlan] = set()
+        self.back: EReference | None = None
         self.message = message
 
-    def takes(self, cls: Any) -> bool:
+    def takes(self, cls: type) -> bool:
         """Whether elements of that Python class may be contained or referred to."""
         if cls in self.accepted:
             return True
@@ -106,7 +106,7 @@ class ClassPlan:
             if lower > 0 or upper > 1:
                 self.bounds.append((entry.key, name, lower, upper))
 
-    def _attribute(self, feature: EStructuralFeature, kind: Any) -> FeatureEntry:
+    def _attribute(self, feature: EStructuralFeature, kind: EDataType) -> FeatureEntry:
         if kind.name == datatypes.FEATURE_MAP:
             self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
             return FeatureEntry(REFUSED, feature, self.refused)
@@ -118,7 +118,7 @@ class ClassPlan:
         entry.is_id = bool(feature.iD)
         return entry
 
-    def _reference(self, feature: EStructuralFeature, kind: Any) -> FeatureEntry:
+    def _reference(self, feature: EStructuralFeature, kind: EClass) -> FeatureEntry:
         if feature.derived and (feature.many or not is_stored(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         back = features.opposite(feature)
@@ -135,7 +135,7 @@ class Plans:
     """The plans of one load."""
 
     def __init__(self) -> None:
-        self._plans: dict[Any, ClassPlan] = {}
+        self._plans: dict[EClass, ClassPlan] = {}
 
     def of(self, eclass: EClass) -> ClassPlan:
         """The plan of an EClass."""

@@ -8,9 +8,9 @@ are is `xmi_places`' part, how a class is written is in its layout.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError
 from robosmi.model import ecore
@@ -19,15 +19,19 @@ from robosmi.model.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.ecore_writer import EcoreText
 from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
-from robosmi.model.pyecore_internals import container_of, set_features_of, value_in, xmi_id_of
+from robosmi.model.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi_places import Unplaced, UnusableId, XmiPlaces, metamodel_place, metamodel_uri, relative, shown
 from robosmi.model.xml_characters import in_attribute, in_text, refuse_forbidden
 
+if TYPE_CHECKING:
+    from robosmi.model.ecore import Value
+    from robosmi.model.xmi_layout import Append, Piece, Root
+
 _PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
 
 
-def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, bytes]:
+def to_xmi(models: Mapping[str, Root], wanted: Iterable[str] | None = None) -> dict[str, bytes]:
     """The bytes of a set of models that refer to each other.
 
     Args:
@@ -47,8 +51,8 @@ def to_xmi(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> di
         return {name: _Writer(name, roots[name], places).write() for name in (models if wanted is None else wanted)}
 
 
-def _roots(given: Any) -> list[Any]:
-    roots = list(given) if isinstance(given, (list, tuple)) else [given]
+def _roots(given: Root) -> list[EObject]:
+    roots = list(given) if isinstance(given, Sequence) else [given]
     return [as_package(root) if isinstance(root, ModuleType) else root for root in roots]
 
 
@@ -61,9 +65,9 @@ class _Writer:
         self.places = places
         self.layouts = Layouts()
         self.prefixes: dict[str, str] = {"xmi": "http://www.omg.org/XMI"}  # prefix -> namespace
-        self.qualified: dict[Any, str] = {}
+        self.qualified: dict[EClass, str] = {}
         self.uses_xsi = False
-        self.ids: dict[str, Any] = {}
+        self.ids: dict[str, EObject] = {}
         self.hrefs: dict[str, str] = {}
         self.local: dict[int, str] = {}  # elements of this file that were referred to -> their fragments
         self.found: dict[int, tuple[str, str]] = {}  # elements that were referred to -> their files and fragments
@@ -115,18 +119,18 @@ class _Writer:
             found = self.qualified[eclass] = f"{prefix}:{eclass.name}" if prefix else str(eclass.name)
         return found
 
-    def elements(self, roots: list[tuple[str, str, Any]], indent: str) -> bytes:
+    def elements(self, roots: list[tuple[str, str, EObject]], indent: str) -> bytes:
         """The text of elements and all they contain, each given as the beginning of its start tag, its tag, and itself."""
         done: list[bytes] = []
         out: list[str] = []
         append = out.append
         layouts, nested = self.layouts.known, self.places.nested
         held, inside, xmi_id = value_in, container_of, xmi_id_of  # local names are faster
-        stack: list[tuple[Iterator[Any], str, str]] = []
-        work: Iterator[Any] = iter(roots)
+        stack: list[tuple[Iterator[Piece], str, str]] = []
+        work: Iterator[Piece] = iter(roots)
         while True:
             for item in work:
-                if item.__class__ is str:
+                if isinstance(item, str):
                     append(item)
                     continue
                 opening, tag, element = item
@@ -135,7 +139,7 @@ class _Writer:
                 slots = element.__dict__
                 if layout.has_id or xmi_id(element) is not None:
                     self.identify(element, append)
-                later: list[Any] | None = None
+                later: list[Piece] | None = None
                 for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
                     slot = slots[key]
                     if kind == VALUE:
@@ -204,8 +208,8 @@ class _Writer:
     # --- values
 
     def value(
-        self, element: EObject, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
-    ) -> list[Any] | None:
+        self, element: EObject, column: Column, value: Value, append: Append, indent: str, later: list[Piece] | None
+    ) -> list[Piece] | None:
         """A value as attribute; what is written for a plain value is kept for the next time."""
         if value is None or column.is_unsettable:
             return self.nothing(element, column, value, append, indent, later)
@@ -217,7 +221,7 @@ class _Writer:
             column.rendered[value] = text
         return later
 
-    def value_text(self, element: EObject, column: Column, value: Any) -> str:
+    def value_text(self, element: EObject, column: Column, value: Value) -> str:
         """The text of a value, not yet escaped."""
         try:
             return str(column.convert(value))
@@ -231,12 +235,12 @@ class _Writer:
         except ValueError as error:
             raise ModelError(f"{self.name}: {error}", fix="remove the character from the source") from None
 
-    def problem(self, element: EObject, column: Any, what: str, fix: str) -> ModelError:
+    def problem(self, element: EObject, column: Column | None, what: str, fix: str) -> ModelError:
         """The error for a value."""
         name = f".{column.name}" if column is not None else ""
         return ModelError(f"{self.name}: {shown(element)}{name} {what}", fix=fix)
 
-    def identify(self, element: EObject, append: Any) -> None:
+    def identify(self, element: EObject, append: Append) -> None:
         """Write the xmi:id, and make sure that no id is used twice."""
         try:
             identity = self.places.identity(element)
@@ -253,8 +257,8 @@ class _Writer:
             append(f' xmi:id="{in_attribute(identity)}"')
 
     def nothing(
-        self, element: EObject, column: Column, value: Any, append: Any, indent: str, later: list[Any] | None
-    ) -> list[Any] | None:
+        self, element: EObject, column: Column, value: Value, append: Append, indent: str, later: list[Piece] | None
+    ) -> list[Piece] | None:
         """A feature that holds nothing though its default is something, or that knows whether it was set."""
         if column.is_unsettable:
             if column.feature not in set_features_of(element):
@@ -276,7 +280,7 @@ class _Writer:
         return f'{indent}  <{column.name} xsi:nil="true"/>\n'
 
     @staticmethod
-    def more(later: list[Any] | None, item: Any) -> list[Any]:
+    def more(later: list[Piece] | None, item: Piece) -> list[Piece]:
         """What is written inside of the element, with one more."""
         if later is None:
             return [item]
@@ -284,8 +288,8 @@ class _Writer:
         return later
 
     def rarer(
-        self, element: EObject, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
-    ) -> list[Any] | None:
+        self, element: EObject, column: Column, slot: Any, append: Append, indent: str, later: list[Piece] | None
+    ) -> list[Piece] | None:
         """Many values, as elements; anything else is refused."""
         if column.kind != VALUES:
             if len(slot) if column.many else value_in(slot) is not None:
@@ -303,7 +307,7 @@ class _Writer:
             later = self.more(later, f"{indent}  <{column.name}>{text}</{column.name}>\n")
         return later
 
-    def limit(self, element: EObject, column: Column, values: Any) -> None:
+    def limit(self, element: EObject, column: Column, values: Sized) -> None:
         """Refuse more values than the feature takes."""
         if 1 < column.upper < len(values):
             raise self.problem(element, column, f"takes {column.upper} values, not {len(values)}", "remove what is too much")
@@ -311,10 +315,11 @@ class _Writer:
     # --- references
 
     def links(
-        self, element: EObject, column: Column, slot: Any, append: Any, indent: str, later: list[Any] | None
-    ) -> list[Any] | None:
+        self, element: EObject, column: Column, slot: Any, append: Append, indent: str, later: list[Piece] | None
+    ) -> list[Piece] | None:
         """References: fragments in an attribute if all lead into this file, else elements with hrefs."""
-        targets = slot if column.many else () if value_in(slot) is None else (value_in(slot),)
+        target = None if column.many else target_in(slot)
+        targets: Sequence[EObject] = slot if column.many else () if target is None else (target,)
         if column.upper > 1:
             self.limit(element, column, targets)
         local = self.local
@@ -339,7 +344,7 @@ class _Writer:
             later = self.more(later, self.href(element, column, target, file, fragment, indent))
         return later
 
-    def place(self, element: EObject, column: Column, target: Any) -> tuple[str, str]:
+    def place(self, element: EObject, column: Column, target: EObject) -> tuple[str, str]:
         """File and fragment of a target."""
         known = self.found.get(id(target))
         if known is not None:
@@ -355,7 +360,7 @@ class _Writer:
             raise self.problem(element, column, what, fix) from None
         return known
 
-    def href(self, element: EObject, column: Column, target: Any, file: str, fragment: str, indent: str) -> str:
+    def href(self, element: EObject, column: Column, target: EObject, file: str, fragment: str, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
         eclass = target.eClass if isinstance(target, ecore.EObject) else type(target).eClass
@@ -372,7 +377,7 @@ class _Writer:
             link = f"{self.hrefs[file]}#{fragment}"
         return f'{indent}  <{column.name}{kind} href="{in_attribute(link)}"/>\n'
 
-    def child(self, element: EObject, column: Column, child: EObject, indent: str, later: list[Any] | None) -> list[Any]:
+    def child(self, element: EObject, column: Column, child: EObject, indent: str, later: list[Piece] | None) -> list[Piece]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""
         child = real(child)
         if container_of(child) is not element:

@@ -12,7 +12,8 @@ from decimal import Decimal
 from typing import Any
 
 from robosmi.errors import ModelError, UsageError
-from robosmi.model.driver import Model, TypeHandle, feature_value, features_of, is_element, name_of, type_of
+from robosmi.model.by_name import feature_value
+from robosmi.model.driver import Model, TypeHandle, features_of, is_element, name_of, type_of
 from robosmi.model.ecore import EEnumLiteral
 from robosmi.query.collections import Lazy
 from robosmi.query.models import id_of

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import Any, TypeVar
 
-from robosmi.model.driver import feature_values
+from robosmi.model.by_name import feature_values
 from robosmi.model.structure import root_of
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
 from robosmi.query.extents import all_contents, contents

@@ -22,7 +22,7 @@ from robosmi.query.held import HeldByFeature
 from robosmi.query.items import Items
 from robosmi.query.maps import Entries, Fields
 from robosmi.query.totals import Totals
-from robosmi.query.types import EolType, resolve
+from robosmi.query.types import AnyKind, EolType, resolve
 from robosmi.query.values import collection_kind, equal, position, unique
 
 T = TypeVar("T")
@@ -77,13 +77,13 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         """A collection of the same kind, of any items."""
         return self._of(items)
 
-    def _sequence(self, items: builtins.list[Any]) -> Q[Any]:
+    def _sequence(self, items: builtins.list[R]) -> Q[R]:
         return Q._of(items)
 
-    def _ordered(self, items: builtins.list[Any]) -> OrderedSet[Any]:
+    def _ordered(self, items: builtins.list[R]) -> OrderedSet[R]:
         return OrderedSet._of(items)
 
-    def _map(self, entries: Iterable[tuple[Any, Any]]) -> Map[Any, Any]:
+    def _map(self, entries: Iterable[tuple[K, V]]) -> Map[K, V]:
         return Map(entries)
 
     def __len__(self) -> int:
@@ -136,10 +136,10 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
 
         return items_html(self._items)
 
-    def __add__(self, other: Iterable[Any]) -> Self:
+    def __add__(self, other: Iterable[R]) -> Self:
         return self.including_all(other)
 
-    def __sub__(self, other: Iterable[Any]) -> Self:
+    def __sub__(self, other: Iterable[R]) -> Self:
         return self.excluding_all(other)
 
     def powerset(self) -> Set[Set[T]]:
@@ -243,12 +243,13 @@ _CLASSES: dict[str, type[Q[Any]]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "Ord
 _OF_FEATURES = {kind: _of_feature(plain) for kind, plain in _CLASSES.items()}
 
 
-def collection(value: Any) -> Q[Any]:
+def collection(given: V) -> Q[Any]:
     """A value as a collection of its kind; a value that is none as a Sequence of one, as EOL's operations take it.
 
     >>> collection({1}), collection("ab")
     (Set([1]), Q(['ab']))
     """
+    value: Any = given
     if isinstance(value, Q):
         return value
     kind = collection_kind(value)
@@ -330,11 +331,11 @@ class Lazy(Generic[T]):
     def _then(self, make: Callable[[], Iterator[R]], kind: type[Q[Any]]) -> Lazy[R]:
         return Lazy(_Steps(make), kind)
 
-    def select(self, condition: Callable[[T], Any]) -> Lazy[T]:
+    def select(self, condition: Callable[[T], R]) -> Lazy[T]:
         """The items for which the condition holds."""
         return self._then(lambda: (x for x in self._source if condition(x)), self._kind)
 
-    def reject(self, condition: Callable[[T], Any]) -> Lazy[T]:
+    def reject(self, condition: Callable[[T], R]) -> Lazy[T]:
         """The items for which the condition does not hold."""
         return self._then(lambda: (x for x in self._source if not condition(x)), self._kind)
 
@@ -342,14 +343,14 @@ class Lazy(Generic[T]):
         """The body's value for every item."""
         return self._then(lambda: (body(x) for x in self._source), Bag if self._kind._eol_kind in ("Bag", "Set") else Q)
 
-    def of_kind(self, kind: Any) -> Lazy[Any]:
+    def of_kind(self, kind: AnyKind) -> Lazy[T]:
         """The items of the type or a subtype."""
         wanted = resolve(kind)
         if isinstance(wanted, EolType):
             return self.select(wanted.is_kind)
         return self.select(lambda x: isinstance(x, wanted))
 
-    def of_type(self, kind: Any) -> Lazy[Any]:
+    def of_type(self, kind: AnyKind) -> Lazy[T]:
         """The items of exactly the type."""
         wanted = resolve(kind)
         if isinstance(wanted, EolType):
@@ -360,15 +361,15 @@ class Lazy(Generic[T]):
         """The first item, or None."""
         return next(iter(self._source), None)
 
-    def select_one(self, condition: Callable[[T], Any]) -> T | None:
+    def select_one(self, condition: Callable[[T], R]) -> T | None:
         """The first item for which the condition holds, or None."""
         return self.select(condition).first()
 
-    def exists(self, condition: Callable[[T], Any]) -> bool:
+    def exists(self, condition: Callable[[T], R]) -> bool:
         """Whether the condition holds for at least one item."""
         return any(condition(x) for x in self._source)
 
-    def for_all(self, condition: Callable[[T], Any]) -> bool:
+    def for_all(self, condition: Callable[[T], R]) -> bool:
         """Whether the condition holds for every item."""
         return all(condition(x) for x in self._source)
 

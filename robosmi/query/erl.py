@@ -98,7 +98,8 @@ class RuleType:
                 raise UsageError(f"{given!r} is no type", fix="give a type of a model (m.Book), a class or a name") from error
             if isinstance(resolved, EolType):
                 self.primitive = resolved
-            self.kind = resolved
+            else:
+                self.kind = resolved
         if self.primitive is None:
             self.cls = class_of(self.kind)
 

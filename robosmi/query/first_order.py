@@ -9,7 +9,7 @@ Source: Kolovos et al., The Epsilon Object Language, section 3.2.2; measured aga
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from robosmi.query.problems import OperandError
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from typing import Self
 
     from robosmi.query.collections import Map, OrderedSet, Q
+    from robosmi.query.types import AnyKind
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -62,28 +63,28 @@ class FirstOrder(Generic[T]):
 
         def _same(self, items: list[T]) -> Self: ...
         def _mapped(self, items: list[R]) -> Q[R]: ...
-        def _sequence(self, items: list[Any]) -> Q[Any]: ...
-        def _ordered(self, items: list[Any]) -> OrderedSet[Any]: ...
-        def _map(self, entries: Iterable[tuple[Any, Any]]) -> Map[Any, Any]: ...
+        def _sequence(self, items: list[R]) -> Q[R]: ...
+        def _ordered(self, items: list[R]) -> OrderedSet[R]: ...
+        def _map(self, entries: Iterable[tuple[K, R]]) -> Map[K, R]: ...
 
-    def _source(self, kind: Any) -> list[T]:
+    def _source(self, kind: AnyKind | None) -> list[T]:
         return self._items if kind is None else matching(self._items, kind)
 
-    def select(self, condition: Callable[[T], Any], kind: Any = None) -> Self:
+    def select(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """The items for which the condition holds, in order; the same kind of collection."""
         return self._same([x for x in self._source(kind) if condition(x)])
 
-    def reject(self, condition: Callable[[T], Any], kind: Any = None) -> Self:
+    def reject(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """The items for which the condition does not hold, in order; the same kind of collection."""
         return self._same([x for x in self._source(kind) if not condition(x)])
 
-    def select_one(self, condition: Callable[[T], Any], kind: Any = None) -> T | None:
+    def select_one(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> T | None:
         """The first item for which the condition holds, or None."""
         return next((x for x in self._source(kind) if condition(x)), None)
 
     select_first = select_one
 
-    def reject_one(self, condition: Callable[[T], Any], kind: Any = None) -> Self:
+    def reject_one(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """All items but the first for which the condition holds."""
         items = list(self._source(kind))
         for x in items:
@@ -92,44 +93,44 @@ class FirstOrder(Generic[T]):
                 break
         return self._same(items)
 
-    def find(self, condition: Callable[[T], Any], kind: Any = None) -> Self:
+    def find(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """The same as `select`: on a collection EOL's `find` is no search in an index."""
         return self.select(condition, kind)
 
-    def find_one(self, condition: Callable[[T], Any], kind: Any = None) -> Self:
+    def find_one(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> Self:
         """A collection with the first item for which the condition holds, as EOL gives (not the item: that is `select_one`)."""
         for x in self._source(kind):
             if condition(x):
                 return self._same([x])
         return self._same([])
 
-    def collect(self, body: Callable[[T], R], kind: Any = None) -> Q[R]:
+    def collect(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[R]:
         """The body's value for every item: a Sequence, of a Set or Bag a Bag. Not flattened, and None is kept, as in EOL."""
         return self._mapped([body(x) for x in self._source(kind)])
 
-    def exists(self, condition: Callable[[T], Any], kind: Any = None) -> bool:
+    def exists(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for at least one item; False when empty."""
         for x in self._source(kind):  # noqa: SIM110 - a generator would double the time
             if condition(x):
                 return True
         return False
 
-    def for_all(self, condition: Callable[[T], Any], kind: Any = None) -> bool:
+    def for_all(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for every item; True when empty."""
         for x in self._source(kind):  # noqa: SIM110 - a generator would double the time
             if not condition(x):
                 return False
         return True
 
-    def one(self, condition: Callable[[T], Any], kind: Any = None) -> bool:
+    def one(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for exactly one item."""
         return self.n_match(condition, 1, kind)
 
-    def none(self, condition: Callable[[T], Any], kind: Any = None) -> bool:
+    def none(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for no item; True when empty."""
         return self.n_match(condition, 0, kind)
 
-    def n_match(self, condition: Callable[[T], Any], n: int, kind: Any = None) -> bool:
+    def n_match(self, condition: Callable[[T], R], n: int, kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for exactly n items; stops when that is decided.
 
         Raises:
@@ -138,7 +139,7 @@ class FirstOrder(Generic[T]):
         items = self._source(kind)
         return len(items) >= _integer(n) and _matches(items, condition, n, False) == n
 
-    def at_least_n_match(self, condition: Callable[[T], Any], n: int, kind: Any = None) -> bool:
+    def at_least_n_match(self, condition: Callable[[T], R], n: int, kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for n items or more.
 
         Raises:
@@ -147,7 +148,7 @@ class FirstOrder(Generic[T]):
         items = self._source(kind)
         return len(items) >= _integer(n) and _matches(items, condition, n, True) >= n
 
-    def at_most_n_match(self, condition: Callable[[T], Any], n: int, kind: Any = None) -> bool:
+    def at_most_n_match(self, condition: Callable[[T], R], n: int, kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for n items or fewer.
 
         Raises:
@@ -155,14 +156,14 @@ class FirstOrder(Generic[T]):
         """
         return _matches(self._source(kind), condition, _integer(n), False) <= n
 
-    def count(self, condition: Any, kind: Any = None) -> int:
+    def count(self, condition: Any, kind: AnyKind | None = None) -> int:
         """How many items fulfil a condition, or are the value that is given; a function is taken as a condition."""
         if callable(condition) and not hasattr(condition, "eClass"):
             return sum(1 for x in self._source(kind) if condition(x))
         wanted = key(condition)
         return sum(1 for x in self._items if key(x) == wanted)
 
-    def sort_by(self, body: Callable[[T], Any], kind: Any = None) -> Q[T]:
+    def sort_by(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[T]:
         """A Sequence sorted by the body's value; stable. Numbers, texts and Booleans as they are, anything else by its text.
 
         Raises:
@@ -172,16 +173,16 @@ class FirstOrder(Generic[T]):
 
         return self._sequence(sorted_by(self._source(kind), body))
 
-    def map_by(self, body: Callable[[T], K], kind: Any = None) -> Map[K, Q[T]]:
+    def map_by(self, body: Callable[[T], K], kind: AnyKind | None = None) -> Map[K, Q[T]]:
         """A map from the body's values to the Sequences of items that have them, keys in the order they are first seen."""
-        groups: dict[Any, tuple[K, Q[T]]] = {}
+        groups: dict[Hashable, tuple[K, Q[T]]] = {}
         for x in self._source(kind):
             value = body(x)
             groups.setdefault(key(value), (value, self._sequence([])))[1]._items.append(x)
         return self._map(groups.values())
 
     def aggregate(
-        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Any = None, kind: Any = None
+        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Any = None, kind: AnyKind | None = None
     ) -> Map[K, Any]:
         """A map from the first body's values to a running total.
 
@@ -201,13 +202,13 @@ class FirstOrder(Generic[T]):
             totals[place] = value(x, total)
         return totals
 
-    def closure(self, body: Callable[[T], Any], kind: Any = None) -> OrderedSet[Any]:
+    def closure(self, body: Callable[[T], Any], kind: AnyKind | None = None) -> OrderedSet[Any]:
         """Everything reached by applying the body again and again, depth first, each item once.
 
         The body may give one item, a collection, or None. An item of the source is in the result only if it is reached. With a
         kind, items of other kinds are reached but not followed.
         """
-        found: dict[Any, Any] = {}
+        found: dict[Hashable, Any] = {}
         for start in self._source(kind):
             pending: list[Iterator[Any]] = [iter(_many(body(start)))]
             while pending:
@@ -221,13 +222,13 @@ class FirstOrder(Generic[T]):
         return self._ordered(list(found.values()))
 
 
-def _integer(n: Any) -> int:
+def _integer(n: int) -> int:
     if not fits_integer(n):
         raise OperandError(f"the number of matches is an Integer, not {n!r}")
     return int(n)
 
 
-def _matches(items: list[T], condition: Callable[[T], Any], n: int, minimum: bool) -> int:
+def _matches(items: list[T], condition: Callable[[T], R], n: int, minimum: bool) -> int:
     """How many items match, as far as it takes to compare that with n."""
     found, left = 0, len(items)
     for x in items:

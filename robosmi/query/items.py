@@ -20,8 +20,10 @@ if TYPE_CHECKING:
     from typing import Self
 
     from robosmi.query.collections import Q
+    from robosmi.query.types import AnyKind
 
 T = TypeVar("T")
+R = TypeVar("R")
 
 
 class Items(Generic[T]):
@@ -38,13 +40,13 @@ class Items(Generic[T]):
         def _of(cls, items: list[Any]) -> Self: ...
         def _same(self, items: list[T]) -> Self: ...
         def _made(self, items: list[Any]) -> Self: ...
-        def _sequence(self, items: list[Any]) -> Q[Any]: ...
+        def _sequence(self, items: list[R]) -> Q[R]: ...
 
-    def of_kind(self, kind: Any) -> Self:
+    def of_kind(self, kind: AnyKind) -> Self:
         """The items that are instances of the type or of a subtype (EOL `selectByKind`)."""
         return self._same(matching(self._items, kind))
 
-    def of_type(self, kind: Any) -> Self:
+    def of_type(self, kind: AnyKind) -> Self:
         """The items that are instances of exactly that type (EOL `selectByType`)."""
         return self._same(matching(self._items, kind, exact=True))
 
@@ -63,23 +65,23 @@ class Items(Generic[T]):
         """Whether there is an item."""
         return bool(self._items)
 
-    def includes(self, value: Any) -> bool:
+    def includes(self, value: R) -> bool:
         """Whether the value is an item; unlike `=` and Python's `in`, 2 is not 2.0 here."""
         return position(self._items, value) >= 0
 
-    def excludes(self, value: Any) -> bool:
+    def excludes(self, value: R) -> bool:
         """Whether the value is no item."""
         return position(self._items, value) < 0
 
-    def includes_all(self, values: Iterable[Any]) -> bool:
+    def includes_all(self, values: Iterable[R]) -> bool:
         """Whether all the values are items."""
         return {key(v) for v in several(values)} <= {key(x) for x in self._items}
 
-    def excludes_all(self, values: Iterable[Any]) -> bool:
+    def excludes_all(self, values: Iterable[R]) -> bool:
         """Whether none of the values is an item."""
         return {key(x) for x in self._items}.isdisjoint(key(v) for v in several(values))
 
-    def index_of(self, value: Any) -> int:
+    def index_of(self, value: R) -> int:
         """The index of the first item that is the value, or -1."""
         return position(self._items, value)
 
@@ -140,20 +142,20 @@ class Items(Generic[T]):
         """A Sequence of each item once, in the order first seen (see `as_ordered_set`)."""
         return self._sequence(unique(self._items))
 
-    def including(self, value: Any) -> Self:
+    def including(self, value: R) -> Self:
         """This and one more item."""
         return self._made([*self._items, value])
 
-    def including_all(self, values: Iterable[Any]) -> Self:
+    def including_all(self, values: Iterable[R]) -> Self:
         """This and more items (EOL also `+`)."""
         return self._made([*self._items, *several(values)])
 
-    def excluding(self, value: Any) -> Self:
+    def excluding(self, value: R) -> Self:
         """This without the value, wherever it occurs."""
         wanted = key(value)
         return self._same([x for x in self._items if key(x) != wanted])
 
-    def excluding_all(self, values: Iterable[Any]) -> Self:
+    def excluding_all(self, values: Iterable[R]) -> Self:
         """This without the values, wherever they occur (EOL also `-`)."""
         wanted = {key(v) for v in several(values)}
         return self._same([x for x in self._items if key(x) not in wanted])

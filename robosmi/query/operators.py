@@ -9,11 +9,14 @@ Source: the operator classes and NumberUtil of Epsilon; measured, docs/reference
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, TypeVar
 
-from robosmi.query.collections import collection
+from robosmi.query.collections import Q, collection
 from robosmi.query.problems import OperandError
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string, collection_kind, equal, is_number
+
+V = TypeVar("V")
+W = TypeVar("W")
 
 
 def wrapped(value: int, long: bool = False) -> int:
@@ -27,16 +30,16 @@ def wrapped(value: int, long: bool = False) -> int:
     return (value + 2**31) % 2**32 - 2**31
 
 
-def is_long(value: Any) -> bool:
+def is_long(value: V) -> bool:
     """Whether a number is an integer, but no Integer of 32 bits."""
-    return isinstance(value, Long) or (value.__class__ is int and not INT_MIN <= value <= INT_MAX)
+    return isinstance(value, Long) or (isinstance(value, int) and value.__class__ is int and not INT_MIN <= value <= INT_MAX)
 
 
-def _fit(value: Any, left: Any, right: Any) -> Any:
+def _fit(value: int | float, left: int | float, right: int | float) -> int | float:
     return value if isinstance(value, float) else wrapped(value, is_long(left) or is_long(right))
 
 
-def plus(left: Any, right: Any) -> Any:
+def plus(left: V, right: W) -> int | float | str | Q[Any]:
     """`+`: adds numbers, joins collections (the left one's kind), and joins anything else as text.
 
     >>> plus("v", 1.5), plus(2147483647, 1), plus([1], [2])
@@ -49,7 +52,7 @@ def plus(left: Any, right: Any) -> Any:
     return as_string(left) + as_string(right)
 
 
-def minus(left: Any, right: Any) -> Any:
+def minus(left: V, right: W) -> int | float | Q[Any] | None:
     """`-`: subtracts numbers, takes a collection's items out of another; None for anything else, as in EOL."""
     if is_number(left) and is_number(right):
         return _fit(left - right, left, right)
@@ -58,14 +61,14 @@ def minus(left: Any, right: Any) -> Any:
     return None
 
 
-def times(left: Any, right: Any) -> Any:
+def times(left: V, right: W) -> int | float:
     """`*` of numbers; 0 for anything else, as in EOL."""
     if is_number(left) and is_number(right):
         return _fit(left * right, left, right)
     return 0
 
 
-def divided(left: Any, right: Any) -> Any:
+def divided(left: V, right: W) -> int | float:
     """`/`: of Integers towards zero, of Reals as IEEE 754 has it.
 
     Raises:
@@ -87,32 +90,32 @@ def divided(left: Any, right: Any) -> Any:
     return _fit(quotient if (left < 0) == (right < 0) else -quotient, left, right)
 
 
-def negative(value: Any) -> Any:
+def negative(value: V) -> V | int | float:
     """Unary `-` of a number; anything else as it is."""
     return _fit(-value, value, value) if is_number(value) else value
 
 
-def less(left: Any, right: Any) -> bool:
+def less(left: V, right: W) -> bool:
     """`<` of numbers; False for anything else, texts too."""
     return is_number(left) and is_number(right) and bool(left < right)
 
 
-def greater(left: Any, right: Any) -> bool:
+def greater(left: V, right: W) -> bool:
     """`>` of numbers; False for anything else, texts too."""
     return is_number(left) and is_number(right) and bool(left > right)
 
 
-def less_or_equal(left: Any, right: Any) -> bool:
+def less_or_equal(left: V, right: W) -> bool:
     """`<=`: less, or equal (which texts can be)."""
     return less(left, right) or equal(left, right)
 
 
-def greater_or_equal(left: Any, right: Any) -> bool:
+def greater_or_equal(left: V, right: W) -> bool:
     """`>=`: greater, or equal (which texts can be)."""
     return greater(left, right) or equal(left, right)
 
 
-def unequal(left: Any, right: Any) -> bool:
+def unequal(left: V, right: W) -> bool:
     """`<>`."""
     return not equal(left, right)
 
@@ -132,22 +135,22 @@ def _right(value: Any) -> Any:
     return value() if callable(value) else value
 
 
-def both(left: Any, right: Any) -> bool:
+def both(left: V, right: W) -> bool:
     """`and`; the right operand may be a function, called only if the left one is true."""
     return truth(left, "and") and truth(_right(right), "and")
 
 
-def either(left: Any, right: Any) -> bool:
+def either(left: V, right: W) -> bool:
     """`or`; the right operand may be a function, called only if the left one is false."""
     return truth(left, "or") or truth(_right(right), "or")
 
 
-def xor(left: Any, right: Any) -> bool:
+def xor(left: V, right: W) -> bool:
     """`xor` of two Booleans."""
     return truth(left, "xor") is not truth(right, "xor")
 
 
-def implies(left: Any, right: Any) -> bool:
+def implies(left: V, right: W) -> bool:
     """`implies`: true if the left is false or the right is true; the right operand may be a function.
 
     >>> implies(False, lambda: 1 / 0), implies(True, False)
@@ -156,7 +159,7 @@ def implies(left: Any, right: Any) -> bool:
     return not truth(left, "implies") or truth(_right(right), "implies")
 
 
-def negated(value: Any) -> bool:
+def negated(value: V) -> bool:
     """`not` of a Boolean."""
     return not truth(value, "not")
 

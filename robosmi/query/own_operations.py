@@ -22,10 +22,10 @@ from robosmi.query.values import key
 from robosmi.query.words import snake
 
 if TYPE_CHECKING:
-    from robosmi.functions import Definition, Function
+    from robosmi.functions import Function, NamedFunction
 
 
-F = TypeVar("F", bound="Definition")
+F = TypeVar("F", bound="NamedFunction")
 R = TypeVar("R")
 Scope = dict[str, Any]
 """The global names of a Python module."""

@@ -8,13 +8,15 @@ operation is.
 from __future__ import annotations
 
 import weakref
-from collections.abc import Set
+from collections.abc import Hashable, Set
 from contextvars import ContextVar, Token
-from typing import Any
+from typing import Any, TypeVar
 
-from robosmi.model.driver import ModelElement
+from robosmi.model.driver import Model, ModelElement
 from robosmi.model.ecore import EObject
 from robosmi.query.values import key
+
+V = TypeVar("V")
 
 
 class Run:
@@ -25,13 +27,13 @@ class Run:
         closed: built-in operations, named in Python's way, that the run may not use, however it comes to their names.
     """
 
-    def __init__(self, *models: Any, closed: Set[str] = frozenset()) -> None:
+    def __init__(self, *models: Model, closed: Set[str] = frozenset()) -> None:
         self.models = models
         self.closed = closed
-        self._kept: dict[Any, tuple[Any, dict[Any, Any]]] = {}
+        self._kept: dict[Hashable, tuple[Any, dict[Any, Any]]] = {}
         self._tokens: list[Token[Run]] = []
 
-    def notes_of(self, target: Any) -> dict[Any, Any]:
+    def notes_of(self, target: V) -> dict[Any, Any]:
         """The run's own dictionary about one object, empty at first; for values (numbers, texts) one per value."""
         if self is _DEFAULT and isinstance(target, (EObject, ModelElement)) and hasattr(target, "__dict__"):
             # what is noted may refer to the element: a table of the run would hold both for ever
@@ -70,7 +72,7 @@ class Extended:
 
     __slots__ = ("_notes",)
 
-    def __init__(self, target: Any) -> None:
+    def __init__(self, target: V) -> None:
         object.__setattr__(self, "_notes", current_run().notes_of(target).setdefault("~", {}))
 
     def __getattr__(self, name: str) -> Any:
@@ -82,7 +84,7 @@ class Extended:
         self._notes[name] = value
 
 
-def ext(target: Any) -> Extended:
+def ext(target: V) -> Extended:
     """Extended properties (EOL `x.~mark`): attributes of any object for this run only, None until set, never in the XMI.
 
     >>> class Node: pass

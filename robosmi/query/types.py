@@ -6,14 +6,22 @@ A type may be given as a Python class (generated ones too), an EClass, a model's
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from typing import Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from robosmi.model import driver
 from robosmi.model.driver import TypeHandle, is_element, unknown_type
 from robosmi.model.ecore import EClass
 from robosmi.query.run import current_run
 from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+
+
+V = TypeVar("V")
+AnyKind: TypeAlias = "driver.Kind | EolType"
+"""How a type may be given: as a type of a model, its name, a class, or one of EOL's own."""
 
 
 class EolType:
@@ -25,7 +33,7 @@ class EolType:
         kind: whether it is of this type or a subtype (`isKindOf`); the same as exact if None.
     """
 
-    def __init__(self, name: str, exact: Callable[[Any], bool], kind: Callable[[Any], bool] | None = None) -> None:
+    def __init__(self, name: str, exact: Function, kind: Function | None = None) -> None:
         self.name = name
         self.is_type = exact
         self.is_kind = kind or exact
@@ -37,11 +45,11 @@ class EolType:
         return self.name
 
 
-def _collection(*kinds: str) -> Callable[[Any], bool]:
+def _collection(*kinds: str) -> Function:
     return lambda x: collection_kind(x) in kinds
 
 
-def _map(name: str) -> Callable[[Any], bool]:
+def _map(name: str) -> Function:
     return lambda x: getattr(x.__class__, "_eol_map", "Map" if isinstance(x, dict) else "") == name
 
 
@@ -75,7 +83,7 @@ _OF_PYTHON = {
 }
 
 
-def type_named(name: str) -> Any:
+def type_named(name: str) -> driver.Type | EolType:
     """A type by name: one of EOL's own, else a class of the current run's models (`Book`, `library::Book`, `M!Book`).
 
     Raises:
@@ -94,7 +102,7 @@ def type_named(name: str) -> Any:
     raise unknown_type(name, [*_BUILT_IN, *(n for model in models for n in model.type_names())])
 
 
-def resolve(kind: Any) -> Any:
+def resolve(kind: AnyKind) -> type | EolType:
     """A type in any of its forms as an `EolType` or a Python class.
 
     Raises:
@@ -113,7 +121,7 @@ def resolve(kind: Any) -> Any:
     raise TypeError(f"{kind!r} is no type")
 
 
-def is_kind_of(value: Any, kind: Any) -> bool:
+def is_kind_of(value: V, kind: AnyKind) -> bool:
     """Whether the value is of the type or a subtype (EOL `isKindOf`, `instanceOf`); Integer conforms to Real.
 
     >>> is_kind_of(1, float), is_kind_of([1], "Bag"), is_kind_of("s", "Any")
@@ -123,7 +131,7 @@ def is_kind_of(value: Any, kind: Any) -> bool:
     return bool(wanted.is_kind(value)) if isinstance(wanted, EolType) else isinstance(value, wanted)
 
 
-def is_type_of(value: Any, kind: Any) -> bool:
+def is_type_of(value: V, kind: AnyKind) -> bool:
     """Whether the value is of exactly the type (EOL `isTypeOf`).
 
     >>> is_type_of(1, float), is_type_of([1], "Sequence")
@@ -133,7 +141,7 @@ def is_type_of(value: Any, kind: Any) -> bool:
     return bool(wanted.is_type(value)) if isinstance(wanted, EolType) else type(value) is wanted
 
 
-def matching(items: Iterable[Any], kind: Any, exact: bool = False) -> list[Any]:
+def matching(items: Iterable[V], kind: AnyKind, exact: bool = False) -> list[V]:
     """The items of the kind, or of exactly the type."""
     wanted = resolve(kind)
     if isinstance(wanted, EolType):
@@ -144,7 +152,7 @@ def matching(items: Iterable[Any], kind: Any, exact: bool = False) -> list[Any]:
     return [x for x in items if isinstance(x, wanted)]
 
 
-def type_of(value: Any) -> Any:
+def type_of(value: V) -> Any:
     """The type of a value (EOL `type`): an `EolType`, an EClass or a class for model elements, None for anything else.
 
     >>> type_of(1), type_of({1}), type_of(None)
@@ -158,6 +166,6 @@ def type_of(value: Any) -> Any:
     return None
 
 
-def fits_integer(value: Any) -> bool:
+def fits_integer(value: V) -> bool:
     """Whether the value is an Integer of 32 bits (a Long is none)."""
-    return value.__class__ is int and INT_MIN <= value <= INT_MAX
+    return value.__class__ is int and isinstance(value, int) and INT_MIN <= value <= INT_MAX

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from decimal import Decimal
-from typing import Any, cast
+from typing import Any, TypeGuard, TypeVar, cast
 
 from robosmi.model.ecore import ECollection, EEnumLiteral
 
+V = TypeVar("V")
+W = TypeVar("W")
 INT_MIN, INT_MAX = -(2**31), 2**31 - 1
 
 
@@ -35,7 +37,7 @@ _KINDS: dict[type, str] = {
 }  # fmt: skip
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: V) -> TypeGuard[int | float]:
     """Whether the value is an EOL number; a Boolean is none.
 
     >>> is_number(2.5), is_number(True)
@@ -44,7 +46,7 @@ def is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and value.__class__ is not bool
 
 
-def collection_kind(value: Any) -> str | None:
+def collection_kind(value: V) -> str | None:
     """Its kind: "Sequence", "Bag", "Set" or "OrderedSet", or None if the value is no collection; texts and maps are none.
 
     >>> collection_kind([1]), collection_kind({1}), collection_kind("ab")
@@ -67,15 +69,16 @@ def collection_kind(value: Any) -> str | None:
     return kind
 
 
-def key(value: Any) -> Any:
+def key(given: V) -> Hashable:
     """What membership compares: a hashable stand-in, the same for values that are equal in Java's sense.
 
     >>> key(1) == key(1.0), key(1) == key(True), key([1, 2]) == key((1, 2))
     (False, False, True)
     """
+    value: Any = given
     cls = value.__class__
     if cls is str or value is None:
-        return value
+        return given
     if cls is int:
         return ("Integer" if INT_MIN <= value <= INT_MAX else "Long", value)
     if cls is float:
@@ -97,13 +100,13 @@ def key(value: Any) -> Any:
         hash(value)
     except TypeError:
         return ("id", id(value))
-    return value
+    return given
 
 
 _NUMERIC = frozenset({int, float, bool, Long})
 
 
-def unique(items: Iterable[Any]) -> list[Any]:
+def unique(items: Iterable[V]) -> list[V]:
     """Each item once, in the order first seen, by `key`."""
     found = list(items)
     classes = {type(x) for x in found}
@@ -112,7 +115,7 @@ def unique(items: Iterable[Any]) -> list[Any]:
             return list(dict.fromkeys(found))  # the same answer, ten times faster
         except TypeError:
             pass
-    seen: dict[Any, Any] = {}
+    seen: dict[Hashable, V] = {}
     for item in found:
         seen.setdefault(key(item), item)
     return list(seen.values())
@@ -124,7 +127,7 @@ def compares_itself(cls: type) -> bool:
     return own or issubclass(cls, (list, tuple, dict, AbstractSet, ECollection))
 
 
-def position(items: list[Any], value: Any) -> int:
+def position(items: Sequence[V], value: V) -> int:
     """The index of the first item that is the value in the sense of `key`, or -1."""
     cls = value.__class__
     if cls in _NUMERIC:
@@ -138,7 +141,7 @@ def position(items: list[Any], value: Any) -> int:
         return -1
 
 
-def equal(left: Any, right: Any) -> bool:
+def equal(left: V, right: W) -> bool:
     """EOL's `=`: numbers by value, Bags and Sets (OrderedSets too) without order, a Sequence never equals a Set.
 
     >>> equal(1, 1.0), equal(1, True), equal({1, 2}, {2, 1}), equal([1], {1})
@@ -150,16 +153,21 @@ def equal(left: Any, right: Any) -> bool:
         return bool(left == right)
     kind = collection_kind(left)
     if kind == "Bag" and collection_kind(right) == "Bag":
-        return Counter(key(x) for x in left) == Counter(key(x) for x in right)
+        return Counter(_keys(left)) == Counter(_keys(right))
     return bool(key(left) == key(right))
 
 
-def as_string(value: Any) -> str:
+def _keys(values: Any) -> Iterator[Hashable]:
+    return (key(x) for x in values)
+
+
+def as_string(given: V) -> str:
     """A value as EOL prints it: nothing for None, `true`, `1.0E10`, `Sequence {1, "a"}`.
 
     >>> as_string([1, "a", None, 2.5]), as_string(None), as_string(1e10)
     ('Sequence {1, "a", , 2.5}', '', '1.0E10')
     """
+    value: Any = given
     cls = value.__class__
     if cls is str:
         return str(value)
@@ -179,11 +187,11 @@ def as_string(value: Any) -> str:
         entries = (f"{_quoted(k)}->{_quoted(v)}" for k, v in value.items())
         return f"{getattr(cls, '_eol_map', 'Map')} {{{', '.join(entries)}}}"
     if isinstance(value, EEnumLiteral):
-        return str(getattr(value, "literal", None) or value.name)
+        return str(value.literal or value.name)
     return str(value)
 
 
-def _quoted(value: Any) -> str:
+def _quoted(value: V) -> str:
     return f'"{value}"' if isinstance(value, str) else as_string(value)
 
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from robosmi.model.driver import Item, class_of, feature_value
+from robosmi.model.by_name import feature_value
+from robosmi.model.driver import Item, class_of
 from robosmi.model.ecore import EClassifier, EEnum, EEnumLiteral, EObject, EStructuralFeature
 from robosmi.model.features import all_features
 from robosmi.query.values import collection_kind

@@ -21,7 +21,7 @@ from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, called, failed, place_of, type_name
 
 if TYPE_CHECKING:
-    from robosmi.functions import Definition, Function
+    from robosmi.functions import Function, NamedFunction
     from robosmi.model.driver import DynamicNode, Item, Node
     from robosmi.query.erl import RuleKind
 
@@ -46,7 +46,7 @@ class Rule:
     """
 
     name: str
-    body: Definition
+    body: NamedFunction
     source: RuleKind
     targets: Sequence[RuleKind]
     names: Sequence[str]
@@ -63,7 +63,7 @@ class Rule:
         return RuleError(f"the rule {self.name} {message}", location=place_of(self.body), fix=fix)
 
 
-def declare(body: Definition, transform: Any, to: Any, name: str | None, **options: Any) -> Rule:
+def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **options: Any) -> Rule:
     """A rule from its function and the options of its decorator.
 
     Raises:
@@ -102,7 +102,7 @@ def declare(body: Definition, transform: Any, to: Any, name: str | None, **optio
     return Rule(title, body, source, targets, names, extends=extends, **options)
 
 
-def _parameters(body: Definition) -> list[str]:
+def _parameters(body: NamedFunction) -> list[str]:
     """The names of the parameters that have no default; of a plain function without `inspect`, which takes long."""
     if isinstance(body, FunctionType) and not hasattr(body, "__wrapped__") and not body.__code__.co_flags & _MORE:
         code = body.__code__
@@ -119,7 +119,7 @@ def _compiled(annotation: str) -> CodeType:
     return code
 
 
-def _annotation(body: Definition, parameter: str) -> Any:
+def _annotation(body: NamedFunction, parameter: str) -> Any:
     function = inspect.unwrap(body) if hasattr(body, "__wrapped__") else body
     kind = getattr(function, "__annotations__", {}).get(parameter)
     if kind is None or kind is Any or kind == "Any":
@@ -132,7 +132,7 @@ def _annotation(body: Definition, parameter: str) -> Any:
         return _AsWritten(kind)
 
 
-def _nonlocals(body: Definition) -> dict[str, Any]:
+def _nonlocals(body: NamedFunction) -> dict[str, Any]:
     """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and takes long)."""
     found = {}
     for name, cell in zip(body.__code__.co_freevars, body.__closure__ or (), strict=True):

@@ -68,10 +68,12 @@ class Trace:
         made = Link(rule, (source,), targets, self.step)
         self.links.append(made)
         if source.__class__ in _BY_VALUE:
-            source = key(source)
-        row = self._by_source.get(source)
+            place = key(source)
+        else:
+            place = source
+        row = self._by_source.get(place)
         if row is None:
-            self._by_source[source] = [made]
+            self._by_source[place] = [made]
         else:
             row.append(made)
         return made

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 from pyecore import ecore
 
+from robosmi.model.ecore import EPackage
 from robosmi.model.ecore_loader import load_metamodels
 from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
@@ -49,7 +50,7 @@ def check(path: Path, tmp_path: Path) -> None:
     """Hold what we write for a metamodel against what EMF writes."""
     require_emf()
     sources = [package.source for package in load_metamodels([path])]
-    packages: dict[str, list[object]] = {}
+    packages: dict[str, list[EPackage]] = {}
     for package, source in zip(Metamodel.load(path).epackages, sources, strict=True):
         packages.setdefault(os.path.relpath(source, path.parent), []).append(package)
     ours = to_xmi(packages, [path.name])[path.name]

@@ -40,7 +40,7 @@ def test_elements_are_of_their_type(driver: Driver, model: Model) -> None:
     element = model.all_of_type(driver.kind)[0]
     assert is_element(element)
     assert isinstance(element, getattr(model, driver.kind))
-    assert is_kind_of(element, model.find_type(driver.kind))
+    assert is_kind_of(element, model.type_named(driver.kind))
     assert is_type_of(element, getattr(model, driver.kind))
     assert model.type_of(element) is type_of(element)
 
