@@ -41,7 +41,7 @@ def aliases_of(module: str) -> dict[str, ast.expr]:
 @cache
 def imported(module: str) -> dict[str, tuple[str, str]]:
     """Name -> the module and the name there that it was imported from."""
-    found = {}
+    found: dict[str, tuple[str, str]] = {}
     for node in ast.walk(tree_of(module)):
         if isinstance(node, ast.ImportFrom) and node.module is not None:
             found |= {one.asname or one.name: (node.module, one.name) for one in node.names}

@@ -29,7 +29,7 @@ from robosmi.generate.templates import Templates, Where
 from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.recovery import at_work
-from robosmi.query.erl import RuleBlocks, as_model, called, failed, place_of
+from robosmi.query.erl import Given, RuleBlocks, as_model, called, failed, place_of
 from robosmi.query.own_operations import called_for
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ class Gen:
         self,
         folder: str | Path = ".",
         templates: Where = None,
-        models: Sequence[Any] = (),
+        models: Sequence[Given] = (),
         *,
         keep: bool | str = False,
         values: Mapping[str, Any] | None = None,

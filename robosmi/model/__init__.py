@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from robosmi.model.opening import open_model
     from robosmi.model.repository import Repository
     from robosmi.model.session import Session
+    from robosmi.model.xmi_layout import Root
 
 __all__ = ["EmfModel", "Metamodel", "Model", "Repository", "Session", "load_model", "open_model", "save_model"]
 
@@ -53,7 +54,7 @@ def load_model(path: str | Path) -> Any:
     return next(iter(read_current(Path(path), built_in()).values()))
 
 
-def save_model(root: EObject, path: str | Path, others: Mapping[str, Any] | None = None) -> None:
+def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | None = None) -> None:
     """Write a model as XMI, atomically.
 
     Args:

@@ -6,10 +6,14 @@ A repository holds models and nothing else; it is made where it is needed and co
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, unknown_type
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Item
+    from robosmi.model.ecore import EEnumLiteral
 
 
 class Repository:
@@ -56,7 +60,7 @@ class Repository:
             raise unknown_type(name, self.type_names())
         return having[0][name.rpartition("!")[2]]
 
-    def literal(self, name: str) -> Any:
+    def literal(self, name: str) -> EEnumLiteral:
         """The enumeration literal `Genre#fiction` or `M!Genre#fiction`.
 
         Raises:
@@ -72,7 +76,7 @@ class Repository:
                     refused.append(error)
         raise refused[0] if len(refused) == 1 else unknown_type(name, [])
 
-    def owning(self, element: Any) -> Model | None:
+    def owning(self, element: Item) -> Model | None:
         """The model that holds the element, or None."""
         return next((m for m in self.models if m.owns(element)), None)
 

@@ -32,11 +32,13 @@ if TYPE_CHECKING:
 
 
 F = TypeVar("F", bound="Function")
+Given: TypeAlias = "Model | EObject | Sequence[EObject]"
+"""What a module runs over: a model, or root elements."""
 RuleKind: TypeAlias = "Kind | EolType"
 """How the type that a rule is about may be given."""
 
 
-def as_model(given: Model | EObject | Sequence[EObject]) -> Model:
+def as_model(given: Given) -> Model:
     """A model: the one given, or one around root elements."""
     return given if isinstance(given, Model) else ModelView(given)
 

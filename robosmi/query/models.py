@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.errors import ModelError
-from robosmi.model.driver import Model, TypeHandle, unknown_type
-from robosmi.model.ecore import DynamicEObject, EPackage
+from robosmi.model.driver import DynamicNode, FeatureValue, Item, Kind, Model, Node, Type, TypeHandle, unknown_type
+from robosmi.model.ecore import DynamicEObject, EEnumLiteral, EObject, EPackage
 from robosmi.model.emf import EmfModel
 from robosmi.model.fragments import fragment_of
 from robosmi.model.making import new, unlink
@@ -56,15 +56,15 @@ class ModelView(Model):
     def _collected(self, items: Sequence[Any]) -> Q[Any]:
         return items if isinstance(items, Q) else Q._of(list(items))
 
-    def types(self) -> Iterator[tuple[str, Any]]:
+    def types(self) -> Iterator[tuple[str, Type]]:
         """All types that can be named, as (qualified name, type)."""
         return self.model.types()
 
-    def find_type(self, name: str) -> Any:
+    def find_type(self, name: str) -> Type | None:
         """The type of that name, simple or qualified, or None."""
         return self.model.find_type(name)
 
-    def literal(self, name: str) -> Any:
+    def literal(self, name: str) -> EEnumLiteral:
         """An enumeration literal, `Genre#fiction`.
 
         Raises:
@@ -82,7 +82,7 @@ class ModelView(Model):
         """All elements in containment pre-order."""
         return self.model.all_contents()
 
-    def all(self, kind: Any) -> Q[Any]:
+    def all(self, kind: Kind) -> Q[Any]:
         """The instances of a type and its subtypes (EOL `T.all`, `T.allInstances`, `T.allOfKind`).
 
         Raises:
@@ -93,7 +93,7 @@ class ModelView(Model):
     all_of_kind = all
     all_instances = all
 
-    def all_of_type(self, kind: Any) -> Q[Any]:
+    def all_of_type(self, kind: Kind) -> Q[Any]:
         """The instances of exactly a type (EOL `T.allOfType`).
 
         Raises:
@@ -101,7 +101,7 @@ class ModelView(Model):
         """
         return Q._of(list(self.model.all_of_type(self.type_named(kind) if isinstance(kind, str) else kind)))
 
-    def element(self, identity: str) -> Any:
+    def element(self, identity: str) -> DynamicNode | None:
         """The element of an id or fragment (EOL `getElementById`), or None.
 
         Raises:
@@ -109,19 +109,19 @@ class ModelView(Model):
         """
         return self.model.element(identity)
 
-    def id_of(self, element: Any) -> str:
+    def id_of(self, element: Node) -> str:
         """The id or fragment of an element (EOL `getElementId`)."""
         return self.model.id_of(element)
 
-    def owns(self, element: Any) -> bool:
+    def owns(self, element: Item) -> bool:
         """Whether the element is in this model."""
         return self.model.owns(element)
 
-    def create(self, kind: Any, /, **features: Any) -> Any:
+    def create(self, kind: Kind, /, **features: FeatureValue) -> DynamicNode:
         """A new element of this model (EOL `new T(name = "x")`, `T.createInstance()`); see `Model.create`."""
         return self.model.create(self.type_named(kind) if isinstance(kind, str) else kind, **features)
 
-    def delete(self, element: Any) -> None:
+    def delete(self, element: Node) -> None:
         """Take an element with all it contains out of this model (EOL `delete`); see `Model.delete`."""
         self.model.delete(element)
 
@@ -139,7 +139,7 @@ def create(kind: Any, /, **features: Any) -> Any:
     return new(kind, **features)
 
 
-def delete(element: Any) -> None:
+def delete(element: EObject) -> None:
     """Take an element with all it contains out of its container and out of all references to it."""
     unlink(element)
 
@@ -161,7 +161,7 @@ def literal_of(enumeration: Any, label: str, *default: Any) -> Any:
     return default[0] if found is None else found
 
 
-def literal_named(name: str) -> Any:
+def literal_named(name: str) -> EEnumLiteral:
     """The enumeration literal `Genre#fiction` or `M!Genre#fiction` of the current run's models (EOL `Genre#fiction`, `toEnum`).
 
     Raises:
@@ -189,7 +189,7 @@ def all_instances(name: str) -> Q[Any]:
     return Q._of(list(having[0].all_of_kind(having[0].find_type(plain) or plain)))
 
 
-def model_named(name: str) -> Any:
+def model_named(name: str) -> Model:
     """The model of the current run with that name.
 
     Raises:
@@ -198,12 +198,12 @@ def model_named(name: str) -> Any:
     return Repository(current_run().models).model(name)
 
 
-def owning_model(element: Any) -> Any:
+def owning_model(element: Item) -> Model | None:
     """The model of the current run that holds the element, or None."""
     return Repository(current_run().models).owning(element)
 
 
-def id_of(element: Any) -> str:
+def id_of(element: Node) -> str:
     """The element's id or fragment (EOL `id()`): `//@sections.0/@items.1`, as EMF writes it.
 
     Raises:
@@ -212,7 +212,7 @@ def id_of(element: Any) -> str:
     model = owning_model(element)
     if model is not None:
         return str(model.id_of(element))
-    if not hasattr(element, "eClass"):
+    if not isinstance(element, EObject):
         raise ModelError(f"{element!r} is in no model of the run", fix="query inside `with Run(model):`")
     resource = root_of(element).eResource
     return fragment_of(element, list(resource.contents) if resource is not None else [])

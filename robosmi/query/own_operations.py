@@ -40,7 +40,7 @@ _known: set[str] = set()
 class OwnOperation:
     """An operation of one's own: its context type, its function, whether it is cached."""
 
-    def __init__(self, context: Any, function: Function, cached: bool) -> None:
+    def __init__(self, context: types.AnyKind, function: Function, cached: bool) -> None:
         self.context = context
         self.function = function
         self.cached = cached
@@ -59,7 +59,7 @@ class OwnOperation:
         return notes[place]
 
 
-def operation(context: Any, *, name: str | None = None) -> Callable[[F], F]:
+def operation(context: types.AnyKind, *, name: str | None = None) -> Callable[[F], F]:
     """Declare a function as an operation of all objects of a type (EOL `operation Book isOld() : Boolean`), for its module.
 
     Args:

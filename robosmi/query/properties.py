@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from operator import attrgetter
 from types import BuiltinFunctionType, CodeType, FrameType, FunctionType, GeneratorType, MethodType, ModuleType, TracebackType
-from typing import Any
+from typing import Any, TypeVar
 
 from robosmi.model.driver import ModelElement
 from robosmi.model.ecore import EClass, EEnumLiteral, EObject
@@ -22,6 +22,7 @@ from robosmi.query.run import ext
 from robosmi.query.types import EolType
 from robosmi.query.values import collection_kind, compares_itself
 
+V = TypeVar("V")
 _MISSING: Any = object()
 
 
@@ -59,7 +60,7 @@ def get(target: Any, name: str) -> Any:
     raise unknown_property(describe(target), name, property_names(target))
 
 
-def get_safe(target: Any, name: str) -> Any:
+def get_safe(target: V, name: str) -> Any:
     """A property, or None if the target is None (EOL `target?.name`).
 
     >>> get_safe(None, "name") is None
@@ -68,7 +69,7 @@ def get_safe(target: Any, name: str) -> Any:
     return None if target is None else get(target, name)
 
 
-def has_property(target: Any, name: str) -> bool:
+def has_property(target: V, name: str) -> bool:
     """Whether the target has the property (EOL `hasProperty`): a feature, a field, or an operation without arguments."""
     if isinstance(target, Tuple):
         return name in target

@@ -13,7 +13,7 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.collections import Q
-from robosmi.query.erl import RuleBlocks, as_model, called, run_over
+from robosmi.query.erl import Given, RuleBlocks, as_model, called, run_over
 from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
 from robosmi.transform.rule import Rule, bind, declare
@@ -49,7 +49,7 @@ class ETL:
         UsageError: there is no such schedule.
     """
 
-    def __init__(self, *models: Any, schedule: str = "auto", step: str = "") -> None:
+    def __init__(self, *models: Given, schedule: str = "auto", step: str = "") -> None:
         self.step = step
         self.models: list[Model] = [as_model(m) for m in models]
         self.schedule = schedule
@@ -89,8 +89,8 @@ class ETL:
         to: type | str | TypeHandle | Sequence[type | str | TypeHandle] | None = None,
         *,
         name: str | None = None,
-        guard: Callable[[Any], bool] | None = None,
-        extends: Any = (),
+        guard: Function | None = None,
+        extends: Function | str | Sequence[Function | str] = (),
         lazy: bool = False,
         greedy: bool = False,
         abstract: bool = False,
@@ -126,7 +126,7 @@ class ETL:
         """The included modules, those that they include before them, and this one last; each once."""
         return list(post_order([self], lambda module: module._included))
 
-    def run(self, *models: Any) -> Trace:
+    def run(self, *models: Given) -> Trace:
         """Transform: pre blocks, rules, post blocks.
 
         Args:
@@ -171,7 +171,7 @@ class ETL:
                 self.warnings.append(said)
         return given
 
-    def equivalent(self, source: Any, *rules: Any) -> Any:
+    def equivalent(self, source: Any, *rules: Function | str) -> Any:
         """What was made from a source (ETL `s.equivalent()`, `s.equivalent("R")`).
 
         Args:
@@ -191,7 +191,7 @@ class ETL:
         found = self._schedule().equivalents(source, self._names(rules) if rules else ())
         return found[0] if found else None
 
-    def equivalents(self, source: Any, *rules: Any) -> Any:
+    def equivalents(self, source: Any, *rules: Function | str) -> Any:
         """All that was made from a source (ETL `s.equivalents()`), in the order of the rules, primary ones first.
 
         Returns:

@@ -35,7 +35,7 @@ class Fix:
 
     title: str | Callable[..., str]
     do: Function
-    guard: Any = True
+    guard: bool | Function = True
 
 
 class Fail:

@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING, Any, overload
 from robosmi.diagnostics import Location, Severity
 from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
-from robosmi.query.erl import RuleBlocks, as_model, run_over
+from robosmi.query.erl import Given, RuleBlocks, as_model, run_over
 from robosmi.validate.constraint import Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
+    from robosmi.functions import Function
+    from robosmi.model.driver import Item
     from robosmi.query.decorating import Decorator
 
 
@@ -33,7 +35,7 @@ class EVL:
         contexts: the contexts declared here, in order.
     """
 
-    def __init__(self, *models: Any) -> None:
+    def __init__(self, *models: Given) -> None:
         self.models: list[Model] = [as_model(m) for m in models]
         self.pre = RuleBlocks()
         self.post = RuleBlocks()
@@ -49,7 +51,7 @@ class EVL:
     ) -> Context[E]: ...
     @overload
     def context(
-        self, kind: str | TypeHandle, *, guard: Callable[[Any], bool] | None = None, lazy: bool = False, name: str | None = None
+        self, kind: str | TypeHandle, *, guard: Function | None = None, lazy: bool = False, name: str | None = None
     ) -> Context[Any]: ...
     def context(
         self,
@@ -132,7 +134,7 @@ class EVL:
             for context in (*module.contexts, module._constraints, module._critiques):
                 yield from context.constraints
 
-    def run(self, *models: Any, fix: str | Callable[[Unsatisfied], OfferedFix | None] | None = None) -> Validation:
+    def run(self, *models: Given, fix: str | Callable[[Unsatisfied], OfferedFix | None] | None = None) -> Validation:
         """Validate: pre blocks, all checks, fixes if wanted, post blocks.
 
         Args:
@@ -168,7 +170,7 @@ class EVL:
     def _current(self) -> Evaluation:
         return self._evaluation or self._start(self.modules(), [])
 
-    def satisfies(self, element: Any, *names: Any) -> bool:
+    def satisfies(self, element: Item, *names: str | Function) -> bool:
         """Whether an element satisfies all these constraints, named or given as functions; what fails is reported.
 
         Raises:
@@ -178,7 +180,7 @@ class EVL:
 
     satisfies_all = satisfies
 
-    def satisfies_one(self, element: Any, *names: Any) -> bool:
+    def satisfies_one(self, element: Item, *names: str | Function) -> bool:
         """Whether an element satisfies at least one of these constraints.
 
         Raises:
