@@ -842,6 +842,8 @@ class PlanTask(Element, metaclass=MetaEClass):
     """True when a person has ticked it in the report that was made before."""
     fix: str = EAttribute(eType=EString, default_value="")
     """How, if known."""
+    texts: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Of a conflict: what a person has written, what was made last, what is made anew; else empty."""
     elements: MutableSequence[Element] = EReference(upper=-1)
     """Elements it is about."""
 
@@ -859,6 +861,7 @@ class PlanTask(Element, metaclass=MetaEClass):
             effort: str | None = None,
             done: bool | None = None,
             fix: str | None = None,
+            texts: Iterable[str] | None = None,
             elements: Iterable[Element] | None = None,
         ) -> None: ...
 
@@ -910,6 +913,7 @@ class PlanFinding(PlanTask):
             effort: str | None = None,
             done: bool | None = None,
             fix: str | None = None,
+            texts: Iterable[str] | None = None,
             elements: Iterable[Element] | None = None,
         ) -> None: ...
 

@@ -81,9 +81,39 @@ def test_an_edit_of_a_line_that_is_made_anew_is_a_marked_conflict_and_the_old_fi
     assert text.index("<<<<<<< yours") < text.index("drive_speed(2, 2)") < text.index("drive_speed(1, 1)") < text.index(">>>>>>>")
     assert (sketch.parent / "line_follower.ino.orig").read_text() == old
     before = tree(migrated)
+    assert run("migrate", line_follower, "-o", migrated, "--json").rules() >= {"RS516"}
+    assert tree(migrated) == before, "a further run changes something while nobody has decided"
     line_follower.write_text(line_follower.read_text().replace("drive_speed(1, 1)", "drive_speed(3, 3)"))
     assert run("migrate", line_follower, "-o", migrated).code == 5
     assert tree(migrated) == before
+
+
+def test_a_conflict_is_in_the_report_with_its_place_and_both_texts_until_somebody_decides(
+    migrated: Path, line_follower: Path
+) -> None:
+    sketch, report = migrated / "line_follower" / "line_follower.ino", migrated / "line_follower" / "MIGRATION.md"
+    sketch.write_text(sketch.read_text().replace("drive_speed(0, 0)", "drive_speed(2, 2)"))
+    line_follower.write_text(line_follower.read_text().replace("drive_speed(0, 0)", "drive_speed(1, 1)"))
+    outcome = run("migrate", line_follower, "-o", migrated, "--json")
+    lines = sketch.read_text().split("\n")
+    line = lines.index("<<<<<<< yours") + 1
+    (task,) = [task for task in outcome.document["tasks"] if task["rule"] == "RS511"]
+    assert task["location"]["line"] == line
+    said = report.read_text()
+    section = said[said.index("## Conflicts") : said.index("## Findings")]
+    assert f"- `line_follower/line_follower.ino`, line {line}" in section
+    yours, made = (
+        next(part for part in section.split("\n") if part.startswith(f"  - {who}: ")) for who in ("yours", "made anew")
+    )
+    assert "drive_speed(2, 2)" in yours
+    assert "drive_speed(1, 1)" in made
+    assert "take" in section
+    last = lines.index(">>>>>>> generated")
+    mine = lines[line : next(n for n, text in enumerate(lines) if text.startswith("||||||| "))]
+    sketch.write_text("\n".join([*lines[: line - 1], *mine, *lines[last + 1 :]]))
+    assert "RS511" not in {task["rule"] for task in run("migrate", line_follower, "-o", migrated, "--json").document["tasks"]}
+    assert "## Conflicts" not in report.read_text()
+    assert "drive_speed(2, 2)" in sketch.read_text()
 
 
 def test_an_output_from_before_there_was_a_record_is_taken_over(migrated: Path, line_follower: Path) -> None:
@@ -186,3 +216,56 @@ def test_nothing_is_left_behind_by_a_run(migrated: Path, line_follower: Path, tm
     run("migrate", line_follower, "-o", migrated)
     assert sorted(p.name for p in tmp_path.iterdir()) == ["input", "out"]
     assert sorted(p.name for p in migrated.iterdir()) == [".robosmi", ".robosmi.json", "line_follower", "models"]
+
+
+ARM = (
+    '#include "simpletools.h"\n#include "servo.h"\nvoid grip(int angle);\nint main() {{ while (1) {{ grip(3); high(5); {} }} }}\n'
+)
+ROWS = "pin,part,title\nD5,Red LED,LED A\n"
+
+
+@pytest.fixture
+def arm(tmp_path: Path) -> tuple[Path, Path]:
+    """A program with a servo and a function of its own that is still to be written, migrated by a pin table; and the output folder."""
+    program, out = tmp_path / "arm.c", tmp_path / "out"
+    program.write_text(ARM.format("servo_angle(9, 900);"))
+    (tmp_path / "arm.csv").write_text(ROWS + "D9,Basic Servo,Servo A\n")
+    (tmp_path / "robosmi.toml").write_text(
+        '[migrate]\nhardware = "arm.csv"\n[libraries]\n"Servo A" = "Servo"\n[bind]\nP5 = "D5"\nP9 = "D9"\n'
+    )
+    assert run("migrate", program, "-o", out).code in (0, 1)
+    assert "#include <Servo.h>" in (out / "arm" / "arm.ino").read_text()
+    return program, out
+
+
+def without_servo(program: Path) -> None:
+    """The program and its drawing without the servo."""
+    program.write_text(ARM.format("low(5);"))
+    (program.parent / "arm.csv").write_text(ROWS)
+    (program.parent / "robosmi.toml").write_text('[migrate]\nhardware = "arm.csv"\n[bind]\nP5 = "D5"\n')
+
+
+def test_an_include_that_a_kept_body_needs_stays_when_its_component_leaves_the_drawing(arm: tuple[Path, Path]) -> None:
+    program, out = arm
+    sketch = out / "arm" / "arm.ino"
+    body = "  static Servo mine;\n  mine.write(angle);\n"
+    sketch.write_text(sketch.read_text().replace("  // TODO: complete method\n  (void)angle;\n", body))
+    without_servo(program)
+    outcome = run("migrate", program, "-o", out, "--json")
+    assert "#include <Servo.h>" in sketch.read_text()
+    assert body in sketch.read_text()
+    (told,) = [f for f in outcome.document["findings"] if "Servo.h" in f["message"]]
+    assert "you use 'Servo'" in told["message"]
+    before = tree(out)
+    run("migrate", program, "-o", out)
+    assert tree(out) == before
+
+
+def test_an_include_that_nothing_needs_goes_with_its_component(arm: tuple[Path, Path]) -> None:
+    program, out = arm
+    sketch = out / "arm" / "arm.ino"
+    sketch.write_text(sketch.read_text() + "\n// mine\nint count;\n")
+    without_servo(program)
+    run("migrate", program, "-o", out)
+    assert "Servo.h" not in sketch.read_text()
+    assert "int count;" in sketch.read_text()

@@ -15,7 +15,9 @@ from robosmi.generate.places import Places
 from robosmi.generate.record import Record
 from robosmi.generate.text_form import read as read_text
 from robosmi.metamodels import migration
+from robosmi.transformations.chains.kept_includes import needed_still, without_includes
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
+from robosmi.transformations.queries.plan import target_of
 from robosmi.transformations.queries.written_bodies import AS_BYTES, Body, bodies, task_key, ticks, with_ticks, written
 
 REPORT = "MIGRATION.md"
@@ -30,11 +32,13 @@ class ByHand:
     Attributes:
         names: the functions whose bodies they have written.
         done: the tasks that they have ticked, by what they are about.
-        findings: what became of bodies that are called no more.
+        includes: the headers that nothing made needs any more and that they use, with the names that they use of each.
+        findings: what became of bodies that are called no more, and of such headers.
     """
 
     names: set[str] = field(default_factory=set)
     done: set[tuple[str, ...]] = field(default_factory=set)
+    includes: dict[str, list[str]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
 
     def base(self, name: str, last: str, there: str, made: str, path: Path) -> tuple[str, str]:
@@ -51,6 +55,12 @@ class ByHand:
             return with_ticks(last, {tick.key for tick in ticks(there) if tick.done}), there
         if PurePosixPath(name).suffix not in _CODE or there == last:
             return last, there
+        last, kept_headers = without_includes(last, self.includes, made)
+        for header in kept_headers:
+            used = ", ".join(f"'{each}'" for each in self.includes[header][:3])
+            message = f"the include of {header} is kept, which nothing made needs any more: you use {used}"
+            fix = "install its library where you compile, or take the include out with what uses it"
+            self.findings.append(Finding("RS512", Severity.info, message, Location(str(path)), fix=fix))
         new, before = bodies(made), bodies(last)
         gone = [body for body in written(there, last).values() if body.name not in new or not new[body.name].open]
         for body in sorted(gone, key=lambda each: each.first, reverse=True):
@@ -88,7 +98,7 @@ def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, st
         made: relative path -> text, as it is made without regard to what is there.
         record: the texts that were made last.
     """
-    found = ByHand()
+    found, code = ByHand(), dict[str, tuple[str, str, str]]()
     for name, text in made.items():
         raw = places.look(name)
         there, last = (read_text(each or b"", errors=AS_BYTES).text for each in (raw, record.last(name, raw)[0]))
@@ -96,6 +106,8 @@ def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, st
             found.done |= {tick.key for tick in ticks(there) if tick.done}
         elif PurePosixPath(name).suffix in _CODE and there:
             found.names |= written(there, text, last).keys()
+            code[name] = last, there, text
+    found.includes = needed_still(code, str(target_of(plan).name))
     for use in plan.adapterUses:
         use.written = use.adapter is None and (use.targetName or use.name) in found.names
     settle_tasks(plan)

@@ -37,6 +37,7 @@ from robosmi.recommend.history import History, HistoryEntry
 from robosmi.report.notebook import Findings
 from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
+from robosmi.transformations.chains.conflicts import show_conflicts
 from robosmi.transformations.chains.edited_plan import STORED, beside_choices, only_choices_differ
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
 from robosmi.transformations.m2t.first_screen import Counted
@@ -184,11 +185,14 @@ def produce(
         )
         if hand.names or hand.done:
             made = generator(plan, models.files)
-        kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files, hand.base)
-        if (build := built(output, plan.name, kept.files)) is not None or plan.build is not None:
-            plan.build = build
+        texts = {file.name: file.after or "" for file in made.files}
+        kept = keep_texts(places, LAST, texts, manifest.files, hand.base)
+        before, plan.build = plan.build, built(output, plan.name, kept.files)
+        if show_conflicts(plan, kept.files, texts) or plan.build is not None or before is not None:
             made = generator(plan, models.files)
-            kept = keep_texts(places, LAST, {file.name: file.after or "" for file in made.files}, manifest.files, hand.base)
+            hand.findings.clear()
+            texts = {file.name: file.after or "" for file in made.files}
+            kept = keep_texts(places, LAST, texts, manifest.files, hand.base)
         kept.findings += hand.findings
         _trace_texts(plan, made, kept.files)
         contents = kept.files | {f"{FOLDER}/{name}": data for name, data in models.to_files(unchanged or {}).items()}

@@ -281,7 +281,7 @@ def _task(plan: migration.MigrationPlan, task: migration.PlanTask, *, short: boo
     return Item(f"{message}{place}", more=more, rule=str(task.rule), effort=str(task.effort), done=bool(task.done))
 
 
-_SAYS_HOW = frozenset({"RS503", "RS504"})
+_SAYS_HOW = frozenset({"RS503", "RS504", "RS511"})
 """Rules of tasks that are done each in a way of its own, which its line says."""
 
 

@@ -47,6 +47,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "screen": screen,
         "lists": [screen.decide, screen.write, screen.check],
         "sections": _sections(screen),
+        "conflicts": [_conflict(task) for task in plan.tasks if task.texts],
         "findings": [_said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, plan)],
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
@@ -110,6 +111,12 @@ def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, 
         "fix": task.fix if task.severity is not migration.SeverityLevel.info else "",
         "severity": task.severity.name,
     }
+
+
+def _conflict(task: migration.PlanTask) -> dict[str, Any]:
+    """Where a conflict is, and its two sides in lines."""
+    yours, _, made = (text.split("\n") for text in task.texts)
+    return {"path": task.path, "line": task.line, "yours": yours, "made": made}
 
 
 def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> dict[str, str]:

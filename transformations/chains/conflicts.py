@@ -1,0 +1,74 @@
+"""Edits of persons that cannot be merged with what is made anew, as tasks of the plan, so that the report shows them.
+
+The merge marks a conflict in its file (`generate.keep`). Here the marks are read again, those of earlier runs too, which
+stand there until somebody decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import PurePosixPath
+
+from robosmi.generate.keep import BASE, GENERATED, MIDDLE, YOURS
+from robosmi.metamodels import migration
+from robosmi.transformations.chains.by_hand import REPORT
+
+RULE = "RS511"
+"""Of edits and made texts that change the same lines."""
+_ORDER = (BASE, MIDDLE, GENERATED)
+
+
+def show_conflicts(plan: migration.MigrationPlan, files: Mapping[str, bytes], made: Mapping[str, str]) -> bool:
+    """Make the plan's tasks about conflicts those that the files have; whether anything changed.
+
+    Args:
+        plan: the plan.
+        files: relative path -> bytes of the files as they are to be written.
+        made: relative path -> text, as it was made without regard to what is there.
+    """
+    found = [
+        task
+        for name, data in files.items()
+        if PurePosixPath(name).name != REPORT and YOURS.encode().strip() in data
+        for task in _tasks(name, data.decode("utf-8", "replace"), made.get(name, ""))
+    ]
+    before = [task for task in plan.tasks if task.rule == RULE]
+    if [_key(task) for task in before] == [_key(task) for task in found]:
+        return False
+    others = [task for task in plan.tasks if task.rule != RULE]
+    plan.tasks.clear()
+    plan.tasks.extend([*found, *others])
+    return True
+
+
+def _key(task: migration.PlanTask) -> tuple[str, int, tuple[str, ...]]:
+    return str(task.path), int(task.line), tuple(task.texts)
+
+
+def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
+    """The conflicts that are marked in a text; marks that a program itself contains are none."""
+    if any(mark in made for mark in (YOURS, *_ORDER)):
+        return
+    lines = text.replace("\r\n", "\n").splitlines(keepends=True)
+    at = 0
+    while at < len(lines):
+        if lines[at] != YOURS:
+            at += 1
+            continue
+        first, parts = at, list[str]()
+        for mark in _ORDER:
+            begin = at + 1
+            at = next(
+                (number for number in range(begin, len(lines)) if lines[number].rstrip("\n") == mark.rstrip("\n")), len(lines)
+            )
+            parts.append("".join(lines[begin:at]).rstrip("\n"))
+        yield migration.PlanTask(
+            rule=RULE,
+            severity=migration.SeverityLevel.error,
+            message="your edit and the newly made text change the same lines: decide which stay",
+            path=name,
+            line=first + 1,
+            effort="small",
+            fix="both texts stand under Conflicts; take the markers out of the file, then migrate again",
+            texts=parts,
+        )

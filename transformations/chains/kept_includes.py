@@ -1,0 +1,88 @@
+"""Includes that nothing made needs any more, and that what a person has written beside them still does.
+
+A library leaves the program with its component. A body that uses it stays, so its header has to stay, too. Texts alone are looked
+at, with what the library index knows of headers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+
+from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.library_ranking import libraries_by_header, library_api
+from robosmi.transformations.queries.written_bodies import AS_BYTES
+
+_MOST = 8
+"""Libraries with a header of one name that are looked at; the likeliest go first."""
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"].*$", re.MULTILINE)
+
+
+def needed_still(texts: Mapping[str, tuple[str, str, str]], platform: str) -> dict[str, list[str]]:
+    """The headers that are made no more and are still needed: header -> the names that a person uses of it, in their order.
+
+    Args:
+        texts: path of a file of code -> the text that was made last, the one that is there, the one that is made anew.
+        platform: whose libraries.
+
+    A header that the index knows nothing of is needed by names that have its own in them, `EncoderPair` for `Encoder.h`.
+    """
+    gone = dict.fromkeys(header for last, there, made in texts.values() for header in _leaving(last, there, made))
+    own = Counter[str]()
+    for last, there, _ in texts.values() if gone else ():
+        own += Counter(_names(there)) - Counter(_names(last))
+    found = dict[str, list[str]]()
+    for header in gone:
+        offered, stem = _offered(header, platform), header.rpartition("/")[2].partition(".")[0].lower()
+        used = [name for name in own if name in offered or (not offered and stem in name.lower())]
+        if used:
+            found[header] = used
+    return found
+
+
+def without_includes(text: str, headers: Mapping[str, list[str]], made: str) -> tuple[str, list[str]]:
+    """A text without the lines that include some headers, so that the same lines of a person's text count as written by them.
+
+    Args:
+        text: the text that was made last.
+        headers: as `needed_still` gives them.
+        made: the text that is made anew; what it includes is no matter.
+
+    Returns:
+        The text, and the headers whose lines were taken out.
+    """
+    staying = set(_INCLUDE.findall(made))
+    taken, lines = list[str](), list[str]()
+    for line in text.splitlines(keepends=True):
+        found = _INCLUDE.match(line)
+        if found is not None and found[1] in headers and found[1] not in staying:
+            taken.append(found[1])
+        else:
+            lines.append(line)
+    return "".join(lines), taken
+
+
+def _leaving(last: str, there: str, made: str) -> list[str]:
+    """The headers that a text included, still includes, and that are not made for it any more."""
+    before, now = set(_INCLUDE.findall(last)), set(_INCLUDE.findall(made))
+    return [header for header in _INCLUDE.findall(there) if header in before - now]
+
+
+def _names(text: str) -> list[str]:
+    return [word for kind, *_, word in tokens(text.encode("utf-8", AS_BYTES)) if kind == "name"]
+
+
+def _offered(header: str, platform: str) -> set[str]:
+    """The names that the libraries with a header give a program; empty where the index knows none."""
+    found = set[str]()
+    try:
+        libraries = libraries_by_header(header.rpartition("/")[2], platform)
+    except PlatformDataError:
+        return found  # the platform has no index
+    for library in libraries[:_MOST]:
+        for api in library_api(str(library.name), platform).headers:
+            found |= {str(each.name) for each in (*api.classes, *api.functions)} | set(api.constants)
+            found |= {name for values in api.enums.values() for name in values}
+    return found
