@@ -108,6 +108,9 @@ def test_a_conflict_is_in_the_report_with_its_place_and_both_texts_until_somebod
     assert "drive_speed(2, 2)" in yours
     assert "drive_speed(1, 1)" in made
     assert "take" in section
+    sketch.write_text(sketch.read_text().replace("<<<<<<< yours\n", ""))
+    damaged = [task["message"] for task in run("migrate", line_follower, "-o", migrated, "--json").document["tasks"]]
+    assert "the marks of a conflict are damaged: decide which lines stay" in damaged
     last = lines.index(">>>>>>> generated")
     mine = lines[line : next(n for n, text in enumerate(lines) if text.startswith("||||||| "))]
     sketch.write_text("\n".join([*lines[: line - 1], *mine, *lines[last + 1 :]]))
@@ -226,7 +229,7 @@ ROWS = "pin,part,title\nD5,Red LED,LED A\n"
 
 @pytest.fixture
 def arm(tmp_path: Path) -> tuple[Path, Path]:
-    """A program with a servo and a function of its own that is still to be written, migrated by a pin table; and the output folder."""
+    """A program with a servo and a function that is still to be written, migrated by a pin table; and the output folder."""
     program, out = tmp_path / "arm.c", tmp_path / "out"
     program.write_text(ARM.format("servo_angle(9, 900);"))
     (tmp_path / "arm.csv").write_text(ROWS + "D9,Basic Servo,Servo A\n")

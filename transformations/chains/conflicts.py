@@ -15,6 +15,7 @@ from robosmi.transformations.chains.by_hand import REPORT
 
 RULE = "RS511"
 """Of edits and made texts that change the same lines."""
+_MARKS = tuple(mark.strip().encode() for mark in (YOURS, BASE, GENERATED))
 _ORDER = (BASE, MIDDLE, GENERATED)
 
 
@@ -29,7 +30,7 @@ def show_conflicts(plan: migration.MigrationPlan, files: Mapping[str, bytes], ma
     found = [
         task
         for name, data in files.items()
-        if PurePosixPath(name).name != REPORT and YOURS.encode().strip() in data
+        if PurePosixPath(name).name != REPORT and any(mark in data for mark in _MARKS)
         for task in _tasks(name, data.decode("utf-8", "replace"), made.get(name, ""))
     ]
     before = [task for task in plan.tasks if task.rule == RULE]
@@ -50,6 +51,12 @@ def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
     if any(mark in made for mark in (YOURS, *_ORDER)):
         return
     lines = text.replace("\r\n", "\n").splitlines(keepends=True)
+    marked = [number for number, line in enumerate(lines) if line.strip().encode() in _MARKS]
+    if marked and YOURS not in lines:  # somebody has damaged the marks
+        message = "the marks of a conflict are damaged: decide which lines stay"
+        fix = "take the rest of its markers out of the file, then migrate again"
+        error, line = migration.SeverityLevel.error, marked[0] + 1
+        yield migration.PlanTask(rule=RULE, severity=error, message=message, path=name, line=line, effort="small", fix=fix)
     at = 0
     while at < len(lines):
         if lines[at] != YOURS:

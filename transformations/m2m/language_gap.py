@@ -72,7 +72,8 @@ def _conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
 def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[str, FunctionType]) -> str:
     """Why C++ wants the conversion written, or an empty text."""
     if wanted.function:
-        return _function_pointer(value, wanted)
+        to_array = wanted.spelling.rstrip().endswith("(*)")  # its dimensions stand behind, where no parameters are
+        return "" if to_array else _function_pointer(value, wanted)
     if isinstance(value, ccode.StringLiteral):
         if wanted.array:
             return ""

@@ -309,6 +309,7 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
                 message=f"'{component.title}' ({connection.name}) is drawn but no port of the program is bound to it",
                 effort="small",
                 fix="bind a port to it, or leave it unused",
+                path=str(component.circuit.path) if component.circuit is not None else "",
                 elements=[connection],
             )
 

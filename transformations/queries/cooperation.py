@@ -201,7 +201,7 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
             calls = [call for call in inside if isinstance(call, ccode.Call)]
             own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
             others = [adapters.get(str(c.calleeName), _FRAME) for c in calls if c.callee is None or c.callee.body is None]
-            frame = _FRAME + sum(_size(e) for e in inside if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
+            frame = _FRAME + local_bytes(inside)
             parts[id(at)] = frame, own, max(others, default=0)
             waiting += [callee for callee in own if id(callee) not in parts]
             continue
@@ -209,6 +209,11 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
         known.setdefault(id(at), frame + max([deepest, *(known.get(id(callee), 0) for callee in own)]))
         waiting.pop()
     return known[id(function)]
+
+
+def local_bytes(elements: Iterable[Element]) -> int:
+    """How many bytes the local variables among some elements take."""
+    return sum(_size(e) for e in elements if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
 
 
 def _size(variable: ccode.Variable) -> int:

@@ -23,6 +23,8 @@ from robosmi.transformations.queries.plan_adapters import closure, emitted, setu
 from robosmi.transformations.queries.stack_depth import depth
 from robosmi.transformations.queries.type_sizes import on_target
 
+_SERIAL = "Serial"
+"""The part of the core that has a serial line."""
 _LISTED = 5
 """So many of the largest variables are named."""
 _COUNTS = ("++", "--")
@@ -95,12 +97,14 @@ def memory(plan: migration.MigrationPlan) -> Memory:
         pieces = _pieces(plan, code)
     variables, unknown = lasting_variables(plan, code, sizes)
     shared = plan.concurrency
+    adapters = tuple(sorted(_adapters(plan, code.elements, pieces), key=lambda each: -each.bytes))
+    serial = any(share.name == _SERIAL for share in adapters)
     return Memory(
         tuple(sorted(variables, key=lambda each: -each.bytes)),
         bytes_of_texts(code, pieces) + bytes_of_initial_values(plan, code, sizes),
-        tuple(sorted(_adapters(plan, code.elements, pieces), key=lambda each: -each.bytes)),
+        adapters,
         int(shared.slots * shared.stackBytes) if shared is not None else 0,
-        depth(plan),
+        depth(plan, code, pieces, serial=serial),
         tuple(unknown),
         int(chip.ramBytes) if chip is not None else 0,
     )

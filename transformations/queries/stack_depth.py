@@ -1,41 +1,96 @@
 """How deep the stack of a plan's program may grow, estimated from the models: the deepest chain of calls, and interrupts upon it.
 
-Locals and calls of the program are counted by `cooperation.stack_bytes`, adapters by what is measured of their pieces. Stacks
-of what ran on other cores are memory of their own (`memory`).
+What a compiler leaves out does not count; of adapters what is measured of their pieces does. Once the program is compiled, its
+stack is read off its code (`verification.machine_stack`). Stacks of what ran on other cores are memory of their own (`memory`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Collection, Iterable, Mapping
 
-from robosmi.metamodels import migration, platform
-from robosmi.transformations.queries.cooperation import stack_bytes
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import all_contents
+from robosmi.transformations.queries.compiled_code import CompiledCode
+from robosmi.transformations.queries.cooperation import local_bytes
 from robosmi.transformations.queries.main_function import main_of
-from robosmi.transformations.queries.plan_adapters import closure
 
-START = 4
-"""Bytes of stack that the start of the program takes, until main is called."""
+_WORKS = re.compile(r"\)[\w ]*\{")
+"""In the text of a piece that defines a function."""
+START = 2
+"""Bytes of stack that lead to main: the address that it would return to."""
 ARGUMENT = 6
 """Bytes of each argument of a function that takes any number of them: its value and its kind."""
+VARIADIC = 44
+"""Bytes that a function with any number of arguments takes beside what does its work: its own frame, and the list of them."""
 IDLE = 80
 """Bytes of stack that a coroutine needs that does nothing: interrupts of the core, and what it leaves while others get on."""
-CORE_INTERRUPT = 17
-"""Bytes that the core's own clock interrupt takes upon all else: what it returns to, and the registers that it keeps."""
+CORE_INTERRUPT, SERIAL_INTERRUPT = 11, 19
+"""Bytes that the largest of the core's own interrupts takes upon all else: of its clock, and of its serial line."""
+FRAME = 14
+"""Bytes of a call of one of the program's own functions: the address that it returns to and the registers that it keeps."""
+CALL = 12
+"""Bytes of a call of a piece of an adapter of which nothing is measured: few keep registers."""
 
 
-def depth(plan: migration.MigrationPlan) -> int:
+def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[platform.Adapter], *, serial: bool) -> int:
     """Bytes of stack that the program takes at most, as far as the models tell.
 
     Args:
         plan: the plan, complete.
+        code: what a compiler keeps of its program.
+        pieces: the pieces of adapters that are there.
+        serial: whether the serial line of the core is used.
     """
-    filled = {str(use.name): closure([use.adapter]) for use in plan.adapterUses if use.adapter is not None}
+    measured = {str(use.name): _piece_bytes(use.adapter, {}) for use in plan.adapterUses if use.adapter is not None}
+    measured |= {str(use.name): _piece_bytes(use.adapter, {}) for use in plan.symbolUses if use.adapter is not None}
     mains = [main for unit in (plan.program.units if plan.program is not None else ()) if (main := main_of(unit)) is not None]
-    stacks = measured_stacks(filled.items())
-    deepest = max((stack_bytes(main, stacks) for main in mains), default=0)
-    passed = max((len(call.arguments) for use in plan.adapterUses if use.variadic for call in use.calls), default=0) * ARGUMENT
-    least = IDLE if plan.concurrency is not None else START + CORE_INTERRUPT  # beside others, main is a coroutine, too
-    return least + deepest + passed + interrupt_bytes(piece for pieces in filled.values() for piece in pieces)
+    variadic = {str(use.name) for use in plan.adapterUses if use.variadic}
+    deepest = max((_deepest(main, code, measured, variadic) for main in mains), default=0)
+    core = SERIAL_INTERRUPT if serial else CORE_INTERRUPT
+    least = IDLE if plan.concurrency is not None else START + core  # beside others, main is a coroutine, too
+    return least + deepest + interrupt_bytes(pieces)
+
+
+def _deepest(main: ccode.Function, code: CompiledCode, measured: Mapping[str, int], variadic: Collection[str]) -> int:
+    """Bytes of the deepest chain of calls from a function on that a compiler keeps; what calls itself is counted once."""
+    live = {id(element) for element in code.elements} - code.answers.keys()
+    known: dict[int, int] = {}
+    parts: dict[int, tuple[int, list[ccode.Function], int]] = {}  # locals, own functions that are called, deepest other call
+    waiting = [main]
+    while waiting:  # no recursion: functions may call the next for as long as they like
+        at = waiting[-1]
+        if id(at) not in parts:
+            inside = [element for element in all_contents(at.body) if id(element) in live]
+            calls = [element for element in inside if isinstance(element, ccode.Call)]
+            own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+            others = [_call(c, measured, variadic) for c in calls if c.callee is None or c.callee.body is None]
+            others += [measured.get(str(each.name), 0) for each in inside if isinstance(each, ccode.NameReference)]
+            parts[id(at)] = local_bytes(inside), own, max(others, default=0)
+            waiting += [callee for callee in own if id(callee) not in parts]
+            continue
+        own_bytes, own, deepest = parts[id(at)]
+        known.setdefault(id(at), own_bytes + max([deepest, *(FRAME + known.get(id(callee), 0) for callee in own)]))
+        waiting.pop()
+    return known[id(main)]
+
+
+def _piece_bytes(piece: platform.Adapter, known: dict[int, int]) -> int:
+    """Bytes of stack that a piece of an adapter takes with those that it needs: measured, or a call for each on the way."""
+    if id(piece) not in known:
+        known[id(piece)] = 0  # pieces may need each other
+        below = max((_piece_bytes(each, known) for each in piece.needs), default=0)
+        works = not handles_interrupts(piece) and _WORKS.search(str(piece.text)) is not None
+        own = int(piece.stackBytes) if not handles_interrupts(piece) else 0
+        known[id(piece)] = max(own, below + CALL * works)
+    return known[id(piece)]
+
+
+def _call(call: ccode.Call, measured: Mapping[str, int], variadic: Collection[str]) -> int:
+    """Bytes of a call of the platform."""
+    name = str(call.calleeName)
+    more = VARIADIC + ARGUMENT * len(call.arguments) if name in variadic else 0
+    return measured.get(name, CALL) + more
 
 
 def measured_stacks(filled: Iterable[tuple[str, list[platform.Adapter]]]) -> dict[str, int]:

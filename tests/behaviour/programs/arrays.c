@@ -8,6 +8,7 @@ char *names[] = { "north", "east", "south", "west" };
 unsigned char data[6] = "ab\xF0";
 extern int later[3];
 int index_of(const int *list, int n, int v) { int i; for (i = 0; i < n; ++i) if (list[i] == v) return i; return -1; }
+void rows_of(short (*rows)[4], int n) { int i, j; for (i = 0; i < n; i++) for (j = 0; j < 4; j++) rows[i][j] += i * 100 + j; }
 int compare(const void *a, const void *b) { return *(const int *)a - *(const int *)b; }
 int compare_short(const void *a, const void *b) { const short *x = a, *y = b; return *x < *y ? -1 : *x > *y; }
 int main()
@@ -38,6 +39,7 @@ int main()
   for (p = list; p != &list[5]; ) *p++ = 9;
   printf("%d\n", list[0] + list[4]);
   { char *s = "abc"; int h = 0; while (*s) h = h << 8 | *s++; printf("%d\n", h); }
+  rows_of(m, 3); printf("%d %d\n", m[1][0], m[2][2]);
   return 0;
 }
 int later[3] = { 1, 2, 90000 };
