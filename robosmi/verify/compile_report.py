@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Severity
 from robosmi.verify.libraries import CompiledLibrary
 
@@ -60,7 +61,7 @@ class StackBound(NamedTuple):
         """Whether it is a bound: nothing calls itself, and all frames are known."""
         return not self.recursive and not self.unknown
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The contract's form."""
         return {"bytes": self.bytes, "interrupts": self.interrupts, "certain": self.certain, "recursive": list(self.recursive),
                 "unknown": list(self.unknown), "deepest": list(self.deepest)}  # fmt: skip
@@ -122,7 +123,7 @@ class CompileReport:
         kept = {"elf": self.elf, "hex": self.hex, "compilation database": self.database}
         return [{"path": str(path), "kind": kind} for kind, path in kept.items() if path is not None]
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The contract's form of a compile result."""
         return {
             "ok": self.ok,

@@ -53,21 +53,24 @@ def without_includes(text: str, headers: Mapping[str, list[str]], made: str) -> 
     Returns:
         The text, and the headers whose lines were taken out.
     """
-    staying = set(_INCLUDE.findall(made))
+    staying = set(_included(made))
     taken, lines = list[str](), list[str]()
     for line in text.splitlines(keepends=True):
-        found = _INCLUDE.match(line)
-        if found is not None and found[1] in headers and found[1] not in staying:
-            taken.append(found[1])
-        else:
-            lines.append(line)
+        here = [header for header in _included(line) if header in headers and header not in staying]
+        taken += here
+        lines += [line] * (not here)
     return "".join(lines), taken
 
 
 def _leaving(last: str, there: str, made: str) -> list[str]:
     """The headers that a text included, still includes, and that are not made for it any more."""
-    before, now = set(_INCLUDE.findall(last)), set(_INCLUDE.findall(made))
-    return [header for header in _INCLUDE.findall(there) if header in before - now]
+    before, now = set(_included(last)), set(_included(made))
+    return [header for header in _included(there) if header in before - now]
+
+
+def _included(text: str) -> list[str]:
+    """The headers that a text includes, in its order."""
+    return [str(found.group(1)) for found in _INCLUDE.finditer(text)]
 
 
 def _names(text: str) -> list[str]:
@@ -83,6 +86,6 @@ def _offered(header: str, platform: str) -> set[str]:
         return found  # the platform has no index
     for library in libraries[:_MOST]:
         for api in library_api(str(library.name), platform).headers:
-            found |= {str(each.name) for each in (*api.classes, *api.functions)} | set(api.constants)
+            found |= {str(each.name) for each in api.classes} | {str(each.name) for each in api.functions} | set(api.constants)
             found |= {name for values in api.enums.values() for name in values}
     return found

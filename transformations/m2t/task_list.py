@@ -113,10 +113,10 @@ def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, 
     }
 
 
-def _conflict(task: migration.PlanTask) -> dict[str, Any]:
+def _conflict(task: migration.PlanTask) -> dict[str, Json]:
     """Where a conflict is, and its two sides in lines."""
-    yours, _, made = (text.split("\n") for text in task.texts)
-    return {"path": task.path, "line": task.line, "yours": yours, "made": made}
+    yours, _, made = ([*text.split("\n")] for text in task.texts)
+    return {"path": task.path, "line": task.line, "yours": [*yours], "made": [*made]}
 
 
 def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> dict[str, str]:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import all_contents
+from robosmi.query import all_of_kind
 from robosmi.transformations.queries.compiled_code import CompiledCode
 from robosmi.transformations.queries.cooperation import local_bytes
 from robosmi.transformations.queries.main_function import main_of
@@ -61,12 +61,13 @@ def _deepest(main: ccode.Function, code: CompiledCode, measured: Mapping[str, in
     while waiting:  # no recursion: functions may call the next for as long as they like
         at = waiting[-1]
         if id(at) not in parts:
-            inside = [element for element in all_contents(at.body) if id(element) in live]
-            calls = [element for element in inside if isinstance(element, ccode.Call)]
+            calls = [call for call in all_of_kind(at.body, ccode.Call) if id(call) in live]
+            names = [each for each in all_of_kind(at.body, ccode.NameReference) if id(each) in live]
+            variables = [each for each in all_of_kind(at.body, ccode.Variable) if id(each) in live]
             own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
             others = [_call(c, measured, variadic) for c in calls if c.callee is None or c.callee.body is None]
-            others += [measured.get(str(each.name), 0) for each in inside if isinstance(each, ccode.NameReference)]
-            parts[id(at)] = local_bytes(inside), own, max(others, default=0)
+            others += [measured.get(str(each.name), 0) for each in names]
+            parts[id(at)] = local_bytes(variables), own, max(others, default=0)
             waiting += [callee for callee in own if id(callee) not in parts]
             continue
         own_bytes, own, deepest = parts[id(at)]

@@ -48,7 +48,7 @@ class _State(NamedTuple):
         if low not in _PAIRS:
             return self
         at = _PAIRS.index(low)
-        return self._replace(pairs=(*self.pairs[:at], depth, *self.pairs[at + 1 :]))
+        return _State(self.depth, (*self.pairs[:at], depth, *self.pairs[at + 1 :]))
 
     def held(self, low: str) -> int | None:
         """The depth that a pair stands for; None where it is something else."""
@@ -187,15 +187,15 @@ class _Depths:
         name, operands = instruction.name, instruction.operands
         depth, low = state.depth, operands[0] if operands else ""
         if name == "push":
-            return state._replace(depth=depth + 1), depth + 1, None
+            return _State(depth + 1, state.pairs), depth + 1, None
         if name == "pop":
-            return state._replace(depth=max(0, depth - 1)).holding(low_of(low), None), depth, None
+            return _State(max(0, depth - 1), state.pairs).holding(low_of(low), None), depth, None
         if name in ("rcall", "call"):
             target = instruction.target
             if target == 0:  # what is nowhere defined
                 return self._left(state), depth + 2, None
             if target == self._next.get(instruction.address):
-                return state._replace(depth=depth + 2), depth + 2, None  # a frame of two bytes
+                return _State(depth + 2, state.pairs), depth + 2, None  # a frame of two bytes
             return self._left(state), depth + 2 + (self.of(target) if target is not None else 0), target
         if name in _THROUGH_POINTERS:
             sizes = {target: self._of_pointed(target) for target in self._machine.reached_from(instruction.address)}
@@ -217,7 +217,7 @@ class _Depths:
     @staticmethod
     def _left(state: _State) -> _State:
         """What a call leaves: registers that functions keep."""
-        return state._replace(pairs=tuple(held if 2 * at in _KEPT else None for at, held in enumerate(state.pairs)))
+        return _State(state.depth, tuple(held if 2 * at in _KEPT else None for at, held in enumerate(state.pairs)))
 
     def _computed(self, instruction: Instruction, state: _State, entry: int) -> _State:
         """The state behind an instruction that neither calls nor jumps."""
@@ -231,7 +231,7 @@ class _Depths:
             held = state.held(operands[1])
             if held == _COMPUTED:
                 self.unknown.add(entry)
-            return state._replace(depth=held) if held is not None and held >= 0 else state  # without one it is another stack
+            return _State(held, state.pairs) if held is not None and held >= 0 else state  # without one it is another stack
         held = state.held(low_of(low))
         if held is None or held == _COMPUTED:
             return self._plain(instruction, state)
