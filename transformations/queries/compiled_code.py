@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
+from robosmi.model.strict import Element
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.answered_calls import calls_at_no_pin, ignored_arguments, unwritten_calls
 from robosmi.transformations.queries.folded_code import FoldedCode
@@ -38,7 +39,7 @@ class CompiledCode:
         arguments: identities of calls -> the values of their arguments, None for those that are not known.
     """
 
-    elements: list[Any]
+    elements: list[Element]
     ignored: set[int]
     fixed: dict[Key, int | None] = field(default_factory=dict)
     unread: set[Key] = field(default_factory=set)
